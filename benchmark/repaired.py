@@ -36,7 +36,8 @@ def row(program, path, seconds):
         report = os.path.join(folder, "report.json")
         error = run([program, "rotate", path, *TURN, "--repair", "--steps", "10", "--report", report], seconds)
         if error:
-            reason = error.replace(path + ": ", "").replace("dsc: ", "").split(":")[0]
+            reason = error.replace(path + " cannot be repaired: ", "").replace(path + ": ", "")
+            reason = reason.replace("dsc: ", "").split(":")[0]
             return [name] + ["–"] * 10 + ["refused: " + reason]
         with open(report, encoding="utf-8") as file:
             told = json.load(file)

@@ -13,7 +13,7 @@ The rules:
   packages that PACKAGES names for it.
 - No package includes a header from the folder internal/ of another package.
 - A module includes only itself and modules above it in the list of its package.
-- A facade is a public header that reads named parameters. An internal header of the kernel includes no
+- A facade is a public header that reads named parameters, except headers of options. An internal header of the kernel includes no
   facade, unless its module comes after LAST_MODULE_BELOW_FACADES.
 - Each internal header belongs to a module. A module has at most MAXIMUM_LINES lines.
 - Each path in backquotes in CONTRIBUTING.md exists, unless it has a placeholder.
@@ -48,7 +48,7 @@ MODULES = {
         "traversal": "work lists, vertex numbering, rows of sparse matrices",
         "geometry": "facet normals, overlaps, qualities of triangles",
         "interface": "edges and fans of the interface, curvature, midpoints on smooth surfaces",
-        "operations": "triangulations of rings, sandwiches, optimal positions",
+        "operations": "triangulations of rings and of multi-face cavities, optimal positions",
         "topology": "links and their labels, relabeling, the log of topology events",
         "motion": "simultaneous motion, untangling, extension of the displacement, collisions",
         "improvement": "mesh operations of each dimension, removal of small angles, mesh improvement",
@@ -69,9 +69,9 @@ MODULES = {
     "Interface_flows": {"paths": "paths of interface vertices in velocity fields"},
     "Solid_reconstruction_3": {
         "clouds": "point clouds: neighbors, local planes, sides",
-        "reconstruction": "octree shell, approach to the points, sharp edges, certificate",
+        "reconstruction": "octree shell, approach to the points, sharp edges, checks of the result",
     },
-    "Cut_loci_2": {"geodesics": "geodesics, their intersections, certificates"},
+    "Cut_loci_2": {"geodesics": "geodesics, their intersections, checks of cut loci"},
     "Incompressible_fluids_3": {
         "solvers": "matrices by cells, factorizations, minimal residuals",
         "steps": "mesh, equations, contacts and masses of a time step",
@@ -99,7 +99,7 @@ class Header:
         self.includes = re.findall(r'^\s*#\s*include\s*[<"]CGAL/([^>"]+)[>"]', text, re.M)
         self.is_facade = (not self.is_internal and
                           f"{KERNEL}/parameter_values.h" in self.includes and
-                          not self.name.endswith("Interface_adaptation.h"))
+                          not self.name.endswith(("_options.h", "Interface_adaptation.h")))
 
 
 def read_headers():

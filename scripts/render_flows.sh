@@ -18,7 +18,7 @@ fail() { # MESSAGE
 }
 
 check_needs() {
-  [ -x "$build/dsc" ] || fail "$build/dsc is missing; build the target dsc, or give its build folder"
+  [ -x "$build/dsc" ] || fail "$build/dsc is missing; build the project, or give its build folder"
   [ -f "$data" ] || fail "$data is missing; run scripts/install_dependencies.sh"
   "$python" -c 'import vtk' 2>/dev/null ||
     fail "VTK for Python is missing; run scripts/install_dependencies.sh"

@@ -16,7 +16,7 @@ fail() { # MESSAGE
 }
 
 check_needs() {
-  [ -x "$build/dsc" ] || fail "$build/dsc is missing; build the target dsc, or give its build folder"
+  [ -x "$build/dsc" ] || fail "$build/dsc is missing; build the project, or give its build folder"
   [ -f "$data" ] || fail "$data is missing; run scripts/install_dependencies.sh"
   command -v povray >/dev/null ||
     fail "povray is missing; run scripts/install_dependencies.sh povray python3-numpy"

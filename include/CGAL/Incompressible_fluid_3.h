@@ -24,6 +24,7 @@
 #include <CGAL/Incompressible_fluids_3/Fluid_properties_3.h>
 #include <CGAL/Incompressible_fluids_3/Fluid_report_3.h>
 #include <CGAL/Incompressible_fluids_3/Fluid_state_3.h>
+#include <CGAL/Incompressible_fluids_3/Fluid_step_options_3.h>
 #include <CGAL/Incompressible_fluids_3/Saddle_point_solver.h>
 #include <CGAL/Incompressible_fluids_3/Solids_3.h>
 #include <CGAL/Incompressible_fluids_3/fluid_errors.h>
@@ -37,6 +38,7 @@
 #include <CGAL/Incompressible_fluids_3/internal/fluid/Step_plan_3.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Component_momenta_3.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_step_3.h>
+#include <CGAL/Incompressible_fluids_3/internal/steps/Liquid_flow_3.h>
 
 #include <algorithm>
 #include <chrono>
@@ -96,6 +98,7 @@ public:
   using Balance = Fluid_balance_3;                       ///< the balance of all liquids
   using Report = Fluid_report_3<Complex>;                ///< the report of a time step
   using State = Fluid_state_3;                           ///< the state, to be saved and restored
+  using Options = Fluid_step_options_3<Complex>;         ///< the options of a time step
 
   /// \name Creation
   /// @{
@@ -108,15 +111,16 @@ public:
   Incompressible_fluid(Complex& complex, const Properties& properties)
       : m_complex(complex), m_properties(properties) {
     if (properties.liquids().empty())
-      throw Error("there is no liquid: tell the density of a label at least");
+      throw Error("there is no liquid: set the density of at least one label");
     const Flow flow(*this, m_properties);
     if (flow.mesh.facets.empty())
-      throw Error(flow.mesh.cells.empty()
-                      ? "no cell has the label of a liquid"
-                      : "liquids fill the domain and have no surface that could move");
+      throw Error(
+          flow.mesh.cells.empty()
+              ? "no cell has the label of a liquid: set the density of a label of the complex"
+              : "the liquid fills the domain and has no interface: give some cells another label");
     m_complex.take_component_lineage();
-    m_ledger.set_volumes(flow.volumes());
-    m_gas_ledger.set_bodies(Gas_bookkeeping::measure(flow.mesh, m_properties));
+    m_liquids.set_volumes(flow.volumes());
+    m_gases.set_components(Gas_bookkeeping::measure(flow.mesh, m_properties));
   }
 
   /// Fluids cannot be copied.
@@ -158,7 +162,7 @@ public:
     for (Vertex_handle v : m_complex.vertices()) {
       const Eigen::Vector3d velocity = internal::eigen_vector(velocity_at(v));
       if (!velocity.allFinite())
-        throw Error("a velocity is not finite");
+        throw Error("a velocity is not finite: give finite velocities");
       motion.set(v, velocity, Eigen::Vector3d::Zero());
     }
     m_motion = std::move(motion);
@@ -188,16 +192,16 @@ public:
     if (m_properties.gases().empty())
       return {};
     const Flow flow(*this, m_properties);
-    const auto bodies = m_gas_ledger.bodies_of(flow.mesh);
+    const auto components = m_gases.components_of(flow.mesh);
     std::vector<Fluid_gas_3> result;
-    for (std::size_t k = 0; k < bodies.size(); ++k)
-      result.push_back({flow.mesh.gases[k].component, flow.mesh.gases[k].label, bodies[k].volume,
-                        bodies[k].pressure()});
+    for (std::size_t k = 0; k < components.size(); ++k)
+      result.push_back({flow.mesh.gases[k].component, flow.mesh.gases[k].label,
+                        components[k].volume, components[k].pressure()});
     return result;
   }
   /// Returns the volume to be preserved for each connected component of a liquid, by
   /// `Complex::component()`.
-  const std::map<std::uint32_t, double>& volumes() const { return m_ledger.volumes(); }
+  const std::map<std::uint32_t, double>& volumes() const { return m_liquids.volumes(); }
 
   /// Returns the depth of the deepest surface vertex in a solid, or 0 if no vertex is inside a
   /// solid. Takes O(n log n) time.
@@ -209,10 +213,10 @@ public:
   interface, the length of an edge is the length when the surface was built or last remeshed. At
   other vertices, it is `mean_interface_edge()`. Returns infinity for a fluid at rest. Takes linear
   time.
-  \param part the fraction of an edge, also called CFL number. Use at most 0.25 if liquids
+  \param fraction the fraction of an edge, also called CFL number. Use at most 0.25 if liquids
          collide.
   */
-  double largest_step(double part = .25) const;
+  double largest_step(double fraction = .25) const;
 
   /// @}
   /// \name Motion
@@ -290,8 +294,13 @@ public:
   */
   template <class NamedParameters = parameters::Default_named_parameters>
   Report advance(double dt, const NamedParameters& np = NamedParameters()) {
-    return advance_with(options(np), dt);
+    return advance(dt, options(np));
   }
+
+  /// Performs one time step as `advance()` with named parameters does.
+  /// \throws Error if an option is out of its range, see `Fluid_step_options_3::check()`, or as
+  ///         that function does
+  Report advance(double dt, const Options& options);
 
   /*!
   Moves the liquids to an equilibrium of forces. The function performs time steps with an
@@ -315,8 +324,12 @@ public:
   */
   template <class NamedParameters = parameters::Default_named_parameters>
   double relax(double dt, unsigned steps, const NamedParameters& np = NamedParameters()) {
-    return relax_with(options(np), dt, steps);
+    return relax(dt, steps, options(np));
   }
+
+  /// Moves the liquids to an equilibrium as `relax()` with named parameters does.
+  /// \throws Error if an option is out of its range, or as that function does
+  double relax(double dt, unsigned steps, Options options);
 
   /// @}
   /// \name Files
@@ -337,10 +350,10 @@ public:
 private:
   using Mesh = internal::Fluid_mesh_3<Complex>;
   using Vectors = internal::Vectors_3;
-  using Ledger = internal::Liquid_bookkeeping_3;
+  using Liquid_bookkeeping = internal::Liquid_bookkeeping_3;
   using Gas_bookkeeping = internal::Gas_bookkeeping_3;
   using Wall = Wall_3;
-  using Part_interface = internal::Liquid_interface_3<Complex>;
+  using Liquid_interface = internal::Liquid_interface_3<Complex>;
   using Contacts = internal::Wall_contacts_3<Complex>;
   using Step = internal::Fluid_step_3<Complex, Solver>;
   using Approximate_point = typename Complex::Approximate_point;
@@ -350,13 +363,17 @@ private:
   using Snapshot = internal::Fluid_snapshot_3<Incompressible_fluid, Complex>;
 
   // The mesh, positions and motion of the liquids at present.
-  struct Flow
+  struct Flow : internal::Liquid_flow_3<Complex>
   {
-    Mesh mesh;
-    Vectors positions, velocities, accelerations;
+    using Base = internal::Liquid_flow_3<Complex>;
+    using Base::accelerations;
+    using Base::mesh;
+    using Base::positions;
+    using Base::velocities;
 
     Flow(const Incompressible_fluid& fluid, const Properties& properties)
-        : mesh(fluid.updated_complex(), properties), positions(mesh.positions(fluid.m_complex)) {
+        : Base{Mesh(fluid.updated_complex(), properties), {}, {}, {}} {
+      positions = mesh.positions(fluid.m_complex);
       for (Vertex_handle v : mesh.vertices) {
         velocities.push_back(fluid.m_motion.velocity(v));
         accelerations.push_back(fluid.m_motion.acceleration(v));
@@ -371,7 +388,7 @@ private:
       Balance result = internal::balance(mesh, fluid.m_properties, at, with, [&](std::size_t f) {
         return contacts.tension(mesh.facets[f]);
       });
-      const auto gases = fluid.m_gas_ledger.bodies_of(mesh);
+      const auto gases = fluid.m_gases.components_of(mesh);
       const auto volumes = internal::volumes_of_gases(mesh, gases, positions, at);
       for (std::size_t k = 0; k < gases.size(); ++k)
         result.gas_energy += gases[k].energy(volumes[k]);
@@ -381,13 +398,15 @@ private:
     // Returns the budget of a time step that begins with the present energy.
     internal::Energy_budget_3 budget(const Incompressible_fluid& fluid) const {
       double springs = 0;
-      for (const auto& gas : fluid.m_gas_ledger.bodies_of(mesh))
+      for (const auto& gas : fluid.m_gases.components_of(mesh))
         springs += gas.gas.exponent > 0 ? gas.pressure() * gas.volume : 0;
       return {balance(fluid, positions, velocities, fluid.m_time),
               Eigen::Vector3d(fluid.m_properties.gravity().data()), positions, springs};
     }
 
-    typename Ledger::Volumes volumes() const { return Ledger::measure(mesh, positions); }
+    typename Liquid_bookkeeping::Volumes volumes() const {
+      return Liquid_bookkeeping::measure(mesh, positions);
+    }
 
     double depth_in_solids(const Incompressible_fluid& fluid) const {
       const Contacts contacts(mesh, fluid.m_solids, fluid.m_complex, positions, fluid.m_time);
@@ -395,32 +414,6 @@ private:
       for (std::size_t v = 0; v < positions.size(); ++v)
         result = (std::max)(result, contacts.depth(v, positions[v], fluid.m_time));
       return result;
-    }
-  };
-
-  struct Options
-  {
-    internal::Deformation_options<Complex> deformation;
-    double implicitness, interface_tolerance;
-    unsigned adaptation_interval, number_of_threads;
-
-    // Restricts changes of the mesh to those without which the motion is impossible.
-    void preserve_mesh() {
-      deformation.quality_threshold = deformation.relabeling_threshold = 0;
-      deformation.minimum_angle = deformation.minimum_facet_angle = 0;
-    }
-
-    // Returns the named parameters of deformations.
-    auto parameters() const {
-      return Deformable_simplicial_complexes::parameters::quality_threshold(
-                 deformation.quality_threshold)
-          .relabeling_threshold(deformation.relabeling_threshold)
-          .minimum_angle(deformation.minimum_angle)
-          .minimum_facet_angle(deformation.minimum_facet_angle)
-          .manifold_interface(deformation.manifold_interface)
-          .collision_order(deformation.collision_order)
-          .topology_control(deformation.topology_control)
-          .number_of_threads(number_of_threads);
     }
   };
 
@@ -451,42 +444,39 @@ private:
 
   static void require_step(double dt) {
     if (!(dt > 0) || !std::isfinite(dt))
-      throw Error("the step of time is not positive and finite");
+      throw Error("the time step is not positive and finite: use a positive, finite number");
   }
 
   template <class NamedParameters> Options options(const NamedParameters& np) const;
-  Report advance_with(const Options& chosen, double dt);
   Report advance_in_parts(const Options& chosen, double dt, const Snapshot& start);
   std::optional<Fluid_repetition_3> attempt(const internal::Step_plan_3& plan, double begin,
                                             double dt, Options chosen, Report& report);
   Point fastest_vertex() const;
   Point flattest_cell() const;
-  double relax_with(Options chosen, double dt, unsigned steps);
   void adapt(const Options& chosen, internal::Mesh_treatment_3 treatment, Report& report);
-  template <class Visitor>
-  Improvement_report adapt_lengths(double tolerance, const Visitor& visitor);
+  Improvement_report adapt_lengths(double tolerance, Any_visitor<Complex>* visitor);
   void make_admissible(double dt, unsigned number_of_threads, Report& report);
-  void step(double dt, double end, const Options& chosen, double longest_way, Report& report,
-            Energy_judge* judge);
-  void own_gains(const Flow& flow, const Step& step, double dt, Report& report);
-  Vectors shortened(Vectors destinations, const Flow& flow, double longest_way,
+  void step(double dt, double end, const Options& chosen, double longest_displacement,
+            Report& report, Energy_judge* judge);
+  void add_source_volumes(const Flow& flow, const Step& step, double dt, Report& report);
+  Vectors shortened(Vectors destinations, const Flow& flow, double longest_displacement,
                     const Contacts& contacts) const;
   void describe(const Step& step, const Flow& flow, Report& report) const;
   Balance energies_with_gases_of(const Report& report) const;
   void store(const Flow& flow, const Vectors& velocities, const std::vector<double>& pressures,
              double dt);
-  Flow settle(const Options& chosen, Report& report);
+  Flow restore_components(const Options& chosen, Report& report);
   Deformation_report<Complex> move(const Flow& flow, const Contacts& contacts,
                                    const Vectors& destinations, const Options& chosen);
-  template <class Change> auto change_followed(const Change& change);
+  template <class Change> auto change_mesh(const Change& change);
   void restore_volumes(Flow& flow, const Options& chosen, Report& report);
   Flow move_interface(const Flow& flow, const Eigen::VectorXd& coordinates, const Options& chosen,
                       Report& report);
   std::vector<std::size_t> stamps_of_interface() const;
   Eigen::VectorXd coordinates_of_interface() const;
-  double follow_parts(const Flow& now);
+  double update_components(const Flow& now);
   double restore_momenta(Flow& flow);
-  template <class MomentumOf> void note_momenta(const Flow& flow, const MomentumOf& momentum_of);
+  template <class MomentumOf> void record_momenta(const Flow& flow, const MomentumOf& momentum_of);
 
   static constexpr std::uint32_t steps_after_change = 4; // of topology: waves are then smooth
   static constexpr double implicitness_after_change = .6;
@@ -497,8 +487,8 @@ private:
   typename Contacts::Solids m_solids;
   internal::Fluid_motion_3 m_motion;
   typename Step::Source m_source;
-  Ledger m_ledger; // the volumes and momenta of connected components
-  Gas_bookkeeping m_gas_ledger;
+  Liquid_bookkeeping m_liquids; // the volumes and momenta of connected components
+  Gas_bookkeeping m_gases;
   double m_time = 0;
   std::uint64_t m_steps = 0;
   std::uint32_t m_damped_steps = 0;

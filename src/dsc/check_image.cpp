@@ -40,7 +40,7 @@ public:
     if (std::filesystem::is_directory(path, error))
       fail("is a folder; name a file in it");
     if (m_file == nullptr)
-      throw Input_error("cannot open " + path + ": check that it exists and may be read");
+      throw Input_error("cannot open " + path + "; check that the file exists and is readable");
     read_header();
   }
 
@@ -51,23 +51,25 @@ public:
     for (const char* key : {"XDIM", "YDIM", "ZDIM"})
       announced *= dimension(key);
     if (take("VDIM").value_or("1") != "1")
-      fail("has more than one number for each voxel (VDIM); write one, the label");
+      fail("has more than one value per voxel (VDIM); write only the label");
     for (const char* key : {"VX", "VY", "VZ"})
       if (!(number(key, "1") > 0))
-        fail("has voxels whose size " + std::string(key) + " is not positive; correct the header");
+        fail("has an invalid voxel size: " + std::string(key) +
+             " is not positive; correct the header");
     for (const char* key : {"TX", "TY", "TZ"})
       number(key, "0");
     for (const char* key : {"RX", "RY", "RZ"})
       if (number(key, "0") != 0)
-        fail("is rotated (" + std::string(key) + "); write it without a rotation");
+        fail("has a rotation (" + std::string(key) + "), which is not supported; remove it");
     const std::uint64_t size = count_bytes();
     if (size < announced)
       fail("lacks " + std::to_string(announced - size) + " of the " + std::to_string(announced) +
            " bytes that its header announces; is it truncated?");
     Unused_content unused;
     for (const auto& [key, value] : m_values)
-      unused.add("header lines " + internal::in_quotes(key));
-    unused.add("bytes after the last voxel", size - announced);
+      unused.add("header line " + internal::in_quotes(key));
+    unused.add(noun(size - announced, "byte after the last voxel", "bytes after the last voxel"),
+               size - announced);
     print_unused(m_path, unused);
   }
 
@@ -93,11 +95,10 @@ private:
     const std::string magic = "#INRIMAGE-4#{";
     const std::optional<std::string> first = line();
     if (first == magic + '\r')
-      fail("has line ends of Windows, so its voxels are damaged, too; copy it as a binary file");
+      fail("has Windows line endings, so its voxels are damaged, too; copy it in binary mode");
     if (first != magic)
       fail("does not begin with " + magic +
-           "; is it an INR image, as other files cannot be "
-           "compressed?");
+           "; give an INR image (images in other formats cannot be compressed)");
     bool has_values = true;
     for (std::optional<std::string> text; (text = line());) {
       if (text->compare(0, 3, "##}") == 0)
@@ -154,16 +155,16 @@ private:
     };
     const bool is_real = begins_with(type, "float");
     if (!is_real && !begins_with(type, "signed fixed") && !begins_with(type, "unsigned fixed"))
-      fail("has voxels of the unknown type " + internal::in_quotes(type) +
+      fail("has the unknown voxel type " + internal::in_quotes(type) +
            "; write unsigned fixed, signed fixed or float");
     if (order != "decm" && order != "alpha" && order != "pc" && order != "sun" && order != "sgi")
-      fail("has the unknown order of bytes CPU=" + order + "; write decm or sun");
+      fail("has the unknown byte order CPU=" + order + "; write decm or sun");
     const std::array<std::uint64_t, 3> sizes = is_real ? std::array<std::uint64_t, 3>{32, 64, 64}
                                                        : std::array<std::uint64_t, 3>{8, 16, 32};
     for (const std::uint64_t bits : sizes)
       if (begins_with(size, std::to_string(bits) + " bits"))
         return bits / 8;
-    fail("has voxels of the size " + internal::in_quotes(size) + "; write " +
+    fail("has the unsupported voxel size " + internal::in_quotes(size) + "; write " +
          (is_real ? "32 bits or 64 bits" : "8 bits, 16 bits or 32 bits"));
   }
 
@@ -177,7 +178,7 @@ private:
       result += static_cast<std::uint64_t>(n);
     }
     if (n < 0)
-      fail("has compressed data that are damaged or end too early; copy it again");
+      fail("has damaged or truncated compressed data; copy the file again");
     return result;
   }
 

@@ -33,17 +33,19 @@ std::vector<std::string> known_names(const CLI::App& app, bool are_options) {
   return result;
 }
 
-/// Returns advice on the first unknown argument: the nearest known name of a command or option, or
-/// parentheses for an inequality that begins with '-'. Returns an empty string if there is no
-/// advice.
-std::string advice_on_arguments(const CLI::App& app, int argc, char** argv) {
+/// Returns the error message for the first unknown command or option, with the nearest known name,
+/// or for an inequality that begins with '-'. Returns an empty string if there is none.
+/// \param help the end of a message without a nearest name
+std::string message_on_arguments(const CLI::App& app, int argc, char** argv,
+                                 const std::string& help) {
   const std::vector<CLI::App*> chosen = app.get_subcommands();
   const CLI::App& command = chosen.empty() ? app : *chosen.front();
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i], name = argument.substr(0, argument.find('='));
     if (argument.rfind("-", 0) == 0 && argument.rfind("--", 0) != 0 &&
         argument.find_first_of("<>") != std::string::npos)
-      return "; write an inequality that begins with '-' in parentheses, like '(-x)<1'";
+      return "unexpected argument '" + argument +
+             "'; write an inequality that begins with '-' in parentheses, like '(-x)<1'";
     const bool is_option = name.rfind("--", 0) == 0 && name.size() > 2;
     if (!is_option && (i > 1 || !chosen.empty()))
       continue;
@@ -51,7 +53,8 @@ std::string advice_on_arguments(const CLI::App& app, int argc, char** argv) {
     if (std::find(known.begin(), known.end(), name) != known.end())
       continue;
     const std::string nearest = nearest_name(name, known);
-    return nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
+    return (name.rfind("-", 0) == 0 ? "unknown option '" : "unknown command '") + name + "'" +
+           (nearest.empty() ? help : "; did you mean '" + nearest + "'?");
   }
   return "";
 }
@@ -72,8 +75,9 @@ void run_command_line(CLI::App& app, int argc, char** argv) {
     std::string command = "dsc";
     for (const CLI::App* chosen : app.get_subcommands())
       command += " " + chosen->get_name();
-    throw Usage_error(one_line(error.what()) + advice_on_arguments(app, argc, argv) + "; see " +
-                      command + " --help");
+    const std::string help = "; see " + command + " --help",
+                      message = message_on_arguments(app, argc, argv, help);
+    throw Usage_error(message.empty() ? one_line(error.what()) + help : message);
   }
 }
 

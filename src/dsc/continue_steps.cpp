@@ -20,7 +20,7 @@ std::string command_of(const Motion& motion) { return motion_json(motion).at("co
 void require_dt_in_period(const Motion& motion) {
   const Advection* advection = std::get_if<Advection>(&motion);
   if (advection && advection->period > 0 && advection->dt > advection->period)
-    throw Usage_error("--dt is longer than the period; choose a shorter time per step");
+    throw Usage_error("--dt is larger than the period; choose a smaller time step");
 }
 
 /// Completes options: an option that is not given keeps its previous value.
@@ -105,16 +105,19 @@ std::string continue_steps(const Step_options& before, const std::set<std::strin
     require_options(asked.motion, given);
     require_effect_of_options(asked, given);
     asked.grows_domain = before.grows_domain; // a property of the domain
-    return command + " instead of " + last;
+    return "the command changes from " + last + " to " + command;
   }
   Completion completion(given);
   completion.complete(before, asked);
   require_dt_in_period(asked.motion);
   require_effect_of_options(asked, given);
+  if (completion.changed().empty())
+    return "";
   std::string changes;
   for (const std::string& option : completion.changed())
-    changes += (changes.empty() ? "another " : ", ") + option;
-  return changes;
+    changes += (changes.empty() ? "" : ", ") + option;
+  return changes + noun(completion.changed().size(), " differs", " differ") +
+         " from the previous run";
 }
 
 } // namespace dsc

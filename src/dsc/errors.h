@@ -5,6 +5,7 @@
 #ifndef DSC_ERRORS_H
 #define DSC_ERRORS_H
 
+#include <cstddef>
 #include <stdexcept>
 
 namespace dsc {
@@ -22,6 +23,11 @@ class Input_error : public std::runtime_error
 public:
   using std::runtime_error::runtime_error;
 };
+
+/// Returns the form of a noun for a number of items in a message: `singular` for one item.
+inline const char* noun(std::size_t number, const char* singular, const char* plural) {
+  return number == 1 ? singular : plural;
+}
 
 } // namespace dsc
 

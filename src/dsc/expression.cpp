@@ -36,7 +36,7 @@ struct Expression::Parser
         message << (is_first ? "" : ", ") << names[i] << " = " << variables[i];
         is_first = false;
       }
-    message << "; a finite number is needed, for example by 'x>0?1/x:0'";
+    message << "; the value must be finite, as in 'x>0?1/x:0'";
     throw Input_error(message.str());
   }
 };
@@ -62,9 +62,9 @@ Expression::Expression(const std::string& text, const std::vector<std::string>& 
     parser.SetExpr(translate_expressions(text, values, functions));
     parser.Eval(m_size);
   } catch (const mu::Parser::exception_type& error) {
-    refuse("cannot be read: " + error.GetMsg());
+    refuse("cannot be parsed: " + error.GetMsg());
   } catch (const Syntax_error& error) {
-    refuse(std::string("cannot be read: ") + error.what());
+    refuse(std::string("cannot be parsed: ") + error.what());
   }
 }
 

@@ -97,12 +97,12 @@ private:
         ++m_place;
       if (!is_digit(at(0)))
         throw Syntax_error("the number " + quoted(m_text.substr(begin, m_place - begin)) +
-                           " has no digits behind its e");
+                           " has no digits after its e");
       pass_digits();
     }
     if (at(0) == '.')
       throw Syntax_error("the number " + quoted(m_text.substr(begin, m_place + 1 - begin)) +
-                         " has two points");
+                         " has two decimal points");
   }
 
   void pass_sign() {
@@ -113,29 +113,28 @@ private:
       }
     for (const auto& [sign, ours] : foreign_signs())
       if (starts_with(sign))
-        throw Syntax_error(quoted(sign) + " is not known; write " + quoted(ours));
+        throw Syntax_error(quoted(sign) + " is unknown; write " + quoted(ours));
     static const std::string signs = "+-*/^<>?:(),";
     if (signs.find(at(0)) != std::string::npos) {
       ++m_place;
       return;
     }
     if (at(0) == '=')
-      throw Syntax_error("'=' would assign; two values are compared by '=='");
+      throw Syntax_error("'=' is an assignment; write '==' to compare two values");
     if (at(0) == '!')
-      throw Syntax_error("'!' is not known; write '(...)==0' for what does not hold");
+      throw Syntax_error("'!' is unknown; write '(...)==0' to negate a condition");
     refuse_character();
   }
 
   [[noreturn]] void refuse_character() const {
     const auto code = static_cast<unsigned char>(at(0));
     if (code < ' ' || code == 127)
-      throw Syntax_error("a control character, of the code " + std::to_string(code) +
-                         ", is not known");
+      throw Syntax_error("the control character with code " + std::to_string(code) + " is unknown");
     std::size_t end = m_place + 1; // includes all bytes of a UTF-8 character
     while (end < m_text.size() && (static_cast<unsigned char>(m_text[end]) & 0xC0) == 0x80)
       ++end;
     throw Syntax_error("the character " + quoted(m_text.substr(m_place, end - m_place)) +
-                       " is not known");
+                       " is unknown");
   }
 
   const std::string& m_text;
@@ -159,8 +158,8 @@ public:
   std::string translate() {
     std::string result = list();
     if (m_tokens.next().kind != Token::Kind::end)
-      throw Syntax_error(quoted(m_tokens.next().text) + " is not expected" +
-                         (m_tokens.is_next(")") ? ", as no parenthesis is open" : ""));
+      throw Syntax_error(quoted(m_tokens.next().text) + " is unexpected" +
+                         (m_tokens.is_next(")") ? ": no parenthesis is open" : ""));
     return result;
   }
 
@@ -182,7 +181,7 @@ private:
     result += take();
     result += choice();
     if (!m_tokens.is_next(":"))
-      throw Syntax_error("':' is missing behind '?'; write it like 'x<0?-1:1'");
+      throw Syntax_error("':' is missing after '?'; write it like 'x<0?-1:1'");
     result += take();
     return result + choice();
   }
@@ -217,8 +216,9 @@ private:
     std::string result;
     for (std::size_t i = 0; i < signs.size(); ++i) {
       if (signs[i][0] != direction || direction == '=' || direction == '!')
-        throw Syntax_error("a chain of comparisons has '<' and '<=' only, or '>' and '>=' only; "
-                           "write '&&' between others");
+        throw Syntax_error(
+            "a chain of comparisons must contain only '<' and '<=', or only '>' and '>='; "
+            "join other comparisons by '&&'");
       result += (i > 0 ? "&& " : "") + sides[i] + signs[i] + sides[i + 1];
     }
     return limited("( " + result + ") ");
@@ -272,7 +272,7 @@ private:
       std::vector<std::string> known = m_values;
       known.insert(known.end(), m_functions.begin(), m_functions.end());
       const bool is_misspelt = !nearest_name(name, known).empty();
-      throw Syntax_error("the name " + quoted(name) + " is not known" +
+      throw Syntax_error("the name " + quoted(name) + " is unknown" +
                          advice_on_name(name, is_misspelt ? known : m_values, "variables"));
     }
     m_tokens.take();
@@ -289,7 +289,7 @@ private:
     if (!m_tokens.is_next(")"))
       throw Syntax_error(m_tokens.next().kind == Token::Kind::end
                              ? std::string("a parenthesis is not closed")
-                             : quoted(m_tokens.next().text) + " is not expected");
+                             : quoted(m_tokens.next().text) + " is unexpected");
     return result + take();
   }
 
@@ -300,7 +300,7 @@ private:
   static std::string limited(std::string text) {
     static constexpr std::size_t most = 10000; // characters, within the limits of muParser
     if (text.size() > most)
-      throw Syntax_error("it is too long");
+      throw Syntax_error("the expression is too long");
     return text;
   }
 
@@ -309,7 +309,7 @@ private:
     explicit Nesting(Translator& translator) : m_depth(translator.m_depth) {
       static constexpr int most = 100; // nesting depth, limits the stack
       if (++m_depth > most)
-        throw Syntax_error("it is nested too deeply");
+        throw Syntax_error("the expression is nested too deeply");
     }
     ~Nesting() { --m_depth; }
     int& m_depth;

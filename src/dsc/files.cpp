@@ -44,8 +44,7 @@ void require_writable(const std::string& path) {
   while (fs::exists(probe, error))
     probe += '~';
   if (!std::ofstream(probe))
-    throw Input_error("cannot write '" + path +
-                      "'; check that its folder exists and may be written to");
+    throw Input_error("cannot write '" + path + "'; check that its folder exists and is writable");
   fs::remove(probe, error);
 }
 
@@ -60,7 +59,7 @@ void require_place(const std::string& option, const std::string& path,
     return;
   for (const std::string& other : others)
     if (!other.empty() && is_same_file(path, other))
-      throw Usage_error(option + " would replace '" + path + "'; choose another name");
+      throw Usage_error(option + " would overwrite '" + path + "'; choose another name");
   require_writable(path);
 }
 

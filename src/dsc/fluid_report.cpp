@@ -4,6 +4,7 @@
 
 #include "fluid_report.h"
 
+#include "errors.h"
 #include "legendre.h"
 
 #include <algorithm>
@@ -166,28 +167,28 @@ Json probes_json(const Fluid_scene& scene, const Complex& complex) {
   return result;
 }
 
-Json parts_json(const Fluid& fluid) {
+Json components_json(const Fluid& fluid) {
   Json result = Json::array();
-  struct Part
+  struct Component
   {
     int label = 0;
     double volume = 0;
     Extent extent;
   };
-  std::map<std::uint32_t, Part> present;
+  std::map<std::uint32_t, Component> present;
   for (const auto c : fluid.complex().cells()) {
-    Part& part = present[c->component()];
-    part.label = c->label();
-    part.volume += fluid.complex().measure(c);
+    Component& component = present[c->component()];
+    component.label = c->label();
+    component.volume += fluid.complex().measure(c);
     for (int i = 0; i < 4; ++i)
-      part.extent.add(fluid.complex().position(c->vertex(i)));
+      component.extent.add(fluid.complex().position(c->vertex(i)));
   }
   for (const auto& [number, volume] : fluid.volumes()) {
-    const Part& part = present[number];
-    result.push_back({{"label", part.label},
-                      {"volume", part.volume},
+    const Component& component = present[number];
+    result.push_back({{"label", component.label},
+                      {"volume", component.volume},
                       {"wanted_volume", volume},
-                      {"extent", part.extent.json()}});
+                      {"extent", component.extent.json()}});
   }
   return result;
 }
@@ -231,7 +232,7 @@ Json step_json(const Fluid& fluid, const Fluid_scene& scene, unsigned step,
   const Complex& complex = fluid.complex();
   Json json = {{"step", step}, {"time", fluid.time()}};
   json.update(balance_json(report ? report->after : fluid.balance()));
-  json["parts"] = parts_json(fluid);
+  json["parts"] = components_json(fluid);
   json["gases"] = gases_json(fluid);
   json["extent"] = extent_json(complex);
   json["probes"] = probes_json(scene, complex);
@@ -289,7 +290,8 @@ std::string Repetitions::text() const {
   std::string result;
   for (const auto& [cause, number] : m_attempts)
     result += (result.empty() ? "" : ", ") + cause + " " + std::to_string(number);
-  return "; " + std::to_string(m_steps) + " steps repeated (attempts undone: " + result + ")";
+  return "; " + std::to_string(m_steps) + noun(m_steps, " step", " steps") +
+         " repeated (undone attempts: " + result + ")";
 }
 
 } // namespace dsc

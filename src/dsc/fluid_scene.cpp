@@ -28,14 +28,14 @@ constexpr std::size_t highest_mode = 100;
 double read_amplitude(const Json_fields& shape) {
   const double result = shape.number("amplitude", 0);
   if (!(std::abs(result) <= most_amplitude))
-    shape.refuse("amplitude", "at most 0.5 is possible");
+    shape.refuse("amplitude", "must be from -0.5 to 0.5");
   return result;
 }
 
 std::size_t read_mode(const Json_fields& json) {
   const std::size_t result = json.count("mode", 0);
   if (result > highest_mode)
-    json.refuse("mode", "at most 100 is possible");
+    json.refuse("mode", "must be at most 100");
   return result;
 }
 
@@ -44,7 +44,7 @@ void require_both_or_none(const Json_fields& shape, const char* a, const char* b
   if (shape.has(a) != shape.has(b)) {
     const bool has_a = shape.has(a);
     shape.refuse(has_a ? a : b,
-                 std::string("it has no effect without the field '") + (has_a ? b : a) + "'");
+                 std::string("has no effect without the field '") + (has_a ? b : a) + "'");
   }
 }
 
@@ -60,7 +60,7 @@ Box_shape read_box(const Json_fields& shape) {
   const Box_shape box{shape.numbers<3>("from"), shape.numbers<3>("to")};
   for (std::size_t i = 0; i < 3; ++i)
     if (!(box.to[i] > box.from[i]))
-      shape.refuse("to", "the box is empty");
+      shape.refuse("to", "must be larger than 'from' in each coordinate: the box is empty");
   return box;
 }
 
@@ -71,7 +71,7 @@ Cylinder_shape read_cylinder(const Json_fields& shape) {
                               shape.positive("radius"), read_amplitude(shape),
                               shape.has("wave_length") ? shape.positive("wave_length") : 0};
   if (column.from == column.to)
-    shape.refuse("to", "the cylinder has no length");
+    shape.refuse("to", "must differ from 'from': the cylinder has no length");
   return column;
 }
 
@@ -130,10 +130,10 @@ void read_filling(const Json_fields& json, std::size_t index, Filling& filling) 
   filling.shape = read_shape(json.object("shape"));
   const bool is_surroundings = std::holds_alternative<Surroundings>(filling.shape);
   if (is_surroundings && json.has("label"))
-    json.refuse("label", "surroundings have the label 0; leave it out");
+    json.refuse("label", "the shape 'surroundings' has label 0; remove the field");
   filling.label = is_surroundings ? 0 : int(json.count("label", index + 1));
   if (!is_surroundings && filling.label == 0)
-    json.refuse("label", "0 is what is around all others: use the shape surroundings");
+    json.refuse("label", "label 0 is reserved for the shape 'surroundings'; choose another label");
 }
 
 Scene_liquid read_liquid(const Json_fields& liquid, std::size_t index) {
@@ -161,7 +161,7 @@ Scene_source read_source(const Json_fields& source) {
   const Scene_source result = {source.numbers<3>("center"), source.positive("radius"),
                                source.number("rate")};
   if (result.rate == 0)
-    source.refuse("rate", "with 0 the source has no effect; leave it out");
+    source.refuse("rate", "must not be 0: the source has no effect; remove the source");
   return result;
 }
 
@@ -172,7 +172,7 @@ bool read_side(const Json_fields& solid) {
 std::array<double, 3> read_direction(const Json_fields& solid, const char* field) {
   const std::array<double, 3> result = solid.numbers<3>(field);
   if (result == std::array<double, 3>())
-    solid.refuse(field, "it has no direction");
+    solid.refuse(field, "must not be the zero vector");
   return result;
 }
 
@@ -223,7 +223,7 @@ Scene_solid read_solid(const Json_fields& solid) {
   read_body(solid, result);
   result.contact_angle = solid.number("contact_angle", 90);
   if (!(result.contact_angle >= 0 && result.contact_angle <= 180))
-    solid.refuse("contact_angle", "0 to 180 degrees are possible");
+    solid.refuse("contact_angle", "must be from 0 to 180 degrees");
   result.sticks = solid.flag("sticks", false);
   result.separates = solid.flag("separates", true);
   if (solid.has("velocity"))
@@ -244,7 +244,7 @@ std::vector<Fluid_scene::Tension> read_tensions(const Json_fields& scene) {
     const auto labels = tension.numbers<2>("labels");
     for (double label : labels)
       if (label != std::floor(label) || !(std::abs(label) <= std::numeric_limits<int>::max()))
-        tension.refuse("labels", "whole numbers are needed");
+        tension.refuse("labels", "must be integers");
     tension.any("value");
     result.push_back({{int(labels[0]), int(labels[1])}, tension.not_negative("value", 0)});
   }
@@ -254,7 +254,7 @@ std::vector<Fluid_scene::Tension> read_tensions(const Json_fields& scene) {
 Scene_probe read_probe(const Json_fields& probe) {
   const bool has_mode = probe.has("mode");
   if (has_mode && probe.has("height_at"))
-    probe.refuse("height_at", "a probe has a mode or a height; make two probes");
+    probe.refuse("height_at", "a probe measures either a mode or a height; write two probes");
   if (has_mode)
     probe.require_known({"name", "mode", "center"});
   else
@@ -266,7 +266,7 @@ Scene_probe read_probe(const Json_fields& probe) {
     result.center = probe.numbers<3>("center");
   } else {
     if (probe.has("center"))
-      probe.refuse("center", "it has no effect without the field 'mode'");
+      probe.refuse("center", "has no effect without the field 'mode'");
     result.place = probe.numbers<2>("height_at");
   }
   return result;
@@ -282,7 +282,7 @@ void read_relaxation(const Json_fields& scene, Fluid_scene& result) {
   result.relaxation_step = relaxation.positive("time_step");
   result.relaxation_steps = relaxation.count("steps", 100);
   if (result.relaxation_steps == 0)
-    relaxation.refuse("steps", "with 0 the relaxation has no effect; leave it out");
+    relaxation.refuse("steps", "must not be 0: the relaxation has no effect; remove it");
 }
 
 } // namespace
@@ -298,13 +298,14 @@ Fluid_scene read_scene(const Json& json) {
   result.domain = scene.numbers<6>("domain");
   for (std::size_t i = 0; i < 3; ++i)
     if (!(result.domain[i + 3] > result.domain[i]))
-      scene.refuse("domain", "three least coordinates and three larger ones are needed");
+      scene.refuse("domain",
+                   "must be three minimum coordinates and three larger maximum coordinates");
   result.edge = scene.positive("edge");
   std::size_t index = 0;
   for (const Json_fields& liquid : scene.objects("liquids"))
     result.liquids.push_back(read_liquid(liquid, index++));
   if (result.liquids.empty())
-    scene.refuse("liquids", "one at least is needed");
+    scene.refuse("liquids", "must contain at least one liquid");
   for (const Json_fields& gas : scene.objects("gases"))
     result.gases.push_back(read_gas(gas, index++));
   for (const Json_fields& source : scene.objects("sources"))
@@ -321,7 +322,7 @@ Fluid_scene read_scene(const Json& json) {
   result.end = scene.positive("end");
   result.implicitness = scene.number("implicitness", .5);
   if (!(result.implicitness >= .5 && result.implicitness <= 1))
-    scene.refuse("implicitness", "0.5 to 1 is possible");
+    scene.refuse("implicitness", "must be from 0.5 to 1");
   result.interface_tolerance = scene.not_negative("interface_tolerance", .04);
   result.adaptation_interval = scene.count("adaptation_interval", 4);
   read_relaxation(scene, result);
@@ -345,8 +346,8 @@ Fluid_scene find_scene(const std::string& name) {
     std::vector<std::string> names;
     for (const auto& scene : scenes)
       names.push_back(scene.first);
-    throw Input_error("there is no file and no scene '" + name + "'" +
-                      (scenes.empty() ? "; no scenes are in " + searched_scene_folders()
+    throw Input_error("there is no file or scene '" + name + "'" +
+                      (scenes.empty() ? "; no scenes were found in " + searched_scene_folders()
                                       : advice_on_name(name, names, "scenes")));
   }
   const std::string& path = found == scenes.end() ? name : found->second;
@@ -357,8 +358,8 @@ Fluid_scene find_scene(const std::string& name) {
 std::vector<std::array<std::string, 2>> scene_names() {
   const std::map<std::string, std::string> scenes = scene_files();
   if (scenes.empty())
-    throw Input_error("the program finds none of its scenes: no scenes are in " +
-                      searched_scene_folders() + "; install the program again");
+    throw Input_error("no scenes were found in " + searched_scene_folders() +
+                      "; install the program again");
   std::vector<std::array<std::string, 2>> result;
   for (const auto& [name, path] : scenes) {
     const Json json =

@@ -23,21 +23,23 @@ void require_one_phase_per_label(const Fluid_scene& scene, const Json_fields& js
   for (const Scene_liquid& a : scene.liquids)
     for (const Scene_liquid& b : scene.liquids)
       if (a.label == b.label && (a.density != b.density || a.viscosity != b.viscosity))
-        json.refuse("liquids", "those of one label are one liquid, with one density and viscosity");
+        json.refuse("liquids",
+                    "liquids of the same label must have the same density and viscosity");
   for (const Scene_gas& gas : scene.gases) {
     for (const Scene_liquid& liquid : scene.liquids)
       if (gas.label == liquid.label)
-        json.refuse("gases", "a label is a liquid or a gas");
+        json.refuse("gases", "a gas must not have the label of a liquid; choose another label");
     for (const Scene_gas& other : scene.gases)
       if (gas.label == other.label &&
           (gas.pressure != other.pressure || gas.exponent != other.exponent))
-        json.refuse("gases", "those of one label are one gas, with one pressure and exponent");
+        json.refuse("gases", "gases of the same label must have the same pressure and exponent");
   }
   std::size_t surroundings = 0;
   for (const auto& filling : shapes_of(scene))
     surroundings += std::holds_alternative<Surroundings>(*filling.second);
   if (surroundings > 1)
-    json.refuse("liquids", "the surroundings are there twice; leave one of them out");
+    json.refuse("liquids",
+                "only one liquid or gas can have the shape 'surroundings'; remove the others");
 }
 
 void require_pairs_of_labels(const Fluid_scene& scene, const Json_fields& json) {
@@ -49,13 +51,13 @@ void require_pairs_of_labels(const Fluid_scene& scene, const Json_fields& json) 
     const auto [a, b] = std::minmax(tension.labels[0], tension.labels[1]);
     for (int label : {a, b})
       if (labels.count(label) == 0)
-        json.refuse("surface_tension",
-                    "no liquid and no gas has the label " + std::to_string(label));
+        json.refuse("surface_tension", "no liquid or gas has the label " + std::to_string(label) +
+                                           "; correct the label");
     const std::string pair = std::to_string(a) + " and " + std::to_string(b);
     if (a == b)
-      json.refuse("surface_tension", "two different labels are needed, not " + pair);
+      json.refuse("surface_tension", "must have two different labels, not " + pair);
     if (!known.emplace(a, b).second)
-      json.refuse("surface_tension", "the labels " + pair + " are there twice");
+      json.refuse("surface_tension", "the labels " + pair + " occur twice; remove one entry");
   }
 }
 
@@ -63,10 +65,10 @@ void require_probes(const Fluid_scene& scene, const Json_fields& json) {
   std::set<std::string> names;
   for (const Scene_probe& probe : scene.probes) {
     if (!names.insert(probe.name).second)
-      json.refuse("probes", "two have the name '" + probe.name + "'");
+      json.refuse("probes", "two probes have the name '" + probe.name + "'; rename one of them");
     for (std::size_t i = 0; probe.place && i < 2; ++i)
       if (!(scene.domain[i] <= (*probe.place)[i] && (*probe.place)[i] <= scene.domain[i + 3]))
-        json.refuse("probes", "'" + probe.name + "' is outside the domain");
+        json.refuse("probes", "the probe '" + probe.name + "' is outside the domain; move it");
   }
 }
 
@@ -126,19 +128,19 @@ void require_effect_of_solids(const Fluid_scene& scene, const Json_fields& json)
   for (std::size_t i = 0; i < scene.solids.size(); ++i) {
     if (is_out_of_reach(scene.solids[i], scene.domain))
       json.refuse("solids", numbered("solids", i) +
-                                " has no effect, as it is outside the domain; leave it out");
+                                " has no effect because it is outside the domain; remove it");
     static constexpr double usual = 90;
     if (!has_tension && scene.solids[i].contact_angle != usual)
       json.refuse("solids", "the contact_angle of " + numbered("solids", i) +
-                                " has no effect without surface_tension");
+                                " has no effect without surface_tension; remove it");
   }
 }
 
 void require_effect_of_sources(const Fluid_scene& scene, const Json_fields& json) {
   for (std::size_t i = 0; i < scene.sources.size(); ++i)
     if (distances(scene.sources[i].center, scene.domain).first >= scene.sources[i].radius)
-      json.refuse("sources",
-                  numbered("sources", i) + " meets no liquid, as it is outside the domain");
+      json.refuse("sources", numbered("sources", i) +
+                                 " contains no liquid because it is outside the domain; move it");
 }
 
 } // namespace

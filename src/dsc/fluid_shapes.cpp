@@ -19,7 +19,8 @@ namespace dsc {
 std::size_t number_of_parts(double parts) {
   static constexpr double most = 1e8;
   if (!(parts <= most))
-    throw Input_error("the edges of the scene are too short for its shapes, or for its domain");
+    throw Input_error("the edge length of the scene is too small for its shapes or its domain; "
+                      "choose a larger 'edge'");
   return std::size_t(std::lround(std::max(1., parts)));
 }
 

@@ -4,10 +4,11 @@
 
 #include "fluid_start.h"
 
+#include "domain_box.h"
 #include "errors.h"
 #include "fluid_shapes.h"
 #include "label_components.h"
-#include "remove_crumbs.h"
+#include "remove_fragments.h"
 #include "surface.h"
 
 #include <CGAL/Deformable_simplicial_complexes/IO/labelled_surface_3.h>
@@ -35,8 +36,6 @@ namespace {
 using Complex = Tracked_complex_3::Complex;
 using Point = Complex::Approximate_point;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
-
-CGAL::Bbox_3 box(const std::array<double, 6>& d) { return {d[0], d[1], d[2], d[3], d[4], d[5]}; }
 
 std::string place_of(const std::string& file, const std::string& folder) {
   const std::filesystem::path path(file);
@@ -76,14 +75,15 @@ Complex complex_of_surfaces(const Fluid_scene& scene, const std::string& folder)
     surfaces.back().label = label;
   }
   if (surfaces.empty())
-    throw Input_error("the scene has no liquid with a shape of its own");
+    throw Input_error(
+        "all liquids and gases of the scene have the shape 'surroundings'; add another shape");
   return DSC::make_deformable_simplicial_complex_3<Complex>(
       surfaces, CGAL::Tetgen_tetrahedralizer_3(), parameters::enclosing_box(box(scene.domain)));
 }
 
 void require_inside(const Fluid_scene& scene, const Pool_shape& pool) {
   if (!(pool.level > scene.domain[2] && pool.level < scene.domain[5]))
-    throw Input_error("the level of the pool is not inside the domain");
+    throw Input_error("the level of the pool is outside the domain; correct 'level' or 'domain'");
 }
 
 /// Returns a complex of cubes divided into six tetrahedra each. A plane between two layers of cubes
@@ -144,13 +144,14 @@ Complex complex_of_places(const Fluid_scene& scene) {
     if (const auto* pool = std::get_if<Pool_shape>(&shape)) {
       require_inside(scene, *pool);
       if (pool->height)
-        throw Input_error("the pool of a scene with other shapes is flat; leave its height out");
+        throw Input_error(
+            "a pool with a 'height' cannot be combined with other shapes; remove 'height'");
     }
     if (std::holds_alternative<File_shape>(shape) || (column && column->amplitude != 0) ||
         (ball && (ball->mode > 0 || ball->triangles > 0)))
-      throw Input_error("beside a pool there can be boxes, round balls and straight cylinders with "
-                        "the edges of the scene, but no modes, amplitudes, numbers of triangles or "
-                        "shapes of files");
+      throw Input_error(
+          "a pool can be combined only with boxes, balls and cylinders; remove shapes "
+          "of type 'file' and the fields 'mode', 'amplitude' and 'triangles'");
   }
   const auto label_at = [&](const std::array<double, 3>& p) {
     int result = 0;
@@ -168,7 +169,7 @@ Complex complex_of_places(const Fluid_scene& scene) {
     if (filling.first != 0)
       names[filling.first] = "label " + std::to_string(filling.first) + " of the scene";
   const Component_ranges expected = count_components(scene.domain, scene.edge, label_at);
-  remove_crumbs(result, expected);
+  remove_fragments(result, expected);
   require_resolved(scene.domain, scene.edge, label_at, expected, numbers_of_components(result),
                    names);
   return result;
@@ -199,11 +200,11 @@ void require_files(const Fluid_scene& scene, const std::string& folder) {
     if (solid.kind == Scene_solid::Kind::mesh)
       files.push_back(solid.file);
   if (files.empty() && !folder.empty())
-    throw Usage_error("--data has no effect, as the scene names no files; leave it out");
+    throw Usage_error("--data has no effect because the scene names no files; leave it out");
   for (const std::string& file : files)
     if (const std::string place = place_of(file, folder); !std::filesystem::exists(place))
-      throw Input_error("there is no file '" + place +
-                        "', which the scene names; give its folder by --data");
+      throw Input_error("the file '" + place +
+                        "' of the scene does not exist; give its folder by --data");
 }
 
 Complex start_of_scene(const Fluid_scene& scene, const std::string& folder) {
@@ -297,8 +298,8 @@ void require_cells_of_all(const Fluid_scene& scene, const Complex& complex) {
       const bool is_liquid = i < scene.liquids.size();
       throw Input_error((is_liquid ? "liquids[" + std::to_string(i)
                                    : "gases[" + std::to_string(i - scene.liquids.size())) +
-                        "] of the scene fills nothing: others cover it, or it is outside the "
-                        "domain; move it, or leave it out");
+                        "] of the scene has no cells: other shapes cover it, or it is outside "
+                        "the domain; move it or remove it");
     }
 }
 
@@ -316,7 +317,7 @@ void require_liquid_at_sources(const Fluid_scene& scene, const Complex& complex)
   for (std::size_t i = 0; i < scene.sources.size(); ++i)
     if (!meets_liquid[i])
       throw Input_error("sources[" + std::to_string(i) +
-                        "] of the scene meets no liquid; move it, or choose a larger radius");
+                        "] of the scene contains no liquid; move it or choose a larger radius");
 }
 
 } // namespace
@@ -329,8 +330,8 @@ void require_effect(const Fluid_scene& scene, const Complex& complex) {
 void require_outside_of_solids(const Fluid_scene& scene, const Fluid& fluid) {
   static constexpr double rounding = 1e-6; // relative to the edge length
   if (fluid.depth_in_solids() > rounding * scene.edge)
-    throw Input_error("a liquid of the scene begins inside a solid, " +
-                      Json(fluid.depth_in_solids()).dump() + " deep");
+    throw Input_error("a liquid of the scene is inside a solid at the start, at a depth of " +
+                      Json(fluid.depth_in_solids()).dump() + "; move the liquid or the solid");
 }
 
 void set_velocities(const Fluid_scene& scene, Fluid& fluid) {
@@ -339,20 +340,20 @@ void set_velocities(const Fluid_scene& scene, Fluid& fluid) {
   // cells.
   std::map<std::uint32_t, std::vector<std::size_t>> cells; // by component and liquid
   for (const auto c : complex.cells()) {
-    std::vector<std::size_t>& of_part = cells[c->component()];
-    of_part.resize(scene.liquids.size(), 0);
+    std::vector<std::size_t>& of_component = cells[c->component()];
+    of_component.resize(scene.liquids.size(), 0);
     const auto middle = middle_of(complex, c);
     for (std::size_t i = 0; i < scene.liquids.size(); ++i)
-      of_part[i] +=
+      of_component[i] +=
           scene.liquids[i].label == c->label() && is_about(scene.liquids[i].shape, middle);
   }
   std::map<Complex::Vertex_handle, std::size_t> liquid_of;
   for (const auto c : complex.cells()) {
-    const std::vector<std::size_t>& of_part = cells[c->component()];
-    const auto most = std::max_element(of_part.begin(), of_part.end());
+    const std::vector<std::size_t>& of_component = cells[c->component()];
+    const auto most = std::max_element(of_component.begin(), of_component.end());
     if (*most > 0)
       for (int i = 0; i < 4; ++i)
-        liquid_of[c->vertex(i)] = std::size_t(most - of_part.begin());
+        liquid_of[c->vertex(i)] = std::size_t(most - of_component.begin());
   }
   fluid.set_velocities([&](Complex::Vertex_handle v) {
     const auto found = liquid_of.find(v);

@@ -14,10 +14,11 @@ Inequalities::Inequalities(const std::vector<std::string>& expressions) {
         m_expressions.emplace_back(text, std::vector<std::string>{"x", "y", "z"}, "the inequality",
                                    "an inequality in x, y and z like 'x^2+y^2+z^2<1'");
     if (expression.size() != 1)
-      expression.refuse("has commas; write several inequalities as several INPUTs, or with && and "
-                        "|| between them");
+      expression.refuse(
+          "contains commas; give several inequalities as several INPUTs, or join them by && "
+          "or ||");
     if (expression.is_constant())
-      expression.refuse("is the same everywhere");
+      expression.refuse("is constant");
   }
 }
 

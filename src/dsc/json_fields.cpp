@@ -16,7 +16,7 @@ namespace dsc {
 Json_fields::Json_fields(const Json& json, std::string name)
     : m_json(&json), m_name(std::move(name)) {
   if (!json.is_object())
-    throw Usage_error(m_name + " is no object in braces");
+    throw Usage_error(m_name + " must be an object in braces");
 }
 
 void Json_fields::refuse(const std::string& field, const std::string& why) const {
@@ -32,14 +32,14 @@ void Json_fields::require_known(const std::vector<std::string>& fields) const {
 
 const Json& Json_fields::any(const std::string& field) const {
   if (!has(field))
-    throw Usage_error(m_name + " has no field '" + field + "', which it needs");
+    throw Usage_error(m_name + " lacks the required field '" + field + "'; add it");
   return m_json->at(field);
 }
 
 double Json_fields::number(const std::string& field) const {
   const Json& json = any(field);
   if (!json.is_number() || !std::isfinite(json.get<double>()))
-    refuse(field, json.is_string() ? "a number is needed, without quotes" : "a number is needed");
+    refuse(field, json.is_string() ? "must be a number, without quotes" : "must be a number");
   return json.get<double>();
 }
 
@@ -50,14 +50,14 @@ double Json_fields::number(const std::string& field, double otherwise) const {
 double Json_fields::positive(const std::string& field) const {
   const double result = number(field);
   if (!(result > 0))
-    refuse(field, "a positive number is needed");
+    refuse(field, "must be a positive number");
   return result;
 }
 
 double Json_fields::not_negative(const std::string& field, double otherwise) const {
   const double result = number(field, otherwise);
   if (!(result >= 0))
-    refuse(field, "0 or more is needed");
+    refuse(field, "must be 0 or more");
   return result;
 }
 
@@ -67,7 +67,7 @@ std::size_t Json_fields::count(const std::string& field, std::size_t otherwise) 
   static constexpr std::size_t most = 1000000000;
   const Json& json = any(field);
   if (!json.is_number_unsigned() || json.get<std::size_t>() > most)
-    refuse(field, "a whole number of 0 or more is needed");
+    refuse(field, "must be an integer from 0 to 1000000000");
   return json.get<std::size_t>();
 }
 
@@ -75,14 +75,14 @@ bool Json_fields::flag(const std::string& field, bool otherwise) const {
   if (!has(field))
     return otherwise;
   if (!any(field).is_boolean())
-    refuse(field, "true or false is needed");
+    refuse(field, "must be true or false");
   return any(field).get<bool>();
 }
 
 std::string Json_fields::text(const std::string& field) const {
   const Json& json = any(field);
   if (!json.is_string())
-    refuse(field, "a text in quotes is needed");
+    refuse(field, "must be a text in quotes");
   return json.get<std::string>();
 }
 
@@ -94,7 +94,7 @@ std::string Json_fields::choice(const std::string& field,
                                 const std::vector<std::string>& words) const {
   const std::string result = text(field);
   if (std::find(words.begin(), words.end(), result) == words.end())
-    refuse(field, "'" + result + "' is not known" + advice_on_name(result, words, "known words"));
+    refuse(field, "'" + result + "' is unknown" + advice_on_name(result, words, "known values"));
   return result;
 }
 
@@ -103,7 +103,8 @@ Expression Json_fields::expression(const std::string& field,
                                    const std::string& form) const {
   const Expression result(text(field), variables, field + " of " + m_name, form);
   if (result.size() != size)
-    result.refuse("has " + std::to_string(result.size()) + " components instead of " +
+    result.refuse("has " + std::to_string(result.size()) +
+                  noun(std::size_t(result.size()), " component", " components") + " instead of " +
                   std::to_string(size));
   return result;
 }
@@ -117,7 +118,7 @@ void Json_fields::read_numbers(const std::string& field, std::size_t n, double* 
       result[i] = json[i].get<double>();
   }
   if (!fits)
-    refuse(field, "a list of " + std::to_string(n) + " numbers is needed");
+    refuse(field, "must be a list of " + std::to_string(n) + " numbers");
 }
 
 std::vector<Json_fields> Json_fields::objects(const std::string& field) const {
@@ -126,7 +127,7 @@ std::vector<Json_fields> Json_fields::objects(const std::string& field) const {
     return result;
   const Json& json = any(field);
   if (!json.is_array())
-    refuse(field, "a list in brackets is needed");
+    refuse(field, "must be a list in brackets");
   for (std::size_t i = 0; i < json.size(); ++i)
     result.emplace_back(json[i], field + "[" + std::to_string(i) + "] of " + m_name);
   return result;

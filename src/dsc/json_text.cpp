@@ -39,7 +39,7 @@ public:
       level.field = json.get<std::string>();
       if (!level.fields.insert(level.field).second)
         throw Input_error(m_file + ": the field '" + place() +
-                          "' is there twice; leave one of them out");
+                          "' occurs twice; remove one of them");
     }
   }
 
@@ -90,7 +90,7 @@ Json parse_json(const std::string& text, const std::string& name) {
       return true;
     });
   } catch (const Json::exception& error) {
-    throw Input_error(name + " cannot be read as JSON: " + reason(error));
+    throw Input_error(name + " is not valid JSON: " + reason(error));
   }
 }
 

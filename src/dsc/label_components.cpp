@@ -196,7 +196,7 @@ void require_resolved(const std::array<double, 6>& box, double edge, const Label
                       const Component_ranges& expected, const std::map<int, std::size_t>& found,
                       std::map<int, std::string> names) {
   if (found.count(0) > 0 || expected.count(0) > 0)
-    names.emplace(0, "the space around, of label 0,");
+    names.emplace(0, "label 0 (the surrounding space)");
   for (const auto& [label, name] : names) {
     const auto in_complex = found.find(label);
     const std::size_t number = in_complex == found.end() ? 0 : in_complex->second;
@@ -209,19 +209,20 @@ void require_resolved(const std::array<double, 6>& box, double edge, const Label
     std::ostringstream message;
     message << name;
     if (number > 0 || range.most > 0) {
-      message << " has " << number << " connected components in the mesh instead of ";
+      message << " has " << number << noun(number, " connected component", " connected components")
+              << " in the mesh instead of ";
       if (range.least < range.most)
         message << range.least << " to ";
-      message << range.most << ": edges of " << edge << " are too long for it";
+      message << range.most << ": the edge length " << edge << " is too large";
     } else if (shorter.is_enough)
-      message << " fills nothing: edges of " << edge << " are too long for it";
+      message << " has no cells: the edge length " << edge << " is too large";
     else
-      message << " fills nothing: it is empty in the domain, or covered by later ones; leave it "
-              << "out, or change it";
+      message << " has no cells: it is empty in the domain, or later ones cover it; remove it or "
+              << "change it";
     if (shorter.is_enough)
-      message << "; choose shorter ones, of about " << shorter.length;
+      message << "; choose about " << shorter.length;
     else if (number > 0 || range.most > 0)
-      message << "; choose shorter ones, of much less than " << shorter.length;
+      message << "; choose much less than " << shorter.length;
     throw Input_error(message.str());
   }
 }

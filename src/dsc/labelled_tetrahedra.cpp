@@ -4,6 +4,7 @@
 
 #include "labelled_tetrahedra.h"
 
+#include "errors.h"
 #include "files.h"
 
 #include <CGAL/Deformable_simplicial_complexes/IO/MEDIT_3.h>
@@ -66,11 +67,13 @@ void renumber(Mesh_entities& entities, const std::vector<std::size_t>& new_verti
   const std::size_t edges = entities.edges.size(), triangles = entities.triangles.size();
   const auto new_edges = renumber(entities.edges, new_vertices);
   const auto new_triangles = renumber(entities.triangles, new_vertices);
-  unused.add("edges of no tetrahedron", edges - entities.edges.size());
-  unused.add("triangles of no tetrahedron", triangles - entities.triangles.size());
-  unused.add("corners of no tetrahedron", renumber(entities.corners, new_vertices));
-  unused.add("required vertices of no tetrahedron",
-             renumber(entities.required_vertices, new_vertices));
+  const auto add = [&](std::size_t number, const char* singular, const char* plural) {
+    unused.add(noun(number, singular, plural) + std::string(" without a tetrahedron"), number);
+  };
+  add(edges - entities.edges.size(), "edge", "edges");
+  add(triangles - entities.triangles.size(), "triangle", "triangles");
+  add(renumber(entities.corners, new_vertices), "corner", "corners");
+  add(renumber(entities.required_vertices, new_vertices), "required vertex", "required vertices");
   renumber(entities.ridges, new_edges);
   renumber(entities.required_edges, new_edges);
   renumber(entities.required_triangles, new_triangles);
@@ -89,7 +92,10 @@ void remove_unused_points(Labelled_tetrahedra& mesh) {
     }
   if (rows.size() == mesh.points.size())
     return;
-  mesh.unused.add("points of no tetrahedron", mesh.points.size() - rows.size());
+  const std::size_t unused_points = mesh.points.size() - rows.size();
+  mesh.unused.add(
+      noun(unused_points, "point without a tetrahedron", "points without a tetrahedron"),
+      unused_points);
   remove_items(mesh.points, new_indices);
   for (auto& tetrahedron : mesh.tetrahedra)
     for (std::size_t& index : tetrahedron)
@@ -105,7 +111,7 @@ void look_for_solutions(const std::string& path, Unused_content& unused) {
     const auto solutions = std::filesystem::path(path).replace_extension(extension);
     std::error_code error;
     if (std::filesystem::is_regular_file(solutions, error))
-      unused.add("file of solutions (" + solutions.filename().string() + ')');
+      unused.add("solution file (" + solutions.filename().string() + ')');
   }
 }
 
@@ -113,22 +119,25 @@ void look_for_solutions(const std::string& path, Unused_content& unused) {
 
 void Labelled_tetrahedra::leave_out_arrays() {
   for (const Mesh_array& array : arrays.points)
-    unused.add("array on points (" + array.name + ')');
+    unused.add("point array (" + array.name + ')');
   for (const Mesh_array& array : arrays.cells)
-    unused.add("array on cells (" + array.name + ')');
+    unused.add("cell array (" + array.name + ')');
   arrays.points.clear();
   arrays.cells.clear();
 }
 
 void Labelled_tetrahedra::leave_out_entities() {
-  unused.add("references of vertices", entities.vertex_references.size());
-  unused.add("triangles", entities.triangles.size());
-  unused.add("edges", entities.edges.size());
-  unused.add("corners", entities.corners.size());
-  unused.add("required vertices", entities.required_vertices.size());
-  unused.add("ridges", entities.ridges.size());
-  unused.add("required edges", entities.required_edges.size());
-  unused.add("required triangles", entities.required_triangles.size());
+  const auto add = [&](const auto& items, const char* singular, const char* plural) {
+    unused.add(noun(items.size(), singular, plural), items.size());
+  };
+  add(entities.vertex_references, "vertex reference", "vertex references");
+  add(entities.triangles, "triangle", "triangles");
+  add(entities.edges, "edge", "edges");
+  add(entities.corners, "corner", "corners");
+  add(entities.required_vertices, "required vertex", "required vertices");
+  add(entities.ridges, "ridge", "ridges");
+  add(entities.required_edges, "required edge", "required edges");
+  add(entities.required_triangles, "required triangle", "required triangles");
   entities = Mesh_entities();
 }
 

@@ -5,6 +5,7 @@
 #include "mesh_content.h"
 
 #include "cell_regions.h"
+#include "errors.h"
 
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/grids/write_vtu.h>
@@ -59,7 +60,7 @@ std::vector<std::size_t> tetrahedra_of(const std::vector<Cell_handle>& cells,
                                        const std::vector<std::size_t>& vertex_of_point,
                                        const Labelled_tetrahedra& mesh) {
   using Corners = std::array<std::size_t, 4>;
-  std::vector<Corners> wanted, given;
+  std::vector<Corners> expected, given;
   for (const auto& tetrahedron : mesh.tetrahedra) {
     given.emplace_back();
     for (std::size_t i = 0; i < 4; ++i)
@@ -67,12 +68,12 @@ std::vector<std::size_t> tetrahedra_of(const std::vector<Cell_handle>& cells,
     std::sort(given.back().begin(), given.back().end());
   }
   for (const Cell_handle c : cells) {
-    wanted.emplace_back();
+    expected.emplace_back();
     for (int i = 0; i < 4; ++i)
-      wanted.back()[std::size_t(i)] = c->vertex(i)->time_stamp();
-    std::sort(wanted.back().begin(), wanted.back().end());
+      expected.back()[std::size_t(i)] = c->vertex(i)->time_stamp();
+    std::sort(expected.back().begin(), expected.back().end());
   }
-  const auto sorted_cells = sorted_by(cells.size(), [&](std::size_t i) { return wanted[i]; });
+  const auto sorted_cells = sorted_by(cells.size(), [&](std::size_t i) { return expected[i]; });
   const auto sorted_given = sorted_by(given.size(), [&](std::size_t i) { return given[i]; });
   std::vector<std::size_t> result(cells.size());
   for (std::size_t k = 0; k < cells.size(); ++k)
@@ -160,7 +161,7 @@ Mesh_content content_of(Labelled_tetrahedra mesh, const Complex& complex, Unused
   Mesh_content content{std::move(mesh.arrays), std::move(mesh.entities)};
   Unused_content* const told = has_computed_arrays(content.arrays) ? nullptr : &unused;
   for (auto* arrays : {&content.arrays.points, &content.arrays.cells})
-    remove_arrays(*arrays, "that is computed anew", told, is_computed);
+    remove_arrays(*arrays, "that is computed again", told, is_computed);
   if (content.is_empty())
     return content;
 
@@ -178,7 +179,7 @@ Mesh_content content_of(Labelled_tetrahedra mesh, const Complex& complex, Unused
     array = array.selected(points);
   for (Mesh_array& array : content.arrays.cells)
     array = array.selected(tetrahedra);
-  remove_arrays(content.arrays.cells, "that numbers cells, which change", &unused,
+  remove_arrays(content.arrays.cells, "of cell numbers, which change", &unused,
                 [&](const Mesh_array& array) {
                   return array.is_integer() && differs_everywhere(array, complex, row_of_cell);
                 });
@@ -188,11 +189,13 @@ Mesh_content content_of(Labelled_tetrahedra mesh, const Complex& complex, Unused
   for (std::size_t i = 0; i < references.size(); ++i)
     entities.vertex_references[i] = references[points[i]];
   renumber_vertices(entities, vertex_of_point);
-  unused.add("triangles of no tetrahedron",
-             remove_foreign(entities.triangles, {&entities.required_triangles}, vertices, complex));
-  unused.add("edges of no tetrahedron",
-             remove_foreign(entities.edges, {&entities.ridges, &entities.required_edges}, vertices,
-                            complex));
+  const std::size_t triangles =
+      remove_foreign(entities.triangles, {&entities.required_triangles}, vertices, complex);
+  unused.add(noun(triangles, "triangle without a tetrahedron", "triangles without a tetrahedron"),
+             triangles);
+  const std::size_t edges = remove_foreign(
+      entities.edges, {&entities.ridges, &entities.required_edges}, vertices, complex);
+  unused.add(noun(edges, "edge without a tetrahedron", "edges without a tetrahedron"), edges);
   return content;
 }
 

@@ -24,14 +24,14 @@ double take_number(std::string& text, const std::string& option) {
   const auto [rest, error] = std::from_chars(text.data(), end, number);
   if (error != std::errc() || !std::isfinite(number))
     throw Usage_error(option + " needs a finite number, not '" + text +
-                      "'; write it like 1, -0.5 or 2e-3");
+                      "'; write a number like 1, -0.5 or 2e-3");
   text.erase(0, rest - text.data());
   return number;
 }
 
 void require_end(const std::string& text, const std::string& option, const std::string& form) {
   if (!text.empty())
-    throw Usage_error(option + " does not end before '" + text + "'; write it like " + form);
+    throw Usage_error(option + " ends with unexpected text '" + text + "'; write it like " + form);
 }
 
 template <std::size_t n>
@@ -62,8 +62,7 @@ std::array<double, 3> parse_axis(const std::string& text) {
   const std::array<double, 3> axis = parse_numbers<3>(text, "--axis", form);
   const double length = std::hypot(axis[0], axis[1], axis[2]);
   if (!(length > 0) || !std::isfinite(length))
-    throw Usage_error("--axis has no direction; write one of a finite length above zero like " +
-                      form);
+    throw Usage_error("--axis must have a positive, finite length; write it like " + form);
   return axis;
 }
 
@@ -79,7 +78,8 @@ std::array<double, 6> parse_domain(const std::string& text, int dimension) {
   for (int i = 0; i < dimension; ++i)
     if (!(box[i] < box[i + 3]))
       throw Usage_error(
-          "--domain is empty; write its least and then its largest coordinates like " + form);
+          "--domain is empty; write the minimum coordinates, then the maximum coordinates, like " +
+          form);
   return box;
 }
 
@@ -116,7 +116,7 @@ double parse_angle(const std::string& text) { return parse_number(text, "--angle
 double parse_threshold(const std::string& text) {
   const double threshold = parse_number(text, "--threshold", "0.4");
   if (!(0 < threshold && threshold <= 1))
-    throw Usage_error("--threshold is not a quality; choose one above 0 and up to 1");
+    throw Usage_error("--threshold is out of range; choose a number greater than 0 and at most 1");
   return threshold;
 }
 
@@ -135,14 +135,14 @@ Distance parse_length(const std::string& text, const std::string& option) {
 double parse_positive(const std::string& text, const std::string& option) {
   const double number = parse_number(text, option, "0.01");
   if (!(number > 0))
-    throw Usage_error(option + " is not positive; choose a number above 0");
+    throw Usage_error(option + " is not positive; choose a number greater than 0");
   return number;
 }
 
 double parse_tolerance(const std::string& text) {
   const double number = parse_number(text, "--tolerance", "0.04");
   if (!(number >= 0))
-    throw Usage_error("--tolerance is negative; choose a number above 0, or 0");
+    throw Usage_error("--tolerance is negative; choose 0 or more");
   return number;
 }
 
@@ -150,7 +150,7 @@ double parse_aggressiveness(const std::string& text) {
   const std::string option = "--aggressiveness";
   const double number = parse_number(text, option, "0.025");
   if (!(0 <= number && number < 1))
-    throw Usage_error(option + " is out of range; choose 0 to less than 1");
+    throw Usage_error(option + " is out of range; choose a number from 0 to less than 1");
   return number;
 }
 
@@ -171,7 +171,8 @@ void require_extension(const std::string& path, const std::initializer_list<cons
   std::string list;
   for (const char* name : known)
     list += std::string(list.empty() ? "." : ", .") + name;
-  throw Usage_error("the extension of '" + path + "' is unknown; use one of " + list);
+  throw Usage_error("the extension of '" + path +
+                    "' is not supported; supported extensions: " + list);
 }
 
 } // namespace dsc

@@ -52,11 +52,11 @@ Output_folder::Output_folder(const std::string& path, const std::string& resume,
   fs::create_directories(path, error);
   if (error || !fs::is_directory(path, error))
     throw Input_error("cannot create the folder '" + path +
-                      "'; check that no file has its name and that its place may be written to");
+                      "'; check that no file has this name and that the parent folder is writable");
   require_writable(checkpoint());
   if (fs::exists(checkpoint(), error) && !fs::equivalent(checkpoint(), resume, error))
     throw Input_error("the folder '" + path +
-                      "' holds the results of another run; choose another "
+                      "' contains the results of another run; choose another "
                       "folder, or continue that run with --resume " +
                       checkpoint());
 }

@@ -4,6 +4,7 @@
 
 #include "picture.h"
 
+#include <CGAL/Deformable_simplicial_complexes/IO/replace_file.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
 
 #include <png.h>
@@ -157,7 +158,7 @@ void write_picture(const std::string& path, const std::vector<Picture_triangle>&
   image.version = PNG_IMAGE_VERSION;
   image.width = image.height = side;
   image.format = PNG_FORMAT_RGB;
-  CGAL::Deformable_simplicial_complexes::internal::replace_file(path, [&](const std::string& name) {
+  CGAL::Deformable_simplicial_complexes::replace_file(path, [&](const std::string& name) {
     return png_image_write_to_file(&image, name.c_str(), 0, pixels.data(), 0, nullptr) != 0;
   });
 }

@@ -40,7 +40,8 @@ void Progress_line::show(unsigned done) {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - m_start;
     remaining = duration(elapsed.count() / done * (m_steps - done));
   }
-  std::fprintf(stderr, "\r\033[K%s %u of %u, %s left", m_unit, done, m_steps, remaining.c_str());
+  std::fprintf(stderr, "\r\033[K%s %u of %u, %s remaining", m_unit, done, m_steps,
+               remaining.c_str());
   std::fflush(stderr);
   m_shown = true;
 }

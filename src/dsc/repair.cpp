@@ -48,10 +48,10 @@ Repairs for_each(std::vector<Surface>& surfaces, const std::vector<std::string>&
       repairs.push_back(repair_surface(surfaces[i]));
     } catch (const Invalid_surface_error& error) {
       const bool has_hole = error.reason() == Invalid_surface_error::Reason::open;
-      throw Input_error(names[i] + ": " + error.what() + ", and cannot be repaired" +
-                        (has_hole ? "; --largest-hole bounds the holes that are filled" : ""));
+      throw Input_error(names[i] + " cannot be repaired: " + error.what() +
+                        (has_hole ? "; or increase --largest-hole" : ""));
     } catch (const Error& error) {
-      throw Input_error(names[i] + ": " + error.what() + ", and cannot be repaired");
+      throw Input_error(names[i] + " cannot be repaired: " + error.what());
     }
   return repairs;
 }
@@ -110,25 +110,27 @@ void wrap(std::vector<Surface>& surfaces, const std::vector<std::string>& names,
 
 std::string what_was_repaired(const DSC::Surface_repair_report_3& report) {
   if (report.was_sound())
-    return "bounds a solid, nothing is repaired";
+    return "bounds a solid; no repair is necessary";
   std::string text;
-  const auto add = [&text](std::size_t number, const char* what) {
+  const auto add = [&text](std::size_t number, const char* singular, const char* plural) {
     if (number > 0)
-      text += (text.empty() ? "" : ", ") + std::to_string(number) + ' ' + what;
+      text += (text.empty() ? "" : ", ") + std::to_string(number) + ' ' +
+              noun(number, singular, plural);
   };
-  add(report.merged_points, "equal points merged");
-  add(report.degenerate_triangles, "flat triangles removed");
-  add(report.repeated_triangles, "repeated triangles removed");
-  add(report.stitched_points, "points of borders stitched");
-  add(report.split_edges, "edges split at vertices on them");
-  add(report.filled_holes, "holes filled");
-  add(report.crossing_pairs, "crossing pairs of triangles");
-  add(report.united_parts, "crossing parts united");
-  add(report.removed_triangles, "triangles that bound nothing removed");
+  add(report.merged_points, "duplicate point merged", "duplicate points merged");
+  add(report.degenerate_triangles, "degenerate triangle removed", "degenerate triangles removed");
+  add(report.repeated_triangles, "duplicate triangle removed", "duplicate triangles removed");
+  add(report.stitched_points, "boundary point stitched", "boundary points stitched");
+  add(report.split_edges, "edge split at a T-junction", "edges split at T-junctions");
+  add(report.filled_holes, "hole filled", "holes filled");
+  add(report.crossing_pairs, "pair of intersecting triangles", "pairs of intersecting triangles");
+  add(report.united_parts, "intersecting component united", "intersecting components united");
+  add(report.removed_triangles, "triangle removed that bounds no solid",
+      "triangles removed that bound no solid");
   if (report.is_wrapped)
     text += (text.empty() ? "" : ", ") + std::string("wrapped");
   char distance[100];
-  std::snprintf(distance, sizeof distance, "; moved by at most %.3g, %.3g mean edges",
+  std::snprintf(distance, sizeof distance, "; maximum displacement %.3g (%.3g mean edges)",
                 report.distance(), report.distance() / report.mean_edge);
   return text + distance;
 }

@@ -4,6 +4,7 @@
 
 #include "report_json.h"
 
+#include <CGAL/Deformable_simplicial_complexes/IO/replace_file.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
 
 #include <ostream>
@@ -50,10 +51,9 @@ Json statistics_json(const Statistics& statistics) {
 }
 
 void write_json(const std::string& path, const Json& json) {
-  CGAL::Deformable_simplicial_complexes::internal::replace_file_by_stream(
-      path, [&](std::ostream& out) {
-        out << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
-      });
+  CGAL::Deformable_simplicial_complexes::replace_file_by_stream(path, [&](std::ostream& out) {
+    out << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  });
 }
 
 } // namespace dsc

@@ -62,9 +62,8 @@ Mesh closed_mesh(Surface surface, const std::string& name) {
   if (closed)
     PMP::orient_polygon_soup(surface.points, surface.triangles);
   if (!closed || !PMP::is_polygon_soup_a_polygon_mesh(surface.triangles))
-    throw Input_error(name +
-                      " is not a closed surface; use --repair, or leave out --triangles to see "
-                      "where it is not");
+    throw Input_error(name + " is not a closed surface; use --repair, or leave out --triangles to "
+                             "locate the defect");
   Mesh mesh;
   PMP::polygon_soup_to_polygon_mesh(surface.points, surface.triangles, mesh);
   return mesh;
@@ -224,21 +223,22 @@ void resample(std::vector<Surface>& surfaces, const std::vector<std::string>& na
 
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const double share = static_cast<double>(surfaces[i].triangles.size()) / total;
-    const std::size_t wanted =
+    const std::size_t target_number =
         std::max<std::size_t>(4, std::llround(share * static_cast<double>(triangles)));
     Mesh& mesh = meshes[i];
-    const bool has_more = mesh.number_of_faces() > wanted;
+    const bool has_more = mesh.number_of_faces() > target_number;
     if (has_more)
-      decimate(mesh, wanted, touching);
+      decimate(mesh, target_number, touching);
     else if (shares_edges[i])
-      throw Input_error(names[i] + " has edges in common with another surface, which each of them "
-                                   "would cut at other places; leave out --triangles");
+      throw Input_error(names[i] + " shares edges with another surface, which would be split "
+                                   "differently; leave out --triangles");
     else
-      refine(mesh, wanted, touching);
+      refine(mesh, target_number, touching);
     assign(surfaces[i], mesh);
     if (has_more && does_self_intersect(surfaces[i]))
-      throw Input_error(names[i] + " with " + std::to_string(mesh.number_of_faces()) +
-                        " triangles intersects itself; choose more --triangles");
+      throw Input_error(names[i] + " intersects itself after its simplification to " +
+                        std::to_string(mesh.number_of_faces()) +
+                        " triangles; choose more --triangles");
   }
 }
 

@@ -41,7 +41,7 @@ void print_repairs(const std::vector<std::string>& inputs, const Repairs& repair
 }
 
 void print_changes(const Run_position& position, const std::string& changes) {
-  std::printf("dsc: goes on from step %u with %s\n", position.step, changes.c_str());
+  std::printf("dsc: resuming at step %u; %s\n", position.step, changes.c_str());
 }
 
 /// Builds or reads the complex. A resumed run keeps all options that are not given in `options`.
@@ -55,13 +55,12 @@ std::unique_ptr<Tracked_complex> start_or_resume(Run_options& options, Run_posit
   auto complex = track_checkpoint(options.resume, metadata);
   const std::optional<Saved_run> run = from_metadata(metadata);
   if (!run)
-    throw Input_error(options.resume +
-                      " holds a complex, but no run that could be resumed; write its "
-                      "interface with dsc convert, and start from that");
+    throw Input_error(options.resume + " contains a complex, but no run to resume; write its "
+                                       "interface with dsc convert, and start a new run from it");
   position = run->position;
   const std::string changes = continue_steps(run->step, options.given, options.step);
   if (complex->dimension() == 2 && options.given.count("--axis") > 0)
-    throw Usage_error("--axis has no meaning in the plane; leave it out");
+    throw Usage_error("--axis applies only in space; leave it out");
   if (!options.output.quiet && !changes.empty())
     print_changes(position, changes);
   return complex;
@@ -115,21 +114,23 @@ struct Flat_cells
 void print_flat_cells(const Flat_cells& flat) {
   if (flat.steps > 0)
     std::printf(
-        "dsc: after %u steps cells were flatter than they should be, %zu at most; the worst "
-        "quality of any cell was %.3g\n",
-        flat.steps, flat.most, flat.quality);
+        "dsc: cells were below the quality floor after %u %s (at most %zu %s after a step); the "
+        "worst quality was %.3g\n",
+        flat.steps, noun(flat.steps, "step", "steps"), flat.most, noun(flat.most, "cell", "cells"),
+        flat.quality);
 }
 
 void print_summary(const Run_position& position, const Statistics& statistics,
                    std::size_t unfinished, double seconds) {
   const bool is_planar = statistics.dimension == 2;
   std::printf("dsc: step %u, time %g: %zu %s, %zu interface %s, %s %.3g to %.4g degrees, worst "
-              "quality %.3g; %zu unfinished vertices, %.3g s\n",
+              "quality %.3g; %zu unfinished %s, %.3g s\n",
               position.step, position.time, statistics.cells,
               is_planar ? "triangles" : "tetrahedra", statistics.interface_facets,
-              is_planar ? "segments" : "triangles", is_planar ? "angles" : "dihedral angles",
-              statistics.min_angle, statistics.max_angle, statistics.min_quality, unfinished,
-              seconds);
+              is_planar ? noun(statistics.interface_facets, "segment", "segments")
+                        : noun(statistics.interface_facets, "triangle", "triangles"),
+              is_planar ? "angles" : "dihedral angles", statistics.min_angle, statistics.max_angle,
+              statistics.min_quality, unfinished, noun(unfinished, "vertex", "vertices"), seconds);
 }
 
 /// Does a step. A growing domain is enlarged before the interface comes near its boundary. If the
@@ -151,9 +152,9 @@ Step_outcome step_with_room(Tracked_complex& complex, const Run_options& options
 void print_boundary(std::size_t stopped) {
   if (stopped > 0)
     std::printf(
-        "dsc: the interface reached the boundary of the domain and stopped there (%zu times "
-        "a vertex); use a larger --domain, or --domain grow, to let it move on\n",
-        stopped);
+        "dsc: the interface stopped at the boundary of the domain (%zu %s, counted in each step); "
+        "use a larger --domain or --domain grow\n",
+        stopped, noun(stopped, "vertex", "vertices"));
 }
 
 void print_interruption(const Run_position& position, const std::string& checkpoint,
@@ -225,14 +226,15 @@ void Run::start() {
   if (!m_options.output.quiet)
     print_repairs(m_options.start.inputs, repairs);
   if (!m_options.output.picture.empty() && m_complex->dimension() == 2)
-    throw Usage_error("--picture is for runs in space; in the plane, --output writes pictures");
+    throw Usage_error(
+        "--picture applies only in space; in the plane, use --output to write pictures");
   if (m_folder && !m_options.resume.empty())
     m_folder->keep_until(m_position.time);
 
   m_time_step = m_complex->time_step(m_options.step.motion);
   if (!(m_position.time + m_time_step > m_position.time))
-    throw Input_error("a step is too short for the time " + Json(m_position.time).dump() +
-                      " of the run; choose a longer --dt");
+    throw Input_error("the time step is too small to advance the time " +
+                      Json(m_position.time).dump() + " of the run; choose a larger --dt");
   m_from_start = start_distance(m_options, m_position);
   m_report.emplace(m_options, m_position.start, repairs, m_complex->sweep_seconds());
   m_statistics = m_complex->statistics();

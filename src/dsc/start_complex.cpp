@@ -4,11 +4,12 @@
 
 #include "start_complex.h"
 
+#include "domain_box.h"
 #include "errors.h"
 #include "inequalities.h"
 #include "label_components.h"
 #include "labelled_tetrahedra.h"
-#include "remove_crumbs.h"
+#include "remove_fragments.h"
 #include "start_curves.h"
 #include "surface.h"
 #include "tracked_complex_3.h"
@@ -17,8 +18,6 @@
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-
-#include <CGAL/Bbox_3.h>
 
 #include <algorithm>
 #include <iostream>
@@ -35,9 +34,6 @@ namespace {
 using Complex = Tracked_complex_3::Complex;
 using CGAL::Deformable_simplicial_complexes::Tetrahedralization_error;
 using Domain = std::optional<std::array<double, 6>>;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
-
-CGAL::Bbox_3 box(const std::array<double, 6>& d) { return {d[0], d[1], d[2], d[3], d[4], d[5]}; }
 
 std::unique_ptr<Tracked_complex> track(Complex&& complex) {
   return std::make_unique<Tracked_complex_3>(std::move(complex));
@@ -57,13 +53,13 @@ std::unique_ptr<Tracked_complex> track_inequalities(const Run_start& start,
         return label_at({p.x(), p.y(), p.z()});
       });
   if (complex.interface_facets().empty())
-    throw Input_error("no inequality has a border in the domain; choose another --domain, or "
-                      "shorter edges by --edge");
+    throw Input_error("the inequalities define no interface in the domain; choose another "
+                      "--domain or a smaller --edge");
   std::map<int, std::string> names;
   for (std::size_t i = 0; i < start.inputs.size(); ++i)
     names[int(i) + 1] = "the inequality '" + start.inputs[i] + "'";
   const Component_ranges expected = count_components(d, edge, label_at);
-  remove_crumbs(complex, expected);
+  remove_fragments(complex, expected);
   require_resolved(d, edge, label_at, expected, numbers_of_components(complex), names);
   return track(std::move(complex));
 }
@@ -94,17 +90,14 @@ std::unique_ptr<Tracked_complex> track_tetrahedra(const std::string& path,
     } catch (const Input_error&) { // not a ball, or invalid
     }
   }
-  const auto build = [&](const auto& np) {
-    return track(DSC::make_deformable_simplicial_complex_3<Complex>(
-        mesh.points, mesh.tetrahedra, mesh.labels, CGAL::Tetgen_tetrahedralizer_3(), np));
-  };
-  const auto normalized = parameters::normalize(true);
   try {
-    return domain ? build(normalized.enclosing_box(box(*domain))) : build(normalized);
+    return track(DSC::make_deformable_simplicial_complex_3<Complex>(
+        mesh.points, mesh.tetrahedra, mesh.labels, CGAL::Tetgen_tetrahedralizer_3(),
+        normalized(domain)));
   } catch (const Invalid_cells_error& error) {
     throw Input_error(path + ": " + error.what() + place_of(error, mesh));
   } catch (const CGAL::Deformable_simplicial_complexes::Invalid_surface_error& error) {
-    throw Input_error(path + ": the boundary of the tetrahedra, " + error.what());
+    throw Input_error(path + ": the boundary of the tetrahedra is invalid: " + error.what());
   }
 }
 
@@ -126,7 +119,7 @@ std::unique_ptr<Tracked_complex> track_surfaces_of_run(const Run_options& option
   } catch (const Tetrahedralization_error& error) {
     if (!options.start.repairs && is_of_surface(error))
       throw Input_error(std::string(error.what()) +
-                        "; --repair may help: it merges near vertices or wraps surfaces then");
+                        "; try --repair, which merges close vertices or wraps the surface");
     if (!is_of_surface(error))
       throw;
   }

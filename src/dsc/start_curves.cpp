@@ -97,7 +97,7 @@ Curves start_curves(const Run_start& start) {
   for (const std::string& input : start.inputs) {
     const std::string format = extension(input);
     if (format != "wkt" && start.inputs.size() > 1)
-      throw Usage_error(input + " cannot be joined with other inputs; give it alone");
+      throw Usage_error(input + " cannot be combined with other inputs; give it alone");
     Unused_content unused;
     if (format == "poly") {
       curves.seeded = CGAL::IO::read_seeded_segments(input, &unused);

@@ -4,8 +4,11 @@
 
 #include "surface_expressions.h"
 
+#include "errors.h"
+
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace dsc {
@@ -14,14 +17,15 @@ Surface_expressions::Surface_expressions(const std::string& expressions)
     : m_expression(expressions, {"u", "v", "x", "y", "z"}, "--surface",
                    "torus, ellipsoid, three expressions in u and v, or three in x, y and z") {
   if (m_expression.size() != 3)
-    m_expression.refuse("has " + std::to_string(m_expression.size()) + " coordinates");
+    m_expression.refuse("has " + std::to_string(m_expression.size()) +
+                        noun(std::size_t(m_expression.size()), " coordinate", " coordinates"));
   const bool is_of_chart = m_expression.depends_on("u") || m_expression.depends_on("v");
   m_is_of_sphere =
       m_expression.depends_on("x") || m_expression.depends_on("y") || m_expression.depends_on("z");
   if (is_of_chart && m_is_of_sphere)
-    m_expression.refuse("has variables of both kinds");
+    m_expression.refuse("contains u or v together with x, y or z");
   if (!is_of_chart && !m_is_of_sphere)
-    m_expression.refuse("is a point");
+    m_expression.refuse("is constant");
 }
 
 bool Surface_expressions::repeats_after(const std::array<double, 2>& periods) const {

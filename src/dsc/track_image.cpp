@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "check_image.h"
+#include "domain_box.h"
 #include "errors.h"
 #include "start_complex.h"
 #include "tracked_complex_3.h"
@@ -18,25 +19,18 @@ namespace dsc {
 
 std::unique_ptr<Tracked_complex> track_image(const std::string& path, double edge,
                                              const std::optional<std::array<double, 6>>& domain) {
-  namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
   check_image(path);
   CGAL::Image_3 image;
   if (!image.read(path))
-    throw Input_error(path + " cannot be read as an image of voxels");
-  const auto build = [&](const auto& np) {
-    auto result = std::make_unique<Tracked_complex_3>(
-        DSC::make_complex_from_labelled_image_3<Tracked_complex_3::Complex>(image, edge, np));
-    if (result->complex.interface_facets().empty())
-      throw Input_error(path + ": all voxels have the same label, so that nothing would move; give "
-                               "a larger --domain");
-    return result;
-  };
-  const auto normalized = parameters::normalize(true);
+    throw Input_error("cannot read '" + path + "' as a voxel image; check its format");
   try {
-    if (!domain)
-      return build(normalized);
-    const auto& [x0, y0, z0, x1, y1, z1] = *domain;
-    return build(normalized.enclosing_box(CGAL::Bbox_3(x0, y0, z0, x1, y1, z1)));
+    auto result = std::make_unique<Tracked_complex_3>(
+        DSC::make_complex_from_labelled_image_3<Tracked_complex_3::Complex>(image, edge,
+                                                                            normalized(domain)));
+    if (result->complex.interface_facets().empty())
+      throw Input_error(path + ": all voxels have the same label, so there is no interface; give a "
+                               "larger --domain");
+    return result;
   } catch (const CGAL::Deformable_simplicial_complexes::Error& error) {
     throw Input_error(path + ": " + error.what());
   }

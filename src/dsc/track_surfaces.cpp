@@ -2,6 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "domain_box.h"
 #include "errors.h"
 #include "surface.h"
 #include "tracked_complex_3.h"
@@ -30,22 +31,14 @@ using Complex = Tracked_complex_3::Complex;
 using Patches = DSC::Patches_of_surfaces_3<Surface_point>;
 using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
 using Reason = Invalid_surface_error::Reason;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 /// Returns the complex of the space inside and around surfaces.
 /// \param boundaries surfaces or patches
 template <class Boundaries>
 std::unique_ptr<Tracked_complex> fill(const Boundaries& boundaries,
                                       const std::optional<std::array<double, 6>>& domain) {
-  const auto build = [&](const auto& np) {
-    return std::make_unique<Tracked_complex_3>(DSC::make_deformable_simplicial_complex_3<Complex>(
-        boundaries, CGAL::Tetgen_tetrahedralizer_3(), np));
-  };
-  const auto normalized = parameters::normalize(true);
-  if (!domain)
-    return build(normalized);
-  const auto& [x0, y0, z0, x1, y1, z1] = *domain;
-  return build(normalized.enclosing_box(CGAL::Bbox_3(x0, y0, z0, x1, y1, z1)));
+  return std::make_unique<Tracked_complex_3>(DSC::make_deformable_simplicial_complex_3<Complex>(
+      boundaries, CGAL::Tetgen_tetrahedralizer_3(), normalized(domain)));
 }
 
 bool may_have_walls(Reason reason) {
@@ -61,7 +54,7 @@ const char* hint(Reason reason) {
   case Reason::self_intersection:
     return "; or use --repair";
   case Reason::outside_enclosing_box:
-    return "; see --domain";
+    return "; enlarge --domain";
   default:
     return "";
   }
@@ -74,8 +67,8 @@ const char* hint(Reason reason) {
     message += " and " + names[error.other_surface()];
   if (error.reason() == Reason::crossing_surfaces)
     throw Input_error(message +
-                      ": they overlap; separate them, as surfaces may be nested and share "
-                      "walls, but not cross");
+                      ": the surfaces intersect; separate them (surfaces may be nested or "
+                      "share walls)");
   throw Input_error(message + ": " + error.what() + hint(error.reason()));
 }
 
@@ -93,8 +86,8 @@ void tell_labels(const Patches& patches, const std::vector<std::string>& names,
     const std::vector<int>& labels = patches.labels[i];
     if (labels.size() == 1)
       continue;
-    notes << "dsc: " << names[i] << ": its walls divide it into " << labels.size()
-          << " regions, with the labels " << labels.front();
+    notes << "dsc: " << names[i] << ": internal walls divide the solid into " << labels.size()
+          << " regions with the labels " << labels.front();
     for (auto label = labels.begin() + 1; label != labels.end(); ++label)
       notes << ", " << *label;
     notes << '\n';

@@ -39,7 +39,6 @@ namespace {
 using Complex = Tracked_complex_2::Complex;
 using Point = Complex::Approximate_point_2;
 using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 std::array<Point, 3> corners(const Complex& complex, Complex::Cell_handle c) {
   return {complex.position(c->vertex(0)), complex.position(c->vertex(1)),
@@ -80,16 +79,14 @@ std::unique_ptr<Tracked_complex> track_image_2(const Run_start& start, const std
                                      : CGAL::IO::read_labelled_image(path, &unused);
   print_unused(path, unused);
   const double edge = start.edge > 0 ? start.edge : default_edge;
-  const auto build = [&](const auto& np) {
-    return std::make_unique<Tracked_complex_2>(
-        DSC::make_deformable_simplicial_complex_2<Complex>(image, edge, np));
-  };
+  DSC::Construction_options<2> options;
+  options.enclosing_box = box;
   try {
-    auto result =
-        box ? build(parameters::enclosing_box(*box)) : build(parameters::default_values());
+    auto result = std::make_unique<Tracked_complex_2>(
+        DSC::make_deformable_simplicial_complex_2<Complex>(image, edge, options));
     if (result->complex.interface_facets().empty())
-      throw Input_error(path + ": all pixels have the same label, so that nothing would move; give "
-                               "a --domain around the image, where label 0 is");
+      throw Input_error(path + ": all pixels have the same label, so there is no interface; give a "
+                               "larger --domain, which has label 0 around the image");
     return result;
   } catch (const CGAL::Deformable_simplicial_complexes::Error& error) {
     throw Input_error(path + ": " + error.what());
@@ -101,15 +98,21 @@ std::unique_ptr<Tracked_complex> track_image_2(const Run_start& start, const std
 void check_bounds(const Curves& curves, const std::string& input, const Complex& complex) {
   const std::size_t facets = complex.interface_facets().size();
   if (facets == 0)
-    throw Input_error(input + ": each segment has the same label on both sides, so that nothing "
-                              "would move; close the segments, or correct the regions");
+    throw Input_error(input + ": each segment has the same label on both sides, so there is no "
+                              "interface; close the segments or correct the regions");
   std::map<std::string, Unused_content> unused; // by file
-  if (curves.seeded)                            // segments are not divided
-    unused[input].add("segments with the same label on both sides",
-                      curves.seeded->segments.size() - facets);
+  if (curves.seeded) {                          // segments are not divided
+    const std::size_t inside = curves.seeded->segments.size() - facets;
+    unused[input].add(std::string(noun(inside, "segment", "segments")) +
+                          " with the same label on both sides",
+                      inside);
+  }
+  std::map<std::string, std::size_t> covered; // number of curves, by file
   for (std::size_t i = 0; i < curves.closed.size(); ++i)
-    unused[curves.names[i]].add("polygons or lines that later ones cover",
-                                complex.number_of_cells(curves.closed[i].label) == 0 ? 1 : 0);
+    covered[curves.names[i]] += complex.number_of_cells(curves.closed[i].label) == 0;
+  for (const auto& [path, number] : covered)
+    unused[path].add(
+        noun(number, "curve covered by later curves", "curves covered by later curves"), number);
   for (const auto& [path, content] : unused)
     print_unused(path, content);
 }
@@ -123,14 +126,12 @@ std::unique_ptr<Tracked_complex> track_figure(const Run_start& start,
   if (format == "pgm" || format == "png")
     return track_image_2(start, format, box);
   const Curves curves = start_curves(start);
-  const auto build = [&](const auto& np) {
-    return std::make_unique<Tracked_complex_2>(
-        curves.seeded ? DSC::make_deformable_simplicial_complex_2<Complex>(*curves.seeded, np)
-                      : DSC::make_deformable_simplicial_complex_2<Complex>(curves.closed, np));
-  };
+  DSC::Construction_options<2> options;
+  options.enclosing_box = box;
   try {
-    auto result =
-        box ? build(parameters::enclosing_box(*box)) : build(parameters::default_values());
+    auto result = std::make_unique<Tracked_complex_2>(
+        curves.seeded ? DSC::make_deformable_simplicial_complex_2<Complex>(*curves.seeded, options)
+                      : DSC::make_deformable_simplicial_complex_2<Complex>(curves.closed, options));
     check_bounds(curves, start.inputs.empty() ? "the figure" : start.inputs[0], result->complex);
     return result;
   } catch (const Invalid_surface_error& error) {
@@ -198,7 +199,7 @@ void Tracked_complex_2::write(const std::string& path) const {
 }
 
 void Tracked_complex_2::write_subdivided(const std::string&, int) const {
-  throw Usage_error("--subdivide has no meaning in the plane; leave it out");
+  throw Usage_error("--subdivide applies only in space; leave it out");
 }
 
 void Tracked_complex_2::write_interface_vtu(const std::string& path) const {

@@ -30,14 +30,6 @@ using Complex_at_rest =
                                           CGAL::Default, DSC::Biased_minimum_sine_3>;
 using Cell_handle = Complex_at_rest::Cell_handle;
 using State = DSC::State<3>;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
-
-template <class NamedParameters>
-DSC::Improvement_report improve(Complex_at_rest& complex, const Improvement_options& options,
-                                const NamedParameters& np) {
-  return options.threshold ? DSC::improve_mesh(complex, np.quality_threshold(*options.threshold))
-                           : DSC::improve_mesh(complex, np);
-}
 
 /// Calls `f(i, k)` for the k-th finite cell of a state, which has index i.
 template <class Function> void for_each_finite_cell(const State& state, const Function& f) {
@@ -89,8 +81,8 @@ void require_entities(const Complex_at_rest& complex, const Mesh_entities& entit
   const auto require = [&](const auto& simplices, const char* name) {
     for (const auto& simplex : simplices)
       if (cells_around(complex, handles(vertices, simplex.vertices)).empty())
-        throw Input_error(std::string("one of the ") + name +
-                          " of the mesh could not be kept; leave them out of the input");
+        throw Input_error(std::string("cannot preserve all ") + name +
+                          " of the mesh; remove them from the input");
   };
   require(entities.edges, "edges");
   require(entities.triangles, "triangles");
@@ -100,14 +92,16 @@ void require_entities(const Complex_at_rest& complex, const Mesh_entities& entit
 
 Improvement_outcome Tracked_complex_3::improve(const Improvement_options& options,
                                                Mesh_content& content) {
-  const auto aggressive = parameters::aggressive(options.aggressive);
+  DSC::Mesh_improvement_options<Complex_at_rest> improvement;
+  improvement.aggressive = options.aggressive;
+  improvement.quality_threshold = options.threshold;
   const auto start = Clock::now();
   Complex_at_rest at_rest;
   State state = complex.state();
   at_rest.restore(state);
   DSC::Improvement_report report;
   if (content.is_empty()) {
-    report = dsc::improve(at_rest, options, aggressive);
+    report = DSC::improve_mesh(at_rest, improvement);
     state = at_rest.state();
   } else {
     const std::vector<int> labels = labels_by_time_stamp(at_rest);
@@ -115,7 +109,9 @@ Improvement_outcome Tracked_complex_3::improve(const Improvement_options& option
     separate(state, separation);
     at_rest.restore(state);
     Content_visitor<Complex_at_rest> visitor(at_rest, content);
-    report = dsc::improve(at_rest, options, aggressive.visitor(std::ref(visitor)));
+    DSC::Visitor_adaptor<Complex_at_rest, Content_visitor<Complex_at_rest>> adaptor(visitor);
+    improvement.visitor = &adaptor;
+    report = DSC::improve_mesh(at_rest, improvement);
 
     std::vector<std::size_t> row_of_cell;
     std::vector<int> new_labels;

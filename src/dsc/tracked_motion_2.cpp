@@ -30,9 +30,9 @@ namespace dsc {
 namespace {
 
 using Complex = Tracked_complex_2::Complex;
+using Options = DSC::Adaptive_advection_options<Complex>;
 using Point = Complex::Approximate_point_2;
 using Vector = Complex::Approximate_vector_2;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 Point centre_of_domain(const Complex& complex) {
   CGAL::Bbox_2 box;
@@ -77,7 +77,7 @@ struct Step
 
   Report operator()(const Offset& offset) const {
     if (offset.moves_faces)
-      throw Usage_error("--move-faces moves surfaces, and this is a complex in the plane");
+      throw Usage_error("--move-faces applies only in space; leave it out");
     const double unit = offset.distance.in_mean_edges ? complex.mean_interface_edge() : 1;
     make_room();
     return advect(DSC::Normal_offset{offset.distance.value * unit}, 1);
@@ -86,7 +86,7 @@ struct Step
   Report operator()(const Advection& advection) const {
     switch (advection.field) {
     case Advection::Field::enright:
-      throw Usage_error("dsc enright deforms surfaces, and this is a complex in the plane");
+      throw Usage_error("dsc enright applies only in space; use dsc vortex in the plane");
     case Advection::Field::vortex:
       return follow(DSC::Single_vortex_velocity_2(advection.period), advection);
     default: {
@@ -105,33 +105,40 @@ struct Step
 
   Report operator()(const Curvature_flow& flow) const {
     return follow(DSC::Mean_curvature_flow(flow.keeps_volumes), Time_step{complex}(flow),
-                  flow.tolerance, parameters::number_of_threads(threads));
+                  flow.tolerance, Options(true));
   }
 
 private:
   template <class Field> Report follow(const Field& field, const Advection& advection) const {
-    return follow(field, advection.dt, advection.tolerance,
-                  parameters::number_of_threads(threads).scheme(advection.scheme));
+    Options options;
+    options.advection.scheme = advection.scheme;
+    return follow(field, advection.dt, advection.tolerance, options);
   }
 
   // An interface that is improved before each step needs mesh adaptation in each step, but no other
   // changes of the interface.
-  template <class Velocity, class NamedParameters>
+  template <class Velocity>
   Report follow(const Velocity& velocity, double dt, const std::optional<double>& tolerance,
-                const NamedParameters& np) const {
-    const auto step = [&](const auto& all) {
-      return DSC::advect_adaptively(complex, velocity, time, dt, all);
-    };
+                Options options) const {
+    options.advection.deformation.number_of_threads = threads;
+    options.interface_tolerance =
+        improves_interface ? 0 : tolerance.value_or(options.interface_tolerance);
     if (improves_interface)
-      return step(np.interface_tolerance(0.).adaptation_interval(1));
-    return tolerance ? step(np.interface_tolerance(*tolerance)) : step(np);
+      options.adaptation_interval = 1;
+    return DSC::advect_adaptively(complex, velocity, time, dt, options);
   }
 
   // Adapts the mesh, because offsets stretch the interface.
-  void make_room() const { DSC::control_detail(complex, parameters::collapse_length(2.)); }
+  void make_room() const {
+    DSC::Detail_options<Complex> options;
+    options.collapse_length = 2;
+    DSC::control_detail(complex, options);
+  }
 
   template <class Flow> Report advect(const Flow& flow, double dt) const {
-    return DSC::advect_interface(complex, flow, time, dt, parameters::number_of_threads(threads));
+    DSC::Advection_options<Complex> options;
+    options.deformation.number_of_threads = threads;
+    return DSC::advect_interface(complex, flow, time, dt, options);
   }
 };
 
@@ -143,13 +150,15 @@ void improve_interface(Complex& complex, const std::optional<double>& aggressive
   static constexpr double feature_angle = 60, tolerance = .005, shortest = .2, longest = 4;
   const DSC::Curvature_sizing_field<2> size(complex, tolerance * edge, shortest * edge,
                                             longest * edge, .5, feature_angle);
-  DSC::improve_interface(complex, parameters::sizing_field(std::cref(size))
-                                      .feature_angle(feature_angle)
-                                      .interface_split_length(1.5)
-                                      .interface_collapse_length(.5)
-                                      .swept_volume(.01)
-                                      .curved_splits(true)
-                                      .aggressiveness(aggressiveness.value_or(0)));
+  DSC::Interface_improvement_options<Complex> options;
+  options.sizing_field = std::cref(size);
+  options.feature_angle = feature_angle;
+  options.interface_split_length = 1.5;
+  options.interface_collapse_length = .5;
+  options.swept_volume = .01;
+  options.curved_splits = true;
+  options.aggressiveness = aggressiveness.value_or(0);
+  DSC::improve_interface(complex, options);
 }
 
 } // namespace

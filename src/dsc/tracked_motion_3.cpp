@@ -32,9 +32,9 @@ namespace dsc {
 namespace {
 
 using Complex = Tracked_complex_3::Complex;
+using Options = DSC::Adaptive_advection_options<Complex>;
 using Point = Complex::Approximate_point_3;
 using Vector = Complex::Approximate_vector_3;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 Point centre_of_domain(const Complex& complex) {
   CGAL::Bbox_3 box;
@@ -73,12 +73,12 @@ struct Step
   using Report = DSC::Deformation_report<Complex>;
 
   Report operator()(const Zalesak&) const {
-    throw Usage_error("dsc zalesak moves figures in the plane, and this is a complex in space");
+    throw Usage_error("dsc zalesak applies only in the plane; use dsc rotate in space");
   }
 
   Report operator()(const Rotation& rotation) const {
     if (rotation.axis == std::array<double, 3>())
-      throw Usage_error("a rotation in space needs an --axis");
+      throw Usage_error("--axis is required in space; see dsc rotate --help");
     const auto [x, y, z] = rotation.axis;
     return advect(DSC::Rigid_rotation_3(centre_of_domain(complex), Vector(x, y, z),
                                         rotation.degrees * (CGAL_PI / 180)),
@@ -118,35 +118,41 @@ struct Step
   Report operator()(const Curvature_flow& flow) const {
     const double scale = complex.normalization().scale;
     return follow(DSC::Mean_curvature_flow(flow.keeps_volumes), time / (scale * scale),
-                  Time_step{complex}(flow) / (scale * scale), flow.tolerance,
-                  parameters::number_of_threads(threads));
+                  Time_step{complex}(flow) / (scale * scale), flow.tolerance, Options(true));
   }
 
 private:
   template <class Field> Report follow(const Field& field, const Advection& advection) const {
     const DSC::Velocity_in_user_coordinates_3<Complex, Field> velocity(complex, field);
-    return follow(velocity, time, advection.dt, advection.tolerance,
-                  parameters::number_of_threads(threads).scheme(advection.scheme));
+    Options options;
+    options.advection.scheme = advection.scheme;
+    return follow(velocity, time, advection.dt, advection.tolerance, options);
   }
 
   // An interface that is improved before each step needs mesh adaptation in each step, but no other
   // changes of the interface.
-  template <class Velocity, class NamedParameters>
+  template <class Velocity>
   Report follow(const Velocity& velocity, double t, double dt,
-                const std::optional<double>& tolerance, const NamedParameters& np) const {
-    const auto step = [&](const auto& all) {
-      return DSC::advect_adaptively(complex, velocity, t, dt, all);
-    };
+                const std::optional<double>& tolerance, Options options) const {
+    options.advection.deformation.number_of_threads = threads;
+    options.interface_tolerance =
+        improves_interface ? 0 : tolerance.value_or(options.interface_tolerance);
     if (improves_interface)
-      return step(np.interface_tolerance(0.).adaptation_interval(1));
-    return tolerance ? step(np.interface_tolerance(*tolerance)) : step(np);
+      options.adaptation_interval = 1;
+    return DSC::advect_adaptively(complex, velocity, t, dt, options);
   }
 
   // Adapts the mesh, because face offsets stretch the interface.
-  void make_room() const { DSC::control_detail(complex, parameters::collapse_length(2.)); }
+  void make_room() const {
+    DSC::Detail_options<Complex> options;
+    options.collapse_length = 2;
+    DSC::control_detail(complex, options);
+  }
 
   template <class Flow> Report advect(const Flow& flow, double t, double dt) const {
-    return DSC::advect_interface(complex, flow, t, dt, parameters::number_of_threads(threads));
+    DSC::Advection_options<Complex> options;
+    options.deformation.number_of_threads = threads;
+    return DSC::advect_interface(complex, flow, t, dt, options);
   }
 };
 
@@ -157,15 +163,14 @@ void improve_interface(Complex& complex, const std::optional<double>& aggressive
   static constexpr double feature_angle = 85; // below cube edges, above rims of sheets
   const DSC::Curvature_sizing_field<3> size(complex, .05 * edge, .2 * edge, edge, .5,
                                             feature_angle);
-  const auto np = parameters::sizing_field(std::cref(size))
-                      .feature_angle(feature_angle)
-                      .interface_split_length(1.5)
-                      .interface_collapse_length(.5)
-                      .curved_splits(true);
-  if (aggressiveness)
-    DSC::improve_interface(complex, np.aggressiveness(*aggressiveness));
-  else
-    DSC::improve_interface(complex, np);
+  DSC::Interface_improvement_options<Complex> options;
+  options.sizing_field = std::cref(size);
+  options.feature_angle = feature_angle;
+  options.interface_split_length = 1.5;
+  options.interface_collapse_length = .5;
+  options.curved_splits = true;
+  options.aggressiveness = aggressiveness.value_or(options.aggressiveness);
+  DSC::improve_interface(complex, options);
 }
 
 } // namespace

@@ -4,7 +4,10 @@
 
 #include "velocity_expressions.h"
 
+#include "errors.h"
+
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace dsc {
@@ -26,7 +29,8 @@ std::vector<std::string> variables(int dimension) {
 Velocity_expressions::Velocity_expressions(const std::string& expressions, int dimension)
     : m_expression(expressions, variables(dimension), "--velocity", form(dimension)) {
   if (m_expression.size() != dimension)
-    m_expression.refuse("has " + std::to_string(m_expression.size()) + " components");
+    m_expression.refuse("has " + std::to_string(m_expression.size()) +
+                        noun(std::size_t(m_expression.size()), " component", " components"));
 }
 
 std::array<double, 3> Velocity_expressions::at(const std::array<double, 3>& p, double t) const {

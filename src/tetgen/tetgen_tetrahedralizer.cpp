@@ -98,11 +98,11 @@ Failed_attempt failure(const Child_process::Outcome& outcome) {
             "TetGen crashed with signal " + std::to_string(outcome.code) +
                 ": remesh the surfaces, or separate vertices and surfaces that are very close"};
   case Child_process::End::KILLED:
-    return {Cause::MEMORY, "TetGen was killed, as happens when memory is exhausted: use larger "
+    return {Cause::MEMORY, "TetGen was killed, probably because memory is exhausted: use larger "
                            "bounds for the tetrahedra or a coarser surface"};
   case Child_process::End::TIMED_OUT:
-    return {Cause::TIME, "TetGen reached its time limit: use a higher one, larger bounds for the "
-                         "tetrahedra or a coarser surface"};
+    return {Cause::TIME, "TetGen reached its time limit: use a longer time limit, larger bounds "
+                         "for the tetrahedra or a coarser surface"};
   default:
     return tetgen_failure(outcome.code);
   }
@@ -260,9 +260,8 @@ Tetrahedralization_3 tetrahedralize_once(const Job& job, double seconds) try {
                          "TetGen lost triangles: separate vertices and surfaces that are very "
                          "close, or remesh the surfaces");
   if (!orient(mesh))
-    throw Failed_attempt(Cause::RESULT,
-                         "TetGen made flat tetrahedra: use other bounds for them, or remesh the "
-                         "surfaces");
+    throw Failed_attempt(Cause::RESULT, "TetGen created flat tetrahedra: use other bounds for the "
+                                        "tetrahedra, or remesh the surfaces");
   return mesh;
 } catch (const std::system_error& e) {
   throw Failed_attempt(Cause::MEMORY, std::string("TetGen could not be started, ") + e.what() +

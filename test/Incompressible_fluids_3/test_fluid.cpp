@@ -466,20 +466,20 @@ TEST(Fluid, grows_by_sources) {
   EXPECT_THROW(fluid.advance(.1), dsc::Error);
 }
 
-TEST(Gas_bookkeeping, follows_parts) {
-  using Ledger = dsc::internal::Gas_bookkeeping_3;
+TEST(Gas_bookkeeping, follows_components) {
+  using Bookkeeping = dsc::internal::Gas_bookkeeping_3;
   const dsc::Gas gas = {1, 2};
-  Ledger ledger;
-  ledger.set_bodies(
+  Bookkeeping bookkeeping;
+  bookkeeping.set_components(
       {{1, {gas, 2, 1, 2}}, {2, {gas, 1, 4, 1}}, {5, {gas, 3, 7, 2}}, {6, {gas, 2, 2, 1}}});
   // 1 (pressure 1) and 2 (pressure 4) merge into 3; 5 becomes 1; 6 splits into 7 and 8.
-  ledger.follow(
+  bookkeeping.update(
       {{1, 3}, {2, 3}, {5, 1}, {6, 7}, {6, 8}},
       {{3, {gas, 3, 0, 1}}, {1, {gas, 3.3, 0, 1}}, {7, {gas, 1.5, 0, 1}}, {8, {gas, .5, 0, 1}}});
-  EXPECT_DOUBLE_EQ(ledger.bodies().at(3).pressure(), 2);
-  EXPECT_DOUBLE_EQ(ledger.bodies().at(1).pressure(2), 7);
-  EXPECT_DOUBLE_EQ(ledger.bodies().at(7).pressure(), .5);
-  EXPECT_DOUBLE_EQ(ledger.bodies().at(8).pressure(), .5);
+  EXPECT_DOUBLE_EQ(bookkeeping.components().at(3).pressure(), 2);
+  EXPECT_DOUBLE_EQ(bookkeeping.components().at(1).pressure(2), 7);
+  EXPECT_DOUBLE_EQ(bookkeeping.components().at(7).pressure(), .5);
+  EXPECT_DOUBLE_EQ(bookkeeping.components().at(8).pressure(), .5);
 }
 
 TEST(Fluid, goes_on_to_the_same_bits) {
@@ -623,10 +623,10 @@ dsc::Saddle_point_system chain(Eigen::Index n, bool is_coupled) {
       for (int k = 0; k < 3; ++k)
         coupling.emplace_back(3 * i + j, 3 * i + k, along(j) * along(k));
     if (i % 5 == 1)
-      result.held.push_back({i, Eigen::Matrix3d::Zero()});
+      result.constrained.push_back({i, Eigen::Matrix3d::Zero()});
     if (i % 5 == 3) {
       const Eigen::Vector3d normal = along.normalized();
-      result.held.push_back({i, Eigen::Matrix3d::Identity() - normal * normal.transpose()});
+      result.constrained.push_back({i, Eigen::Matrix3d::Identity() - normal * normal.transpose()});
     }
   }
   for (Eigen::Index i = 0; i < m; ++i) {
@@ -665,7 +665,7 @@ template <class Solver> void expect_solution(Eigen::Index n, bool is_coupled) {
       a.block<3, 3>(3 * i, 3 * j).diagonal().setConstant(nodal(i, j));
   if (is_coupled)
     a += Eigen::MatrixXd(system.coupling);
-  for (const auto& h : system.held)
+  for (const auto& h : system.constrained)
     free.block<3, 3>(3 * h.vertex, 3 * h.vertex) = h.projection;
   const Eigen::VectorXd f = Eigen::VectorXd::LinSpaced(3 * n, -1, 2),
                         s = Eigen::VectorXd::LinSpaced(n - 1, 1, 3);
@@ -726,7 +726,7 @@ template <class Solver> void expect_closed_solution() {
   system.c.setFromTriplets(c.begin(), c.end());
   system.inertia = Eigen::VectorXd(system.nodal.diagonal());
   system.viscosity = Eigen::VectorXd::Zero(m);
-  system.held = {{0, Eigen::Matrix3d::Zero()}, {n - 1, Eigen::Matrix3d::Zero()}};
+  system.constrained = {{0, Eigen::Matrix3d::Zero()}, {n - 1, Eigen::Matrix3d::Zero()}};
   Eigen::VectorXd s = Eigen::VectorXd::LinSpaced(m, -1, 1), v = Eigen::VectorXd::Zero(3 * n),
                   p = Eigen::VectorXd::Zero(m);
   s.array() += 1e-13;
@@ -762,28 +762,29 @@ TEST(Saddle_point_solvers, threads_change_no_bit) {
 
 // Properties of connected components when they merge and split. Pairs of numbers map old components
 // to new ones.
-TEST(Liquid_bookkeeping, follows_parts) {
-  dsc::internal::Liquid_bookkeeping_3 ledger;
-  ledger.set_volumes({{1, 2.}, {2, 3.}, {4, 1.}, {7, .5}});
+TEST(Liquid_bookkeeping, follows_components) {
+  dsc::internal::Liquid_bookkeeping_3 bookkeeping;
+  bookkeeping.set_volumes({{1, 2.}, {2, 3.}, {4, 1.}, {7, .5}});
   std::vector<dsc::internal::Momentum_3> momenta(8);
   for (std::size_t i : {1, 2, 4, 7})
     momenta[i].linear = Eigen::Vector3d(double(i), 0, 0);
-  ledger.set_momenta(momenta, {0, 1, 2, 3, 4, 5, 6, 7});
+  bookkeeping.set_momenta(momenta, {0, 1, 2, 3, 4, 5, 6, 7});
   // 1 and 2 merge, 4 splits into two, 7 vanishes, 9 appears.
-  EXPECT_EQ(ledger.follow({{1, 3}, {2, 3}, {4, 1}, {4, 2}}, {{1, .3}, {2, .6}, {3, 5.1}, {9, 1.}}),
-            .5);
-  EXPECT_DOUBLE_EQ(ledger.volumes().at(3), 5);
-  EXPECT_DOUBLE_EQ(ledger.volumes().at(1), 1. / 3);
-  EXPECT_DOUBLE_EQ(ledger.volumes().at(2), 2. / 3);
-  EXPECT_DOUBLE_EQ(ledger.volumes().at(9), 1);
-  EXPECT_EQ(ledger.momenta()[ledger.set_of(3)].linear.x(), 3);
-  EXPECT_EQ(ledger.momenta()[ledger.set_of(1)].linear.x(), 4);
-  EXPECT_EQ(ledger.set_of(1), ledger.set_of(2));
-  EXPECT_EQ(ledger.momenta()[ledger.set_of(9)].linear.x(), 0);
+  EXPECT_EQ(
+      bookkeeping.update({{1, 3}, {2, 3}, {4, 1}, {4, 2}}, {{1, .3}, {2, .6}, {3, 5.1}, {9, 1.}}),
+      .5);
+  EXPECT_DOUBLE_EQ(bookkeeping.volumes().at(3), 5);
+  EXPECT_DOUBLE_EQ(bookkeeping.volumes().at(1), 1. / 3);
+  EXPECT_DOUBLE_EQ(bookkeeping.volumes().at(2), 2. / 3);
+  EXPECT_DOUBLE_EQ(bookkeeping.volumes().at(9), 1);
+  EXPECT_EQ(bookkeeping.momenta()[bookkeeping.set_of(3)].linear.x(), 3);
+  EXPECT_EQ(bookkeeping.momenta()[bookkeeping.set_of(1)].linear.x(), 4);
+  EXPECT_EQ(bookkeeping.set_of(1), bookkeeping.set_of(2));
+  EXPECT_EQ(bookkeeping.momenta()[bookkeeping.set_of(9)].linear.x(), 0);
   // Components of one set stay in the set when they are renumbered.
-  ledger.follow({{1, 5}, {2, 6}, {3, 7}, {9, 8}}, {{5, .3}, {6, .6}, {7, 5.}, {8, 1.}});
-  EXPECT_DOUBLE_EQ(ledger.volumes().at(5), 1. / 3);
-  EXPECT_EQ(ledger.momenta()[ledger.set_of(5)].linear.x(), 4);
-  EXPECT_EQ(ledger.set_of(5), ledger.set_of(6));
-  EXPECT_EQ(ledger.momenta()[ledger.set_of(7)].linear.x(), 3);
+  bookkeeping.update({{1, 5}, {2, 6}, {3, 7}, {9, 8}}, {{5, .3}, {6, .6}, {7, 5.}, {8, 1.}});
+  EXPECT_DOUBLE_EQ(bookkeeping.volumes().at(5), 1. / 3);
+  EXPECT_EQ(bookkeeping.momenta()[bookkeeping.set_of(5)].linear.x(), 4);
+  EXPECT_EQ(bookkeeping.set_of(5), bookkeeping.set_of(6));
+  EXPECT_EQ(bookkeeping.momenta()[bookkeeping.set_of(7)].linear.x(), 3);
 }

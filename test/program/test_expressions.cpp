@@ -102,7 +102,7 @@ TEST(Expressions, that_cannot_be_read_are_refused_with_the_reason) {
   expect_refusal("x y", "operator is missing before 'y'");
   expect_refusal("x(2)", "operator is missing before '('");
   expect_refusal("1e", "no digits");
-  expect_refusal("1.2.3", "two points");
+  expect_refusal("1.2.3", "two decimal points");
   expect_refusal("!x", "'!'");
   expect_refusal("x×y", "write '*'");
   expect_refusal("x²", "write '^2'");
@@ -218,16 +218,16 @@ TEST(Label_components, are_counted_by_samples) {
 TEST(Label_components, that_are_missing_are_told_with_an_edge_length) {
   EXPECT_EQ(message_of(.1, two_balls, {{0, 1}, {1, 2}}), "");
   const std::string joined = message_of(.3, two_balls, {{0, 1}, {1, 1}});
-  EXPECT_NE(joined.find("the body has 1 connected components in the mesh instead of 2"),
+  EXPECT_NE(joined.find("the body has 1 connected component in the mesh instead of 2"),
             std::string::npos)
       << joined;
-  EXPECT_NE(joined.find("of about 0.15"), std::string::npos) << joined;
+  EXPECT_NE(joined.find("choose about 0.15"), std::string::npos) << joined;
   const auto sheet = [](const std::array<double, 3>& p) { return std::abs(p[2]) < .02 ? 1 : 0; };
   const std::string crumbs = message_of(.1, sheet, {{0, 1}, {1, 153}});
-  EXPECT_NE(crumbs.find("of about 0.025"), std::string::npos) << crumbs;
+  EXPECT_NE(crumbs.find("choose about 0.025"), std::string::npos) << crumbs;
   const auto speck = [](const std::array<double, 3>& p) {
     return std::hypot(p[0] - .31, p[1], p[2]) < 1e-4 ? 1 : 0;
   };
   const std::string nothing = message_of(.1, speck, {{0, 1}});
-  EXPECT_NE(nothing.find("fills nothing: it is empty"), std::string::npos) << nothing;
+  EXPECT_NE(nothing.find("has no cells: it is empty"), std::string::npos) << nothing;
 }

@@ -175,7 +175,7 @@ TEST_F(Fluids, gas_in_a_drop_expands_and_a_source_feeds_it) {
   expect_refusal(json, "pressure");
   json["gases"][0]["pressure"] = 1;
   json["gases"][0]["label"] = 1;
-  expect_refusal(json, "a liquid or a gas");
+  expect_refusal(json, "the label of a liquid");
   json["gases"][0].erase("label");
   json["sources"][0].erase("rate");
   expect_refusal(json, "rate");
@@ -264,14 +264,14 @@ TEST_F(Fluids, wrong_scenes_are_refused_by_name) {
   json["liquids"].push_back(json["liquids"][0]);
   json["liquids"][1]["density"] = 2;
   json["liquids"][1]["label"] = 1;
-  expect_refusal(json, "one density");
+  expect_refusal(json, "the same density");
   json = scene();
   json["surface_tension"] = Json::parse(R"json([{"labels": [0, 1.7], "value": 1}])json");
-  expect_refusal(json, "whole numbers");
+  expect_refusal(json, "must be integers");
   json = scene();
   json["edge"] = 1e-9;
   json["liquids"][0]["shape"].erase("triangles");
-  expect_refusal(json, "too short");
+  expect_refusal(json, "too small");
   write("broken.json", "{\"domain\": [0, 0");
   EXPECT_NE(run("fluid " + path("broken.json").string()).exit_code, 0);
   EXPECT_NE(run("fluid no-such-scene").exit_code, 0);
@@ -322,8 +322,8 @@ TEST_F(Fluids, fields_are_there_once_in_json_without_comments) {
     return result.replace(place, from.size(), to);
   };
   expect(changed("\"density\":1", "\"density\":1,\"density\":2"),
-         "'liquids[0].density' is there twice");
-  expect(changed("\"end\"", "\"edge\":1,\"end\""), "'edge' is there twice");
+         "'liquids[0].density' occurs twice");
+  expect(changed("\"end\"", "\"edge\":1,\"end\""), "'edge' occurs twice");
   expect(text + "{}", "end of input");
   expect(changed("{", "{ // comment\n"), "no comments");
   expect(changed("\"end\":0.4", "\"end\":1e999"), "1e999");
@@ -357,14 +357,14 @@ TEST_F(Fluids, what_has_no_effect_is_refused) {
   expect(R"({"surface_tension": [{"labels": [0, 3], "value": 1}]})", "the label 3");
   expect(R"({"surface_tension": [{"labels": [1, 1], "value": 1}]})", "two different labels");
   expect(R"({"surface_tension": [{"labels": [0, 1], "value": 1}, {"labels": [1, 0], "value": 1}]})",
-         "0 and 1 are there twice");
-  expect(R"({"sources": [{"center": [2, 0, 0], "radius": 0.5, "rate": 1}]})", "meets no liquid");
-  expect(R"({"sources": [{"center": [9, 0, 0], "radius": 0.5, "rate": 1}]})", "meets no liquid");
+         "0 and 1 occur twice");
+  expect(R"({"sources": [{"center": [2, 0, 0], "radius": 0.5, "rate": 1}]})", "contains no liquid");
+  expect(R"({"sources": [{"center": [9, 0, 0], "radius": 0.5, "rate": 1}]})", "contains no liquid");
   expect(R"({"sources": [{"center": [0, 0, 0], "radius": 0.5, "rate": 0}]})", "no effect");
   expect(R"({"solids": [{"type": "plane", "point": [0, 0, -3], "normal": [0, 0, 1]}]})",
          "solids[0] has no effect");
   expect(R"({"solids": [{"type": "plane", "point": [0, 0, -1], "normal": [0, 0, 0]}]})",
-         "no direction");
+         "zero vector");
   expect(R"({"solids": [{"type": "ball", "center": [9, 0, 0], "radius": 1}]})",
          "solids[0] has no effect");
   expect(R"({"solids": [{"type": "tank", "box": [-3, -3, -3, 3, 3, 2], "open": true}]})",
@@ -399,14 +399,14 @@ TEST_F(Fluids, liquids_that_others_cover_are_refused) {
   const Outcome outcome = run("fluid " + write_scene(json));
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   json["liquids"][1]["shape"]["radius"] = .001;
-  expect_refusal(json, "label 2 of the scene fills nothing");
+  expect_refusal(json, "label 2 of the scene has no cells");
   json["liquids"][1]["shape"]["radius"] = .2;
   json["liquids"].push_back(json["liquids"][1]);
   json["liquids"][2]["label"] = 3;
   json["liquids"][2]["shape"]["radius"] = .25;
-  expect_refusal(json, "label 2 of the scene fills nothing");
+  expect_refusal(json, "label 2 of the scene has no cells");
   json["liquids"][2]["label"] = 2;
-  expect_refusal(json, "liquids[1] of the scene fills nothing");
+  expect_refusal(json, "liquids[1] of the scene has no cells");
 }
 
 TEST_F(Fluids, options_without_effect_are_refused) {

@@ -359,9 +359,9 @@ TEST_F(Improve, takes_meshes_as_other_programs_write_them) {
   for (const std::string input : {"foreign.mesh", "foreign.vtu"}) {
     const Outcome outcome = run("improve " + input + " -o out.mesh");
     EXPECT_EQ(outcome.exit_code, 0);
-    EXPECT_EQ(outcome.err, "dsc: " + input + ": not used: 3 points of no tetrahedron\n");
+    EXPECT_EQ(outcome.err, "dsc: " + input + ": not used: 3 points without a tetrahedron\n");
     EXPECT_TRUE(contents(path("out.mesh")) == contents(path("expected.mesh"))) << input;
-    expect_loss_is_refused(input, "3 points of no tetrahedron");
+    expect_loss_is_refused(input, "3 points without a tetrahedron");
   }
 }
 
@@ -446,7 +446,7 @@ TEST_F(Improve, does_not_guess_labels) {
   const std::string text = vtu(layers(), "material");
   expect_refusal("material.vtu", text);
   const std::string message = contents(path("stderr.txt"));
-  EXPECT_NE(message.find("'material' (Int32, whole numbers from 2 to 5)"), std::string::npos);
+  EXPECT_NE(message.find("'material' (Int32, integers from 2 to 5)"), std::string::npos);
   EXPECT_NE(message.find("--labels NAME"), std::string::npos);
   expect_error("offset material.vtu --distance 0.1 --steps 1", 1);
   expect_error("info material.vtu", 1);
@@ -458,7 +458,7 @@ TEST_F(Improve, does_not_guess_labels) {
   EXPECT_TRUE(contents(path("out.mesh")) == contents(path("expected.mesh")));
   expect_success("offset material.vtu --distance 0.01 --steps 1 --quiet --labels material");
   EXPECT_EQ(run("improve material.vtu -o one.mesh --labels none").err,
-            "dsc: material.vtu: not used: 1 array on cells (material)\n");
+            "dsc: material.vtu: not used: 1 cell array (material)\n");
   EXPECT_EQ(info("one.mesh", "interface triangles"), 0);
   // The array keeps its name, so that the file can be improved again and used as before.
   expect_success("improve material.vtu -o material.vtu --labels material");
@@ -510,14 +510,12 @@ TEST_F(Improve, replaces_no_input_by_less) {
   expect_loss_is_refused("ids.vtu --labels material", "('id')");
   const Outcome outcome = run("improve ids.vtu -o out.vtu --labels material");
   EXPECT_EQ(outcome.exit_code, 0);
-  EXPECT_EQ(outcome.err,
-            "dsc: ids.vtu: not used: 1 array that numbers cells, which change ('id')\n");
+  EXPECT_EQ(outcome.err, "dsc: ids.vtu: not used: 1 array of cell numbers, which change ('id')\n");
   EXPECT_FALSE(array_of(contents(path("out.vtu")), "heat").empty());
   // MEDIT files cannot contain arrays.
   write("fields.vtu", grid_with_fields());
-  EXPECT_NE(
-      run("improve fields.vtu -o out.mesh --labels material").err.find("array on points (heat)"),
-      std::string::npos);
+  EXPECT_NE(run("improve fields.vtu -o out.mesh --labels material").err.find("point array (heat)"),
+            std::string::npos);
   write("layers.sol", "MeshVersionFormatted 2\n");
   expect_loss_is_refused("layers.mesh", "layers.sol");
 }

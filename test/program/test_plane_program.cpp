@@ -117,13 +117,13 @@ TEST_F(Planar_program, reads_segments_without_regions) {
   write("diagonal.poly", square + "5 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n4 0 2\n0\n");
   const Outcome told = run("info diagonal.poly");
   EXPECT_NE(told.err.find("not used: 4 boundary markers"), std::string::npos) << told.err;
-  EXPECT_NE(told.err.find("not used: 1 segments with the same label"), std::string::npos)
+  EXPECT_NE(told.err.find("not used: 1 segment with the same label"), std::string::npos)
       << told.err;
   EXPECT_EQ(run("advect diagonal.poly --velocity 1,0 --dt .1 --steps 1 --quiet").err, "");
   write("open.poly", "3 2\n0 0 0\n1 1 0\n2 1 1\n2 0\n0 0 1\n1 1 2\n0\n");
   expect_error("offset open.poly --distance .1", 1);
   write("covered.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 0)) POLYGON ((0 0, 1 0, 1 1, 0 0))");
-  EXPECT_NE(run("info covered.wkt").err.find("later ones cover"), std::string::npos);
+  EXPECT_NE(run("info covered.wkt").err.find("1 curve covered by later curves"), std::string::npos);
   write("point.wkt", "POINT EMPTY");
   EXPECT_EQ(run("info point.wkt").exit_code, 1);
 }

@@ -136,13 +136,13 @@ TEST_F(Readers, name_what_they_do_not_use) {
                      "NOFF\n5 5 6\n0 0 0 1 0 0\n1 0 0 1 0 0\n0 1 0 1 0 0\n0 0 1 1 0 0\n"
                      "5 5 5 1 0 0\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n2 0 1\nthe end\n",
                      "1 lines after the last polygon, 5 normals of points, "
-                     "1 points that no polygon has, 1 polygons with fewer than three corners");
+                     "1 points without polygons, 1 polygons with fewer than three corners");
   expect_tetrahedron("a.obj",
                      "mtllib a.mtl\no a\ng b\ng c\nusemtl d\ns 1\nvt 0 0\nvn 0 0 1\nl 1 2\np 1\n"
                      "cstype bezier\n" +
                          obj,
-                     "1 files of materials, 2 groups, 1 lines, 1 materials of polygons, 1 normals, "
-                     "1 objects, 1 points as elements, 1 smoothing groups, 1 statements 'cstype', "
+                     "2 groups, 1 lines, 1 material files, 1 materials of polygons, 1 normals, "
+                     "1 objects, 1 point elements, 1 smoothing groups, 1 statements 'cstype', "
                      "1 texture coordinates");
   expect_tetrahedron("a.ply",
                      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float "
@@ -174,7 +174,7 @@ TEST_F(Readers, refuse_what_would_change_the_surface) {
   expect_cause("info", "a.off", "OFF\n4 5 6\n" + off_numbers, "is the file truncated?");
   expect_cause("info", "a.ply", ply + "3 0 1 2\n", "line 18: there are more numbers");
   expect_cause("info", "a.stl", binary_stl(3), "3 triangles and has bytes for 4");
-  expect_cause("info", "a.stl", binary_stl(5), "5 triangles and lacks the last 50 bytes");
+  expect_cause("info", "a.stl", binary_stl(5), "5 triangles and lacks their last 50 bytes");
 }
 
 TEST_F(Readers, name_the_cause_of_an_error) {
@@ -184,7 +184,7 @@ TEST_F(Readers, name_the_cause_of_an_error) {
       {"1,5", "line 3: '1,5' has a comma"},
       {"1e5000", "line 3: '1e5000' is too large"},
       {"0x10", "line 3: '0x10' is hexadecimal"},
-      {"1d-3", "line 3: '1d-3' has an exponent of Fortran"},
+      {"1d-3", "line 3: '1d-3' has a Fortran exponent"},
       {"one", "line 3: 'one' should be a number"}};
   for (const auto& [coordinate, cause] : coordinates)
     expect_cause("info", "a.off", "OFF\n1 1 0\n" + coordinate + " 0 0\n", cause);
@@ -192,7 +192,7 @@ TEST_F(Readers, name_the_cause_of_an_error) {
                "line 2: '3000000000' should be an integer from -2147483648 to 2147483647");
   expect_cause("info", "a.off", "OFF\n1.5 1 0\n", "line 2: '1.5' should be an integer");
   expect_cause("info", "a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n",
-               "line 6: polygon 0 refers to a point that is not there");
+               "line 6: polygon 0 refers to a point that does not exist");
   expect_cause("info", "a.stl", stl().substr(0, 70), "line 2: this facet does not end");
 }
 
@@ -205,8 +205,9 @@ TEST_F(Readers, name_files_of_another_kind) {
   expect_cause("info", "a.wkt", "OFF\n", "is an OFF file");
   expect_cause("reconstruct -o b.off", "a.xyz", "$MeshFormat\n", "is a Gmsh mesh");
   write("b.off", "OFF\n4 4 6\n" + off_numbers);
-  EXPECT_NE(run("convert b.off c.ply").err.find("is an OFF file; choose a file .dsc"),
-            std::string::npos);
+  EXPECT_NE(
+      run("convert b.off c.ply").err.find("is an OFF file; choose a file with the extension .dsc"),
+      std::string::npos);
   program::fs::create_directory(path("folder.off"));
   expect_error("info folder.off", 1);
   EXPECT_NE(run("info folder.off").err.find("it is a folder"), std::string::npos);
@@ -223,7 +224,7 @@ TEST_F(Readers, tell_why_images_of_voxels_cannot_be_read) {
            {inr(inr_size + "TYPE=complex\nPIXSIZE=8 bits\nCPU=decm\n", 0), "type 'complex'"},
            {inr(header + "VX=0\n", 8000), "VX is not positive"},
            {inr("XDIM=0\nYDIM=20\nZDIM=20\n" + inr_type, 0), "has XDIM=0"},
-           {with_line_ends(inr(header, 8000), "\r\n"), "line ends of Windows"},
+           {with_line_ends(inr(header, 8000), "\r\n"), "Windows line endings"},
            {"OFF\n4 4 6\n" + off_numbers, "does not begin with #INRIMAGE-4#{"},
            {"#INRIMAGE-4#{\n" + header, "without the line ##}"}})
     expect_cause(rotate, "a.inr", bytes, cause);

@@ -108,7 +108,7 @@ public:
     static constexpr double most = 1e6;
     if (!(length > 0 && m_radius + length > m_radius && length <= most * longest_step()))
       throw Error(
-          "the step of the front is out of range: use more than 0, and about half the spacing");
+          "the step of the front is out of range: use a positive length, about half the spacing");
     const int number = int(std::ceil(length / longest_step()));
     for (int i = 0; i < number && is_going(); ++i)
       step_by(length / number);
@@ -157,10 +157,10 @@ private:
       throw Error(
           "the spacing of the front is out of range: use at most a twentieth of the periods");
     m_radius = m_geodesics.first_radius(spacing);
-    m_complex = internal::fill_torus<Complex>(
+    m_complex = fill_torus<Complex>(
         domain, spacing,
         [&](const Point_2& q) { return m_geodesics.departure(q).length < m_radius ? 1 : 0; },
-        parameters::default_values());
+        Deformation_options<Complex>());
     for (Vertex_handle v : m_complex.interface_vertices()) {
       const double angle = m_geodesics.departure(m_complex.position(v)).angle;
       m_rays[v->time_stamp()] = {angle, m_radius, m_geodesics.shoot(angle, m_radius), false, 0};
@@ -199,16 +199,17 @@ private:
     };
     // Relabeling would close the folds of the front, so it is turned off. Flat facets are kept, and
     // there are two passes only, so that the front keeps its edges.
-    static constexpr unsigned passes = 2;
-    const auto report = deform_interface(
-        m_complex, destination,
-        parameters::relabeling_threshold(0.).minimum_facet_angle(0.).maximum_number_of_passes(
-            passes));
+    Deformation_options<Complex> motion;
+    motion.maximum_number_of_passes = 2;
+    motion.relabeling_threshold = motion.minimum_facet_angle = 0;
+    const auto report = deform_interface(m_complex, destination, motion);
     // Splits long edges and collapses short ones, so that parts of the front can meet everywhere.
     static constexpr double shortest = .5; // in spacings
-    control_detail(m_complex, parameters::sizing_field([this](const Point_2&) { return m_spacing; })
-                                  .split_length(2.)
-                                  .collapse_length(shortest));
+    Detail_options<Complex> detail;
+    detail.sizing_field = [this](const auto&) { return m_spacing; };
+    detail.split_length = 2;
+    detail.collapse_length = shortest;
+    control_detail(m_complex, detail);
     adopt();
     for (auto& [time_stamp, ray] : m_rays)
       ray.steps_behind = ray.is_stopped ? 0 : ray.steps_behind + 1;

@@ -126,7 +126,7 @@ private:
   static Frame frame_at(const Direction& source) {
     const double length = std::hypot(source[0], source[1], source[2]);
     if (!(length > 0) || !std::isfinite(length))
-      throw Error("the point of the sphere is the origin, or not finite: choose another one");
+      throw Error("the source on the sphere is the origin or is not finite: choose another point");
     Frame f;
     for (std::size_t i = 0; i < 3; ++i)
       f[2][i] = source[i] / length;

@@ -75,11 +75,11 @@ Cut_locus_2 cut_locus_of_geodesics(const Geodesics_2<Metric>& geodesics,
   if (!(spacing > 0 && spacing <= coarsest * (std::min)(domain.periods()[0], domain.periods()[1])))
     throw Error("the spacing is out of range: use at most a twentieth of the periods");
   if (!(step >= shortest * longest_step && std::isfinite(step)))
-    throw Error("the step of the geodesics is out of range: use about half the spacing, as long as "
-                "that is on the surface");
+    throw Error("the step of the geodesics is out of range: use about half the length of the "
+                "spacing on the surface");
   if (!(longest_distance > 0))
-    throw Error("the longest distance is not positive");
-  const Progress_phase phase("looking for the cut locus");
+    throw Error("the longest distance is not positive: use more than 0");
+  const Progress_phase phase("computing the cut locus");
   const Geodesic_equations_2<Metric> equations(geodesics, domain, spacing,
                                                (std::min)(step, longest_step));
   const Geodesic_fan_2<Metric> fan(equations, longest_distance);

@@ -22,10 +22,10 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Base class of visitors, with a virtual function for each function of `DeformationVisitor` except
-`go_further()`. Functions that change the mesh take an `Any_visitor`, so they are compiled only once
-for each type of complex. The functions of this class do nothing. `DeformationVisitor` documents
-when they are called. They must not change the complex, and their exceptions pass through.
+Base class of visitors, with a virtual function for each function of `DeformationVisitor`. Functions
+that change the mesh take an `Any_visitor`, so they are compiled only once for each type of complex.
+The functions of this class do nothing. `DeformationVisitor` documents when they are called. They
+must not change the complex, and their exceptions pass through.
 
 \tparam Complex a deformable simplicial complex
 */
@@ -57,6 +57,8 @@ public:
   virtual void after_relabel(Cell_handle, typename Complex::Label) {}
   /// Called after components have merged, split, vanished or appeared.
   virtual void after_topology_event(const Event&) {}
+  /// Called before each pass of a deformation. If it returns false, the deformation ends.
+  virtual bool go_further(unsigned /*pass*/) { return true; }
 
   /// Constructs a visitor that does nothing. Visitors cannot be copied.
   Any_visitor() = default;
@@ -109,6 +111,7 @@ public:
     m_visitor.after_relabel(cell, before);
   }
   void after_topology_event(const Event& event) override { m_visitor.after_topology_event(event); }
+  bool go_further(unsigned pass) override { return bool(m_visitor.go_further(pass)); }
 
 private:
   Visitor& m_visitor;

@@ -88,7 +88,8 @@ public:
   /// \throws Invalid_cells_error if the domain was a torus
   template <int d> static Ball_domain of(const State<d>& state) {
     if (state.periods != std::array<double, d>{})
-      throw Invalid_cells_error("the state is one of a complex on a torus, not in a ball");
+      throw Invalid_cells_error(
+          "the state belongs to a complex on a torus: use the state of a complex in a ball");
     return Ball_domain();
   }
 

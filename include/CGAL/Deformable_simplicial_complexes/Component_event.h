@@ -33,17 +33,17 @@ struct Component_event
   };
 
   /// Component that took part in the change.
-  struct Part
+  struct Component
   {
     std::uint32_t component; ///< `component()` of its cells, at the previous or at the present call
     /// volume just before or just after the change, in the coordinates of the complex
     double volume;
   };
 
-  Kind kind;                ///< kind of the change
-  int label;                ///< label of the components
-  std::vector<Part> before; ///< components before, by number; empty if a component appeared
-  std::vector<Part> after;  ///< components after, by number; empty if a component vanished
+  Kind kind;                     ///< kind of the change
+  int label;                     ///< label of the components
+  std::vector<Component> before; ///< components before, by number; empty if a component appeared
+  std::vector<Component> after;  ///< components after, by number; empty if a component vanished
 };
 
 } // namespace Deformable_simplicial_complexes

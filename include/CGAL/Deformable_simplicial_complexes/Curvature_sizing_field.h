@@ -79,11 +79,11 @@ public:
   Curvature_sizing_field(const Complex& dsc, double tolerance, double shortest, double longest,
                          double gradation = .5, double feature_angle = 180) {
     if (!(tolerance > 0 && shortest > 0 && shortest <= longest && gradation > 0))
-      throw Error("a sizing field by curvature needs a tolerance, a gradation and lengths that are "
-                  "positive, "
-                  "the shortest one up to the longest one");
+      throw Error("a parameter of the curvature sizing field is out of range: use a positive "
+                  "tolerance, a positive gradation, and positive lengths, of which the shortest "
+                  "does not exceed the longest");
     if (!(feature_angle >= 0 && feature_angle <= 180))
-      throw Error("the angle of features is out of range: use 0 to 180 degrees");
+      throw Error("the feature angle is out of range: use 0 to 180 degrees");
     const Interface_snapshot<Complex> interface_(dsc);
     const auto positions = interface_.positions(dsc);
     const internal::Curvature_lengths<Complex> lengths(interface_, positions, tolerance, shortest,

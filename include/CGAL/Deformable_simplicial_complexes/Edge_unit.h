@@ -13,10 +13,9 @@
 
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
-#include <CGAL/Named_function_parameters.h>
-
 #include <cmath>
 #include <functional>
+#include <utility>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
@@ -36,16 +35,13 @@ public:
   using Point =
       typename Complex::Approximate_point; ///< a position in the coordinates of the complex
 
-  /// Constructs a constant target edge length, for a named parameter `sizing_field` that is not
-  /// given.
-  Edge_unit(const CGAL::internal_np::Param_not_found&, double constant) : m_constant(constant) {}
-  /// Constructs the target edge length from a sizing field, which is copied.
-  /// \param field function object `double field(Point p)`, callable as `const`, or a
-  ///        `std::reference_wrapper` of one
-  /// \param constant not used by `operator()()`
-  template <class SizingField>
-  Edge_unit(const SizingField& field, double constant)
-      : m_constant(constant), m_field([field](const Point& p) { return double(field(p)); }) {}
+  /// A sizing field: the target edge length at a point, in the coordinates of the complex.
+  using Sizing_field = std::function<double(const Point&)>;
+
+  /// Constructs the target edge length from a sizing field. If the field is empty, the length is
+  /// the constant.
+  Edge_unit(Sizing_field field, double constant)
+      : m_constant(constant), m_field(std::move(field)) {}
 
   /// Returns whether the target edge length is a sizing field of the user.
   bool is_sizing_field() const { return bool(m_field); }
@@ -58,13 +54,14 @@ public:
       return m_constant;
     const double length = m_field(p);
     if (!(length > 0))
-      throw Error("the sizing field is not positive at a point of the domain: use lengths");
+      throw Error(
+          "the sizing field is not positive at a point of the domain: return positive lengths");
     return length;
   }
 
 private:
   double m_constant;
-  std::function<double(const Point&)> m_field;
+  Sizing_field m_field;
 };
 
 /*!
@@ -78,8 +75,38 @@ constant if there is such a mean edge.
 */
 template <class Complex> void require_interface_edge(const Complex& complex) {
   if (!(complex.mean_interface_edge() > 0) && !complex.interface_vertices().empty())
-    throw Error("there is no unit of lengths, as the complex was built without an interface; call "
+    throw Error("the complex was built without an interface and has no unit of length: call "
                 "measure_interface_edges()");
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Returns the target edge length: the sizing field, or the mean edge of the initial interface if the
+sizing field is empty.
+
+\throws Error if the sizing field is empty, and `require_interface_edge()` throws
+*/
+template <class Complex>
+Edge_unit<Complex> target_edge_length(const Complex& complex,
+                                      const typename Edge_unit<Complex>::Sizing_field& field) {
+  if (!field)
+    require_interface_edge(complex);
+  return {field, complex.mean_interface_edge()};
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Returns the unit of lengths for collapses: the sizing field, or the shortest edge of the initial
+interface if the sizing field is empty. This edge is 0 if the complex was built without an
+interface.
+*/
+template <class Complex>
+Edge_unit<Complex>
+shortest_target_edge_length(const Complex& complex,
+                            const typename Edge_unit<Complex>::Sizing_field& field) {
+  return {field, complex.minimum_interface_edge()};
 }
 
 /*!

@@ -162,26 +162,27 @@ public:
   /// `improve_interface()`. Vertices are not smoothed, and the cells are not optimized; the next
   /// deformation does this.
   /// \param complex the complex
-  /// \param visitor model of `DeformationVisitor`, by value or `std::reference_wrapper`
+  /// \param visitor visitor of the changes; none if null
   /// \return the numbers of operations
   /// \pre The complex has not changed since the snapshot.
   /// \throws Error if `improve_interface()` throws it, for example if `options.feature_angle` is
   ///         out of its range; the complex is then unchanged. An exception of the visitor and
   ///         `Interrupted_error` leave a valid complex.
-  template <class Visitor>
-  Improvement_report apply(Complex& complex, const Visitor& visitor) const {
+  Improvement_report apply(Complex& complex, Any_visitor<Complex>* visitor) const {
     const Curvature_sizing_field<Complex::dimension> field(m_interface, m_positions, m_sizes,
                                                            Rule::longest * m_edge);
-    return improve_interface(complex, parameters::sizing_field(std::cref(field))
-                                          .interface_split_length(Rule::split)
-                                          .interface_collapse_length(Rule::collapse)
-                                          .swept_volume(Rule::swept_volume)
-                                          .curved_splits(true)
-                                          .aggressiveness(0.)
-                                          .feature_angle(m_options.feature_angle)
-                                          .split_junctions(m_options.splits_junctions)
-                                          .quality_threshold(0.) // the deformation optimizes cells
-                                          .visitor(visitor));
+    Interface_improvement_options<Complex> options;
+    options.sizing_field = std::cref(field);
+    options.interface_split_length = Rule::split;
+    options.interface_collapse_length = Rule::collapse;
+    options.swept_volume = Rule::swept_volume;
+    options.curved_splits = true;
+    options.aggressiveness = 0;
+    options.feature_angle = m_options.feature_angle;
+    options.split_junctions = m_options.splits_junctions;
+    options.quality_threshold = 0; // the deformation optimizes cells
+    options.visitor = visitor;
+    return improve_interface(complex, options);
   }
 
 private:
@@ -213,16 +214,17 @@ over the cells.
 \param is_stretching function object that takes the `Interface_snapshot` and returns whether the
        time step changes lengths, for example by `is_stretched()`; called only if the interface is
        worn
-\param visitor model of `DeformationVisitor`, by value or `std::reference_wrapper`
+\param visitor visitor of the changes; none if null
 \return the numbers of operations
 \pre `complex.mean_interface_edge()` is positive if there is an interface, see
      `require_interface_edge()`.
 \throws Error if `improve_interface()` throws it; the complex is then unchanged. An exception of
         `visitor` or `Interrupted_error` leaves a valid complex.
 */
-template <class Complex, class IsStretching, class Visitor>
+template <class Complex, class IsStretching>
 Improvement_report keep_interface_fit(Complex& complex, const Adaptation_options& options,
-                                      const IsStretching& is_stretching, const Visitor& visitor) {
+                                      const IsStretching& is_stretching,
+                                      Any_visitor<Complex>* visitor) {
   if (!(options.tolerance > 0))
     return {};
   const Interface_snapshot<Complex> interface_(complex);

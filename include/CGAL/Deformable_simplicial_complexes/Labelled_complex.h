@@ -483,6 +483,11 @@ private:
   using Cell_vertices = std::array<size_type, corners>; // indices of the vertices of a cell
   class Created_items;
 
+  // Returns the barycenters of new cells. Throws `Invalid_cells_error` unless each cell is
+  // positively oriented and each position belongs to a cell.
+  std::vector<Approximate_point>
+  checked_barycenters(const std::vector<Approximate_point>& positions,
+                      const std::vector<std::array<size_type, corners>>& cells) const;
   double cell_quality(Cell_handle c) const;
   // Caches the quality of a cell, and updates the number of cells below the floor. All changes of
   // cached qualities must use this function.

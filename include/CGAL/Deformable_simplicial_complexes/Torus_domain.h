@@ -158,7 +158,8 @@ Torus_domain<d>::Torus_domain(const std::array<double, d>& periods) : m_periods(
 template <int d> Torus_domain<d> Torus_domain<d>::of(const State<d>& state) try {
   return Torus_domain(state.periods);
 } catch (const Error&) {
-  throw Invalid_cells_error("the state is none of a complex on a torus");
+  throw Invalid_cells_error(
+      "the state does not belong to a complex on a torus: use the state of such a complex");
 }
 
 template <int d> template <class Point> Point Torus_domain<d>::canonical(const Point& p) const {

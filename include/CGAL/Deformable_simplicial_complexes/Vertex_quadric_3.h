@@ -122,7 +122,7 @@ Checks a threshold of `Vertex_quadric_3::analyse()`.
 */
 inline void check_eigenvalue_threshold(double threshold) {
   if (!(threshold >= 0 && threshold < 1))
-    throw Error("a threshold of eigenvalues is out of range: use 0 to less than 1");
+    throw Error("the eigenvalue threshold is out of range: use at least 0 and less than 1");
 }
 
 } // namespace Deformable_simplicial_complexes

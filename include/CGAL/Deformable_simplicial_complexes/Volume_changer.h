@@ -191,13 +191,13 @@ private:
     // The flux is a polynomial in time of degree d - 1, for which Simpson's rule is exact.
     const Vector image = m_interface.domain.near(a[0], b[0]) - b[0];
     Corners m;
-    Vector way(NULL_VECTOR);
+    Vector displacement(NULL_VECTOR);
     for (std::size_t i = 0; i < m.size(); ++i) {
       const Vector v = (b[i] + image) - a[i];
       m[i] = a[i] + v / 2;
-      way = way + v / d;
+      displacement = displacement + v / d;
     }
-    return way * (normal(a) + 4 * normal(m) + normal(b)) / 6;
+    return displacement * (normal(a) + 4 * normal(m) + normal(b)) / 6;
   }
 
   // Up to this number of labels, a dense solution is fast enough.

@@ -153,7 +153,7 @@ void commit_proposal(Complex& complex, Cavity<Complex>& cavity, Any_visitor<Comp
     break;
   case Proposal_kind::split:
   case Proposal_kind::replacement:
-    CGAL_error_msg("commits of these kinds tell more than their proposals");
+    CGAL_error_msg("use commit_split() for a split, and replace_cavity() for a replacement");
   }
 }
 

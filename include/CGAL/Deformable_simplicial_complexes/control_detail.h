@@ -11,17 +11,26 @@
 
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
+#include <CGAL/Deformable_simplicial_complexes/Detail_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
-#include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Detail_controller.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
 
-#include <functional>
-#include <limits>
-
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Does the same as `control_detail()` with named parameters.
+
+\throws Error as that function does, see also `Detail_options::check()`
+*/
+template <class Complex>
+Improvement_report control_detail(Complex& dsc, const Detail_options<Complex>& options) {
+  return internal::run_detail_control(dsc, options);
+}
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -109,28 +118,20 @@ number of changed cells.
 template <class Complex, class NamedParameters = parameters::Default_named_parameters>
 Improvement_report control_detail(Complex& dsc, const NamedParameters& np = NamedParameters()) {
   namespace tags = internal_np;
-  namespace defaults = defaults;
-
   auto visitor = visitor_parameter<Complex>(np);
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-  const internal::Detail_thresholds thresholds = {
-      number_parameter(np, tags::split_length, defaults::split_length),
-      number_parameter(np, tags::collapse_length, infinity),
-      quality_parameter(np, tags::collapse_quality, defaults::collapse_quality),
-      bool(parameter_or(np, tags::change_interface, false)),
-      number_parameter(np, tags::interface_split_length, defaults::interface_split_length),
-      number_parameter(np, tags::interface_collapse_length,
-                       defaults::Interface_collapse_length::in_shortest_edges)};
-  internal::check_detail_thresholds(thresholds);
-  const unsigned rounds =
-      count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
-                      defaults::Number_of_iterations::over_mesh);
-  const auto unit = target_edge_length(dsc, np), short_unit = shortest_target_edge_length(dsc, np);
-
-  const std::function<bool(typename Complex::Cell_handle)> where =
-      parameter_or(np, tags::where, [](typename Complex::Cell_handle) { return true; });
-  return internal::run_detail_control(dsc, thresholds, unit, short_unit, rounds, where,
-                                      visitor.any());
+  Detail_options<Complex> options;
+  options.visitor = &visitor.any();
+  replace_value(np, tags::sizing_field, options.sizing_field);
+  replace_value(np, tags::where, options.where);
+  replace_value(np, tags::split_length, options.split_length);
+  replace_value(np, tags::collapse_length, options.collapse_length);
+  replace_value(np, tags::collapse_quality, options.collapse_quality);
+  replace_value(np, tags::change_interface, options.change_interface);
+  replace_value(np, tags::interface_split_length, options.interface_split_length);
+  replace_value(np, tags::interface_collapse_length, options.interface_collapse_length);
+  replace_count(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
+                options.number_of_iterations);
+  return control_detail(dsc, options);
 }
 
 } // namespace Deformable_simplicial_complexes

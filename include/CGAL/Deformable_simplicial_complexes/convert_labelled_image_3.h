@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
+#include <CGAL/Deformable_simplicial_complexes/Construction_options.h>
 #include <CGAL/Deformable_simplicial_complexes/control_detail.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
@@ -52,7 +53,7 @@ n log n in the number of voxels at the interface, linear in the number of the ot
 \param image image of integers from 0 to 2^31 - 1
 \param edge approximate length of interface edges, in the unit of the image, positive; or 0 for 2.5
        times the longest side of a voxel. Edges are shorter where components are small.
-\param np named parameters `normalize`, `enclosing_box`, `improve`, `quality_threshold`,
+\param np a `Construction_options<3>`, or named parameters `normalize`, `enclosing_box`, `improve`, `quality_threshold`,
        `number_of_iterations` of `make_deformable_simplicial_complex_3()` from surfaces. The default
        box is a cube about the bounding box of the voxels with labels other than 0. Both have the
        same center, and the half side of the cube is 2.5 times half the diagonal of the bounding
@@ -70,17 +71,16 @@ n log n in the number of voxels at the interface, linear in the number of the ot
 template <class Complex, class NP = parameters::Default_named_parameters>
 Complex make_complex_from_labelled_image_3(const Image_3& image, double edge,
                                            const NP& np = parameters::default_values()) {
-  namespace tags = internal_np;
   static constexpr double voxels_of_edge = 2.5; // shorter edges would follow steps
   if (!(edge >= 0) || !std::isfinite(edge))
     throw Error(
-        "the length of edges is negative or not finite: use more than 0, or 0 for the default");
-  const auto options = internal::new_mesh_options(np);
-  const auto domain = CGAL::parameters::get_parameter(np, tags::enclosing_box);
+        "the edge length is negative or not finite: use a positive length, or 0 for the default");
+  const auto options = construction_options<3>(np);
+  const auto& domain = options.enclosing_box;
   const internal::Labelled_voxels_3 voxels =
-      internal::labelled_voxels(image, internal::is_box_of_voxels(image, domain));
+      internal::labelled_voxels(image, domain && internal::is_box_of_voxels(image, *domain));
   const internal::Voxel_components_3 components(voxels);
-  const internal::Voxel_frame_3 frame(voxels, parameter_or(np, tags::normalize, false), domain);
+  const internal::Voxel_frame_3 frame(voxels, options.normalize, domain);
   const internal::Voxel_interface_3<Complex> interface_(
       components, frame,
       (edge > 0 ? edge : voxels_of_edge * voxels.largest_spacing()) / frame.scale);

@@ -11,59 +11,35 @@
 
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
+#include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
-#include <CGAL/Deformable_simplicial_complexes/Edge_unit.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
-#include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/deformation/deform.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
-#include <CGAL/Deformable_simplicial_complexes/require_finite.h>
 #include <CGAL/Deformable_simplicial_complexes/topology_control.h>
 
 #include <vector>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
-namespace internal {
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
 
-// Reads and checks the named parameters of `deform_interface()`.
-template <class Complex, class NamedParameters>
-Deformation_options<Complex> deformation_options(const Complex& dsc, const NamedParameters& np) {
-  namespace tags = internal_np;
-  return {quality_parameter(np, tags::quality_threshold, defaults::Quality_threshold::in_motion),
-          quality_parameter(np, tags::relabeling_threshold, defaults::relabeling_threshold),
-          angle_parameter(np, tags::minimum_angle, defaults::minimum_angle, 30, "smallest angle"),
-          angle_parameter(np, tags::minimum_facet_angle, defaults::Minimum_facet_angle::in_motion,
-                          30, "smallest angle of a facet"),
-          parameter_or(np, tags::manifold_interface, false),
-          parameter_or(np, tags::collision_order, false),
-          parameter_or(np, tags::topology_control, Allow_topology_changes()),
-          space_motion(dsc, CGAL::parameters::get_parameter(np, tags::flow))};
+Moves the interface as `deform_interface()` with named parameters does.
+
+\throws Error if an option is out of its range, see `Deformation_options::check()`
+*/
+template <class Complex, class Destination>
+Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& destination,
+                                             const Deformation_options<Complex>& options) {
+  const std::vector<typename Complex::Vertex_handle> vertices = dsc.interface_vertices();
+  std::vector<typename Complex::Approximate_point> destinations;
+  destinations.reserve(vertices.size());
+  for (auto v : vertices)
+    destinations.push_back(dsc.approximate(destination(v)));
+  return internal::deform(dsc, vertices, destinations, options);
 }
-
-// Moves all vertices of the interface, given by increasing time stamp, with the named parameters of
-// `deform_interface()`.
-template <class Complex, class NamedParameters>
-Deformation_report<Complex>
-deform_by_parameters(Complex& dsc, const std::vector<typename Complex::Vertex_handle>& vertices,
-                     const std::vector<typename Complex::Point>& destinations,
-                     const NamedParameters& np) {
-  namespace tags = internal_np;
-  auto visitor = visitor_parameter<Complex>(np);
-  const unsigned maximum_number_of_passes =
-      count_parameter(np, tags::maximum_number_of_passes, "maximum_number_of_passes",
-                      defaults::maximum_number_of_passes);
-  const auto options = deformation_options(dsc, np);
-  const unsigned number_of_threads = count_parameter(
-      np, tags::number_of_threads, "number_of_threads", defaults::number_of_threads);
-  require_interface_edge(dsc);
-  return deform(dsc, vertices, destinations, options, maximum_number_of_passes, number_of_threads,
-                visitor.any(),
-                [&](unsigned pass) { return bool(visitor.visitor().go_further(pass)); });
-}
-
-} // namespace internal
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -187,12 +163,30 @@ template <class Complex, class Destination,
           class NamedParameters = parameters::Default_named_parameters>
 Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& destination,
                                              const NamedParameters& np = NamedParameters()) {
-  const std::vector<typename Complex::Vertex_handle> vertices = dsc.interface_vertices();
-  std::vector<typename Complex::Point> destinations;
-  destinations.reserve(vertices.size());
-  for (auto v : vertices)
-    destinations.push_back(destination(v));
-  return internal::deform_by_parameters(dsc, vertices, destinations, np);
+  auto visitor = visitor_parameter<Complex>(np);
+  Deformation_options<Complex> options;
+  options.visitor = &visitor.any();
+  read_parameters(dsc, np, options);
+  return deform_interface(dsc, destination, options);
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Moves the interface as `deform_interface_to()` with named parameters does.
+
+\throws Error if an option is out of its range, see `Deformation_options::check()`
+*/
+template <class Complex>
+Deformation_report<Complex>
+deform_interface_to(Complex& dsc, const Interface_vertices<Complex>& interface_,
+                    const std::vector<typename Complex::Approximate_point>& destinations,
+                    const Deformation_options<Complex>& options) {
+  if (destinations.size() != interface_.vertices.size())
+    throw Invalid_destination_error("the number of destinations differs from the number of "
+                                    "interface vertices: give one destination for each vertex",
+                                    {});
+  return internal::deform(dsc, interface_.vertices, destinations, options);
 }
 
 /*!
@@ -214,15 +208,11 @@ Deformation_report<Complex>
 deform_interface_to(Complex& dsc, const Interface_vertices<Complex>& interface_,
                     const std::vector<typename Complex::Approximate_point>& destinations,
                     const NamedParameters& np = NamedParameters()) {
-  if (destinations.size() != interface_.vertices.size())
-    throw Invalid_destination_error(
-        "a destination must be given for each vertex of the interface, no more and no fewer", {});
-  require_finite(destinations, "a destination"); // exact numbers cannot represent NaN
-  std::vector<typename Complex::Point> points;
-  points.reserve(destinations.size());
-  for (const auto& p : destinations)
-    points.push_back(dsc.exact(p));
-  return internal::deform_by_parameters(dsc, interface_.vertices, points, np);
+  auto visitor = visitor_parameter<Complex>(np);
+  Deformation_options<Complex> options;
+  options.visitor = &visitor.any();
+  read_parameters(dsc, np, options);
+  return deform_interface_to(dsc, interface_, destinations, options);
 }
 
 } // namespace Deformable_simplicial_complexes

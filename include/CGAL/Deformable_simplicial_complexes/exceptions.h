@@ -208,7 +208,7 @@ class Stale_proposal_error : public Error
 public:
   /// Constructs the error.
   Stale_proposal_error()
-      : Error("the complex has changed since this change of it was proposed; propose it again") {}
+      : Error("the complex has changed since the proposal was made: make a new proposal") {}
 };
 
 /*!

@@ -126,16 +126,16 @@ template <class Complex> class Label_boundary_2
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
   using Cell_handle = typename Complex::Cell_handle;
-  using Way = std::vector<Vertex_handle>;
+  using Polyline = std::vector<Vertex_handle>;
 
-  // Computes the boundaries of all components whose label fulfills `is_wanted(label)`.
-  template <class Wanted>
-  Label_boundary_2(const Complex& complex, const Wanted& is_wanted) : m_complex(complex) {
+  // Computes the boundaries of all components whose label fulfills `is_selected(label)`.
+  template <class Selected>
+  Label_boundary_2(const Complex& complex, const Selected& is_selected) : m_complex(complex) {
     std::set<Cell_handle> found;
     for (Cell_handle first : complex.cells()) {
-      if (!is_wanted(complex.label(first)) || found.count(first) > 0)
+      if (!is_selected(complex.label(first)) || found.count(first) > 0)
         continue;
-      m_parts.push_back({complex.label(first), {}});
+      m_components.push_back({complex.label(first), {}});
       for (Cell_handle c : connected_cells(complex, first, found))
         for (int i = 0; i < 3; ++i)
           if (is_side(c, i) && m_followed.insert({c, i}).second)
@@ -143,25 +143,25 @@ public:
     }
   }
 
-  struct Part
+  struct Component
   {
     typename Complex::Label label;
-    std::vector<Way> ways;
+    std::vector<Polyline> polylines;
   };
 
   // Returns the components, in the order of their first cells.
-  const std::vector<Part>& parts() const { return m_parts; }
+  const std::vector<Component>& components() const { return m_components; }
 
   // Returns whether a polyline is counterclockwise, that is, an outer boundary. The test is the
   // exact orientation at the leftmost vertex.
-  bool is_outer(const Way& way) const {
+  bool is_outer(const Polyline& polyline) const {
     std::size_t first = 0;
-    for (std::size_t i = 1; i < way.size(); ++i)
-      if (way[i]->point() < way[first]->point())
+    for (std::size_t i = 1; i < polyline.size(); ++i)
+      if (polyline[i]->point() < polyline[first]->point())
         first = i;
-    const auto point = [&](std::size_t i) { return way[i % way.size()]->point(); };
-    return m_complex.orientation()(point(first + way.size() - 1), point(first), point(first + 1)) ==
-           COUNTERCLOCKWISE;
+    const auto point = [&](std::size_t i) { return polyline[i % polyline.size()]->point(); };
+    return m_complex.orientation()(point(first + polyline.size() - 1), point(first),
+                                   point(first + 1)) == COUNTERCLOCKWISE;
   }
 
 private:
@@ -173,19 +173,20 @@ private:
   // Follows the boundary edge by edge; the next edge is always in the same fan of cells. The part
   // between two visits to a vertex becomes a polyline of its own.
   void follow(Cell_handle c, int i) {
-    auto& ways = m_parts.back().ways;
-    Way way;
+    auto& polylines = m_components.back().polylines;
+    Polyline polyline;
     std::map<Vertex_handle, std::size_t> place; // index in the polyline
     do {
       const Vertex_handle a = c->vertex((i + 1) % 3);
-      const auto [first, is_new] = place.emplace(a, way.size());
+      const auto [first, is_new] = place.emplace(a, polyline.size());
       if (!is_new) {
-        ways.emplace_back(way.begin() + std::ptrdiff_t(first->second), way.end());
-        for (auto v = way.begin() + std::ptrdiff_t(first->second) + 1; v != way.end(); ++v)
+        polylines.emplace_back(polyline.begin() + std::ptrdiff_t(first->second), polyline.end());
+        for (auto v = polyline.begin() + std::ptrdiff_t(first->second) + 1; v != polyline.end();
+             ++v)
           place.erase(*v);
-        way.resize(first->second);
+        polyline.resize(first->second);
       }
-      way.push_back(a);
+      polyline.push_back(a);
       int next = (i + 1) % 3; // edge that begins at the end of the present one
       const Vertex_handle b = c->vertex((i + 2) % 3);
       while (!is_side(c, next)) {
@@ -194,38 +195,38 @@ private:
       }
       i = next;
     } while (m_followed.insert({c, i}).second);
-    ways.push_back(std::move(way));
+    polylines.push_back(std::move(polyline));
   }
 
   const Complex& m_complex;
   std::set<typename Complex::Facet> m_followed;
-  std::vector<Part> m_parts;
+  std::vector<Component> m_components;
 };
 
 using Extracted_polygon_2 = Polygon_with_holes_2<Exact_predicates_inexact_constructions_kernel>;
 
-// Returns the polygons of the labels that fulfill `is_wanted(label)`.
-template <class Complex, class Wanted>
+// Returns the polygons of the labels that fulfill `is_selected(label)`.
+template <class Complex, class Selected>
 std::map<int, std::vector<Extracted_polygon_2>> polygons_of_labels(const Complex& dsc,
-                                                                   const Wanted& is_wanted) {
+                                                                   const Selected& is_selected) {
   using Polygon = Extracted_polygon_2::Polygon_2;
   std::map<int, std::vector<Extracted_polygon_2>> result;
-  const Label_boundary_2<Complex> boundary(dsc, is_wanted);
-  for (const auto& part : boundary.parts()) {
+  const Label_boundary_2<Complex> boundary(dsc, is_selected);
+  for (const auto& component : boundary.components()) {
     Polygon outer;
     std::vector<Polygon> holes;
-    for (const auto& way : part.ways) {
+    for (const auto& polyline : component.polylines) {
       Polygon polygon;
-      for (auto v : way) {
+      for (auto v : polyline) {
         const auto p = dsc.user_position(v);
         polygon.push_back({p.x(), p.y()});
       }
-      if (boundary.is_outer(way))
+      if (boundary.is_outer(polyline))
         outer = std::move(polygon);
       else
         holes.push_back(std::move(polygon));
     }
-    result[part.label].emplace_back(std::move(outer), holes.begin(), holes.end());
+    result[component.label].emplace_back(std::move(outer), holes.begin(), holes.end());
   }
   return result;
 }

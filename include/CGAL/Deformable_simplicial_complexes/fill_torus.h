@@ -17,16 +17,26 @@
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
-namespace internal {
 
-// Makes a complex on a torus, for make_deformable_simplicial_complex_2 and _3.
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Makes a complex on a flat torus from a function of labels. Linear in the number of cells.
+
+\tparam Complex a complex with the domain `Torus_domain`
+\param domain the torus
+\param edge approximate edge length, positive
+\param label_at `label_at(p)` returns the label at an `Approximate_point`
+\param np named parameters or `Deformation_options` of `deform_interface()`, for `fit_interface()`
+\throws Error if `edge` is out of range
+*/
 template <class Complex, class LabelAt, class NamedParameters>
 Complex fill_torus(const Torus_domain<Complex::dimension>& domain, double edge,
                    const LabelAt& label_at, const NamedParameters& np) {
-  return fill_grid(Complex(domain), torus_grid(domain.periods(), edge), label_at, np);
+  return internal::fill_grid(Complex(domain), internal::torus_grid(domain.periods(), edge),
+                             label_at, np);
 }
 
-} // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 

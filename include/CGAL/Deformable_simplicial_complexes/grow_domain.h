@@ -31,19 +31,20 @@ Returns whether the interface keeps a distance from the boundary of the domain, 
 size of the interface and of the boundary.
 
 \param dsc the complex
-\param part distance from each side, as a fraction of the length of the box perpendicular to the
+\param fraction distance from each side, as a fraction of the length of the box perpendicular to the
        side
 \return whether all vertices of the interface are farther from all sides; `true` if the domain is
         not a box
 */
-template <class Complex> bool has_room_around_interface(const Complex& dsc, double part = .125) {
+template <class Complex>
+bool has_room_around_interface(const Complex& dsc, double fraction = .125) {
   const internal::Domain_box<Complex> box(dsc);
   if (!box.is_box())
     return true;
   for (auto v : dsc.interface_vertices())
     for (int axis = 0; axis < Complex::dimension; ++axis) {
       const double x = dsc.position(v)[axis], low = box.extent().lower(axis),
-                   high = box.extent().upper(axis), room = part * (high - low);
+                   high = box.extent().upper(axis), room = fraction * (high - low);
       if (!(x - low > room && high - x > room))
         return false;
     }
@@ -66,10 +67,10 @@ all labels except 0 are unchanged up to rounding. n log n in the number of cells
 */
 template <class Complex> void grow_domain(Complex& dsc, double factor = 1.5) {
   if (!(factor > 1) || !std::isfinite(factor))
-    throw Error("the factor by which the domain grows is out of range: use more than 1");
+    throw Error("the growth factor of the domain is out of range: use more than 1");
   const internal::Domain_box<Complex> box(dsc);
   if (!box.is_box())
-    throw Error("the domain is no box, so that it cannot grow: build the complex in a box");
+    throw Error("the domain is not a box and cannot grow: build the complex in a box");
   const auto before = dsc.state();
   const internal::Box_layer<Complex> layer(dsc, before, box.extent(), factor);
   Complex grown(dsc);
@@ -81,7 +82,7 @@ template <class Complex> void grow_domain(Complex& dsc, double factor = 1.5) {
   after.mean_interface_edge = before.mean_interface_edge;
   after.minimum_interface_edge = before.minimum_interface_edge;
   grown.restore(after);
-  internal::improve_new_mesh(grown, internal::new_mesh_options(parameters::default_values()));
+  internal::improve_new_mesh(grown, Construction_options<Complex::dimension>());
   dsc = std::move(grown);
 }
 

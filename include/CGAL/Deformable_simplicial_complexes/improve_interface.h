@@ -12,15 +12,26 @@
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
-#include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_improvement_options.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Interface_improver.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
 
-#include <CGAL/number_utils.h>
-
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Does the same as `improve_interface()` with named parameters.
+
+\throws Error as that function does, see also `Interface_improvement_options::check()`
+*/
+template <class Complex>
+Improvement_report improve_interface(Complex& dsc,
+                                     const Interface_improvement_options<Complex>& options) {
+  return internal::remesh_interface(dsc, options);
+}
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -126,34 +137,23 @@ volumes of labels up to rounding; flips, collapses and curved splits change them
 template <class Complex, class NamedParameters = parameters::Default_named_parameters>
 Improvement_report improve_interface(Complex& dsc, const NamedParameters& np = NamedParameters()) {
   namespace tags = internal_np;
-  namespace defaults = defaults;
-
   auto visitor = visitor_parameter<Complex>(np);
-  static constexpr double degree = CGAL_PI / 180;
-  const internal::Interface_thresholds thresholds = {
-      number_parameter(np, tags::aggressiveness, defaults::aggressiveness),
-      number_parameter(np, tags::interface_split_length, defaults::interface_split_length),
-      number_parameter(np, tags::interface_collapse_length,
-                       defaults::Interface_collapse_length::in_target_lengths),
-      number_parameter(np, tags::swept_volume, defaults::swept_volume),
-      angle_parameter(np, tags::flip_angle, defaults::flip_angle, 90,
-                      "angle up to which edges are flipped") *
-          degree,
-      angle_parameter(np, tags::feature_angle, defaults::feature_angle, 180, "angle of features") *
-          degree,
-      angle_parameter(np, tags::minimum_facet_angle, defaults::Minimum_facet_angle::of_interface,
-                      30, "smallest angle of a facet") *
-          degree,
-      quality_parameter(np, tags::quality_threshold, defaults::Quality_threshold::beside_interface),
-      parameter_or(np, tags::curved_splits, false),
-      parameter_or(np, tags::split_junctions, false)};
-  internal::check_interface_thresholds(thresholds);
-  const unsigned iterations =
-      count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
-                      defaults::Number_of_iterations::over_interface);
-  const auto unit = target_edge_length(dsc, np);
-
-  return internal::remesh_interface(dsc, thresholds, unit, iterations, visitor.any());
+  Interface_improvement_options<Complex> options;
+  options.visitor = &visitor.any();
+  replace_count(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
+                options.number_of_iterations);
+  replace_value(np, tags::aggressiveness, options.aggressiveness);
+  replace_value(np, tags::sizing_field, options.sizing_field);
+  replace_value(np, tags::interface_split_length, options.interface_split_length);
+  replace_value(np, tags::interface_collapse_length, options.interface_collapse_length);
+  replace_value(np, tags::swept_volume, options.swept_volume);
+  replace_value(np, tags::flip_angle, options.flip_angle);
+  replace_value(np, tags::feature_angle, options.feature_angle);
+  replace_value(np, tags::minimum_facet_angle, options.minimum_facet_angle);
+  replace_value(np, tags::quality_threshold, options.quality_threshold);
+  replace_value(np, tags::curved_splits, options.curved_splits);
+  replace_value(np, tags::split_junctions, options.split_junctions);
+  return improve_interface(dsc, options);
 }
 
 } // namespace Deformable_simplicial_complexes

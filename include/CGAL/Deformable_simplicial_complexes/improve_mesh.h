@@ -12,13 +12,25 @@
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
-#include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/Mesh_improvement_options.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/remeshing/improve_whole_mesh.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Does the same as `improve_mesh()` with named parameters.
+
+\throws Error as that function does, see also `Mesh_improvement_options::check()`
+*/
+template <class Complex>
+Improvement_report improve_mesh(Complex& dsc, const Mesh_improvement_options<Complex>& options) {
+  return internal::improve_whole_mesh(dsc, options);
+}
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -81,24 +93,16 @@ After an exception of the visitor, the complex is valid.
 template <class Complex, class NamedParameters = parameters::Default_named_parameters>
 Improvement_report improve_mesh(Complex& dsc, const NamedParameters& np = NamedParameters()) {
   namespace tags = internal_np;
-  namespace defaults = defaults;
-  using Threshold = defaults::Quality_threshold;
-
   auto visitor = visitor_parameter<Complex>(np);
-  const bool aggressive = parameter_or(np, tags::aggressive, false);
-  const double threshold =
-      quality_parameter(np, tags::quality_threshold,
-                        aggressive ? Threshold::of_mesh_if_aggressive : Threshold::of_mesh);
-  const unsigned rounds =
-      count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
-                      defaults::Number_of_iterations::over_mesh);
-  const bool smooth_interface = parameter_or(np, tags::smooth_interface, false);
-
-  const unsigned number_of_threads = count_parameter(
-      np, tags::number_of_threads, "number_of_threads", defaults::number_of_threads);
-
-  return internal::improve_whole_mesh(
-      dsc, {threshold, rounds, aggressive, smooth_interface, number_of_threads}, visitor.any());
+  Mesh_improvement_options<Complex> options;
+  options.visitor = &visitor.any();
+  replace_value(np, tags::quality_threshold, options.quality_threshold);
+  replace_value(np, tags::aggressive, options.aggressive);
+  replace_value(np, tags::smooth_interface, options.smooth_interface);
+  replace_count(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
+                options.number_of_iterations);
+  replace_count(np, tags::number_of_threads, "number_of_threads", options.number_of_threads);
+  return improve_mesh(dsc, options);
 }
 
 } // namespace Deformable_simplicial_complexes

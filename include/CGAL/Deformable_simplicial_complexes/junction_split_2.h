@@ -78,14 +78,15 @@ public:
   bool plan(std::size_t s, double part, Cavity<Complex>& cavity) const {
     const Vector pull = this->pull(s), left = to_corner(begin(s + 1)), right = to_corner(begin(s));
     const double shorter = std::sqrt((std::min)(left.squared_length(), right.squared_length()));
-    const Vector way = pull * (part * shorter / std::sqrt(pull.squared_length()));
-    if (!(length(way) + length(left - way) + length(right - way) < length(left) + length(right)))
+    const Vector displacement = pull * (part * shorter / std::sqrt(pull.squared_length()));
+    if (!(length(displacement) + length(left - displacement) + length(right - displacement) <
+          length(left) + length(right)))
       return false;
     cavity.begin(Proposal_kind::insertion);
     for (const Side& side : m_sides)
       cavity.remove(side.cell);
     const Index old_one = cavity.add(m_center),
-                new_one = cavity.add(m_complex.exact(m_complex.position(m_center) + way),
+                new_one = cavity.add(m_complex.exact(m_complex.position(m_center) + displacement),
                                      Boundary_class::inside);
     divide(cavity, s + number() - 1, old_one, new_one);
     create(cavity, s, new_one);

@@ -12,6 +12,7 @@
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <CGAL/Deformable_simplicial_complex_2.h>
+#include <CGAL/Deformable_simplicial_complexes/Construction_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Labelled_curve_2.h>
 #include <CGAL/Deformable_simplicial_complexes/Labelled_image_2.h>
 #include <CGAL/Deformable_simplicial_complexes/Seeded_segments_2.h>
@@ -42,11 +43,10 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // Makes a complex of the given triangles, and improves it. `dsc` is an empty complex in the domain.
-template <class Complex, class NP>
+template <class Complex>
 Complex assign_and_improve(Complex dsc, const std::vector<Planar_kernel::Point_2>& planar,
                            const std::vector<std::array<std::size_t, 3>>& triangles,
-                           const std::vector<int>& labels, const NP& np) {
-  const New_mesh_options options = new_mesh_options(np);
+                           const std::vector<int>& labels, const Construction_options<2>& options) {
   std::vector<typename Complex::Point_2> points;
   points.reserve(planar.size());
   for (const auto& p : planar)
@@ -57,14 +57,14 @@ Complex assign_and_improve(Complex dsc, const std::vector<Planar_kernel::Point_2
 }
 
 // Fills a box, labels the triangles with `label(filling)`, and makes a complex of them.
-template <class Complex, class NP, class Label>
-Complex fill_box(Complex dsc, const Curve_soup_2& soup, const Bbox_2& box, const NP& np,
-                 const Label& label) {
+template <class Complex, class Label>
+Complex fill_box(Complex dsc, const Curve_soup_2& soup, const Bbox_2& box,
+                 const Construction_options<2>& options, const Label& label) {
   Planar_filling_2 filling = fill_planar_box(soup, box);
   const auto labels = label(filling);
   if constexpr (!Complex::Domain::has_outside)
     join_sides(box, filling.points, filling.triangles);
-  return assign_and_improve(std::move(dsc), filling.points, filling.triangles, labels, np);
+  return assign_and_improve(std::move(dsc), filling.points, filling.triangles, labels, options);
 }
 
 // All closed curves, and the labels of the regions that they enclose.
@@ -75,7 +75,7 @@ template <class Label> struct Closed_curves_2
 
   template <class Curve> explicit Closed_curves_2(const std::vector<Curve>& curves) {
     if (curves.empty())
-      throw Error("there are no curves: give one at least");
+      throw Error("there are no curves: give at least one");
     for (const auto& curve : curves) {
       add_curve(curve, labels.size(), soup);
       labels.push_back(curve.label);
@@ -111,7 +111,7 @@ curves are bitwise unchanged.
 
 \param curves curves with the labels of the regions that they enclose; coordinates are rounded to
        `double`
-\param np named parameters:
+\param np a `Construction_options<2>`, or named parameters:
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{enclosing_box}
@@ -147,8 +147,9 @@ Complex make_deformable_simplicial_complex_2(
     const std::vector<Labelled_curve_2<typename Complex::Point_2>>& curves,
     const NP& np = parameters::default_values()) {
   const internal::Closed_curves_2<typename Complex::Label> closed(curves);
+  const auto options = construction_options<2>(np);
   return internal::fill_box(
-      Complex(), closed.soup, internal::enclosing_box(closed.soup, np), np,
+      Complex(), closed.soup, internal::enclosing_box(closed.soup, options), options,
       [&](const internal::Planar_filling_2& filling) { return closed.label(filling); });
 }
 
@@ -176,7 +177,8 @@ Complex make_deformable_simplicial_complex_2(
     const NP& np = parameters::default_values()) {
   const internal::Closed_curves_2<typename Complex::Label> closed(curves);
   return internal::fill_box(
-      Complex(domain), closed.soup, internal::box_of_torus(closed.soup, domain.periods()), np,
+      Complex(domain), closed.soup, internal::box_of_torus(closed.soup, domain.periods()),
+      construction_options<2>(np),
       [&](const internal::Planar_filling_2& filling) { return closed.label(filling); });
 }
 
@@ -201,7 +203,8 @@ make_deformable_simplicial_complex_2(const Seeded_segments_2<typename Complex::P
                                      const NP& np = parameters::default_values()) {
   internal::Curve_soup_2 soup;
   internal::add_segments(segments, 0, soup);
-  return internal::fill_box(Complex(), soup, internal::enclosing_box(soup, np), np,
+  const auto options = construction_options<2>(np);
+  return internal::fill_box(Complex(), soup, internal::enclosing_box(soup, options), options,
                             [&](const internal::Planar_filling_2& filling) {
                               return internal::label_by_seeds(segments, soup, filling);
                             });
@@ -232,12 +235,11 @@ between different labels, with about a kilobyte of memory for each segment of th
 template <class Complex, class NP = parameters::Default_named_parameters>
 Complex make_deformable_simplicial_complex_2(const Labelled_image_2& image, double edge = 2.5,
                                              const NP& np = parameters::default_values()) {
-  std::optional<Bbox_2> box;
-  if constexpr (!CGAL::parameters::is_default_parameter<NP, internal_np::enclosing_box_t>::value)
-    box = internal::box_of(CGAL::parameters::get_parameter(np, internal_np::enclosing_box));
-  const internal::Image_filling_2 filling = internal::fill_image(image, edge, box);
+  const auto options = construction_options<2>(np);
+  const internal::Image_filling_2 filling =
+      internal::fill_image(image, edge, options.enclosing_box);
   return internal::assign_and_improve(Complex(), filling.points, filling.triangles, filling.labels,
-                                      np);
+                                      options);
 }
 
 /*!
@@ -261,6 +263,7 @@ Complex make_deformable_simplicial_complex_2(const std::vector<typename Complex:
                                              std::vector<std::array<std::size_t, 3>> triangles,
                                              const std::vector<typename Complex::Label>& labels,
                                              const NP& np = parameters::default_values()) {
+  const auto options = construction_options<2>(np);
   Complex dsc;
   const auto orientation = dsc.orientation();
   const bool has_numbers = std::all_of(points.begin(), points.end(), [](const auto& p) {
@@ -272,7 +275,7 @@ Complex make_deformable_simplicial_complex_2(const std::vector<typename Complex:
         orientation(points[t[0]], points[t[1]], points[t[2]]) == CLOCKWISE)
       std::swap(t[1], t[2]);
   dsc.assign(points, triangles, labels);
-  internal::improve_new_mesh(dsc, internal::new_mesh_options(np));
+  internal::improve_new_mesh(dsc, options);
   return dsc;
 }
 
@@ -322,7 +325,7 @@ template <class Complex, class LabelAt,
 Complex make_deformable_simplicial_complex_2(const Torus_domain<2>& domain, double edge,
                                              const LabelAt& label_at,
                                              const NamedParameters& np = NamedParameters()) {
-  return internal::fill_torus<Complex>(domain, edge, label_at, np);
+  return fill_torus<Complex>(domain, edge, label_at, np);
 }
 
 } // namespace Deformable_simplicial_complexes

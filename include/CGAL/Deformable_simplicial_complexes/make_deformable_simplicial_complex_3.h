@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
+#include <CGAL/Deformable_simplicial_complexes/Construction_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Labelled_patch_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Labelled_surface_3.h>
@@ -48,14 +49,15 @@ namespace internal {
 
 // Checks, normalizes, encloses and tetrahedralizes surfaces, and makes an improved complex with
 // labels.
-template <class Complex, class Tetrahedralizer, class NP>
+template <class Complex, class Tetrahedralizer>
 Complex make_from_soups(const std::vector<Triangle_soup_3>& surfaces,
                         const std::vector<typename Complex::Label>& surface_labels,
-                        const Tetrahedralizer& tetrahedralizer, const NP& np) {
-  const Boxed_soup_3 boxed = put_into_box(check_surfaces(surfaces), np);
+                        const Tetrahedralizer& tetrahedralizer,
+                        const Construction_options<3>& options) {
+  const Boxed_soup_3 boxed = put_into_box(check_surfaces(surfaces), options);
   const auto mesh = fill_box(boxed, tetrahedralizer);
   return make_in_frame<Complex>(
-      mesh, label_cells<3>(mesh.tetrahedra, boxed.walls(), surface_labels), boxed.frame, np);
+      mesh, label_cells<3>(mesh.tetrahedra, boxed.walls(), surface_labels), boxed.frame, options);
 }
 
 template <class Points> std::vector<Coordinates_3> all_coordinates(const Points& points) {
@@ -95,7 +97,7 @@ are bitwise unchanged unless `normalize` is set.
 \param surfaces surfaces with the labels of the solids that they bound; coordinates are rounded to
        `double`
 \param tetrahedralizer tetrahedralizer that fills the box
-\param np named parameters:
+\param np a `Construction_options<3>`, or named parameters:
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{normalize}
@@ -151,7 +153,8 @@ Complex make_deformable_simplicial_complex_3(
     soups.push_back({internal::all_coordinates(surface.points), surface.triangles});
     labels.push_back(surface.label);
   }
-  return internal::make_from_soups<Complex>(soups, labels, tetrahedralizer, np);
+  return internal::make_from_soups<Complex>(soups, labels, tetrahedralizer,
+                                            construction_options<3>(np));
 }
 
 /*!
@@ -183,13 +186,14 @@ Complex make_deformable_simplicial_complex_3(const FaceListGraph& surface,
                                              const Tetrahedralizer& tetrahedralizer,
                                              const NP& np = parameters::default_values()) {
   if (!is_triangle_mesh(surface))
-    throw Error("the mesh has facets that are no triangles: triangulate them");
+    throw Error("the mesh has facets that are not triangles: triangulate them");
   using Point_map = typename GetVertexPointMap<FaceListGraph, NP>::const_type;
   std::vector<typename boost::property_traits<Point_map>::value_type> points;
   internal::Triangle_soup_3 soup;
   Polygon_mesh_processing::polygon_mesh_to_polygon_soup(surface, points, soup.triangles, np);
   soup.points = internal::all_coordinates(points);
-  return internal::make_from_soups<Complex>({soup}, {1}, tetrahedralizer, np);
+  return internal::make_from_soups<Complex>({soup}, {1}, tetrahedralizer,
+                                            construction_options<3>(np));
 }
 
 /*!
@@ -229,10 +233,11 @@ Complex make_deformable_simplicial_complex_3(
     soups.push_back({internal::all_coordinates(patch.points), patch.triangles});
     sides.push_back({patch.label_behind, patch.label_in_front});
   }
-  const auto boxed = internal::put_into_box(internal::check_patches(soups), np);
+  const auto options = construction_options<3>(np);
+  const auto boxed = internal::put_into_box(internal::check_patches(soups), options);
   const auto mesh = internal::fill_box(boxed, tetrahedralizer);
   return internal::make_in_frame<Complex>(mesh, internal::label_by_sides(mesh, boxed, sides),
-                                          boxed.frame, np);
+                                          boxed.frame, options);
 }
 
 /*!
@@ -257,10 +262,11 @@ Complex make_deformable_simplicial_complex_3(const std::vector<typename Complex:
                                              std::vector<std::array<std::size_t, 4>> tetrahedra,
                                              const std::vector<typename Complex::Label>& labels,
                                              const NP& np = parameters::default_values()) {
+  const auto options = construction_options<3>(np);
   Complex dsc;
   internal::orient_tetrahedra(points, tetrahedra, dsc.geom_traits());
   dsc.assign(points, tetrahedra, labels);
-  internal::improve_new_mesh(dsc, internal::new_mesh_options(np));
+  internal::improve_new_mesh(dsc, options);
   return dsc;
 }
 
@@ -299,13 +305,15 @@ make_deformable_simplicial_complex_3(const std::vector<typename Complex::Point_3
                                      const Tetrahedralizer& tetrahedralizer,
                                      const NP& np = parameters::default_values()) {
   if (labels.size() != tetrahedra.size())
-    throw Invalid_cells_error("there are not as many labels as tetrahedra: give one for each");
+    throw Invalid_cells_error("the number of labels differs from the number of tetrahedra: give "
+                              "one label for each tetrahedron");
+  const auto options = construction_options<3>(np);
   const internal::Solid_tetrahedra_3 solid(points, tetrahedra, typename Complex::Geom_traits());
-  const auto boxed = internal::put_into_box(solid.boundary(), np);
+  const auto boxed = internal::put_into_box(solid.boundary(), options);
   const auto mesh = solid.with_space_around(internal::fill_box(boxed, tetrahedralizer), boxed);
   auto all_labels = labels;
   all_labels.resize(mesh.tetrahedra.size(), 0);
-  return internal::make_in_frame<Complex>(mesh, all_labels, boxed.frame, np);
+  return internal::make_in_frame<Complex>(mesh, all_labels, boxed.frame, options);
 }
 
 /*!
@@ -354,7 +362,7 @@ template <class Complex, class LabelAt,
 Complex make_deformable_simplicial_complex_3(const Torus_domain<3>& domain, double edge,
                                              const LabelAt& label_at,
                                              const NamedParameters& np = NamedParameters()) {
-  return internal::fill_torus<Complex>(domain, edge, label_at, np);
+  return fill_torus<Complex>(domain, edge, label_at, np);
 }
 
 } // namespace Deformable_simplicial_complexes

@@ -95,12 +95,6 @@ namespace internal {
 template <class T> T& unwrap(T& value) { return value; }
 template <class T> T& unwrap(std::reference_wrapper<T>& value) { return value.get(); }
 
-// Checks a threshold of quality. Throws Error if it is not in [0, 1].
-inline void check_threshold(double quality) {
-  if (!(quality >= 0 && quality <= 1))
-    throw Error("a threshold of quality is out of range: use 0 to 1");
-}
-
 } // namespace internal
 
 #undef CGAL_DSC_SHARED_PARAMETERS

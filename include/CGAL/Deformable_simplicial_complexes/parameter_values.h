@@ -13,7 +13,6 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
-#include <CGAL/Deformable_simplicial_complexes/Edge_unit.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
@@ -26,7 +25,7 @@
 #include <type_traits>
 #include <utility>
 
-// Functions that read and check named parameters.
+// Functions that read named parameters and check their values.
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
@@ -34,116 +33,91 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Returns the value of a named parameter, or a default value.
+Whether a named parameter is given.
 
-\param np the named parameters
-\param tag the tag of the parameter, of namespace `CGAL::internal_np`
-\param default_value returned if the parameter is not given
-*/
-template <class NamedParameters, class Tag, class Value>
-auto parameter_or(const NamedParameters& np, Tag tag, const Value& default_value) {
-  return CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, tag),
-                                            default_value);
-}
-
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Returns the value of a named parameter that can be a number of any type, or a default value. The
-range is not checked.
+\tparam NamedParameters a chain of named parameters
+\tparam Tag the tag of the parameter, of namespace `internal_np`
 */
 template <class NamedParameters, class Tag>
-double number_parameter(const NamedParameters& np, Tag tag, double default_value) {
-  return double(parameter_or(np, tag, default_value));
-}
+inline constexpr bool is_given =
+    !CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value;
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Returns a count that is given as an integer of any type, or its default value.
-
-\param np named parameters
-\param tag tag of the parameter
-\param name name of the parameter in the message of the exception
-\param default_value value if the parameter is not given
-\throws Error if the count is negative, because the conversion would give a huge number
+Returns the value of a named parameter that is given.
 */
 template <class NamedParameters, class Tag>
-unsigned count_parameter(const NamedParameters& np, Tag tag, const char* name,
-                         unsigned default_value) {
-  const auto count =
-      CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, tag), default_value);
-  static_assert(std::is_integral<decltype(count)>::value, "a count is an integer");
-  if constexpr (std::is_signed<decltype(count)>::value)
-    if (count < 0)
-      throw Error(std::string(name) + " is negative: use 0 or more");
-  return static_cast<unsigned>(
-      (std::min<std::uintmax_t>)(count, (std::numeric_limits<unsigned>::max)()));
+decltype(auto) parameter(const NamedParameters& np, Tag tag) {
+  return CGAL::parameters::get_parameter(np, tag);
 }
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Returns the value of a named parameter that is a quality, or a default value.
-
-\throws Error if the value is not in [0, 1]
-*/
-template <class NamedParameters, class Tag>
-double quality_parameter(const NamedParameters& np, Tag tag, double default_value) {
-  const double quality = number_parameter(np, tag, default_value);
-  internal::check_threshold(quality);
-  return quality;
-}
-
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Returns the value of a named parameter that is an angle, or a default value.
+Replaces a value by a named parameter, if this parameter is given. The range is not checked.
 
 \param np the named parameters
 \param tag the tag of the parameter
-\param default_value in degrees
-\param largest the largest permitted angle, in degrees
+\param value the default value, to be replaced
+*/
+template <class NamedParameters, class Tag, class Value>
+void replace_value(const NamedParameters& np, Tag tag, Value& value) {
+  if constexpr (is_given<NamedParameters, Tag>)
+    value = parameter(np, tag);
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Replaces a count by a named parameter, if this parameter is given. It is an integer of any type.
+Counts that are too large for `unsigned` are replaced by the largest `unsigned`.
+
+\param np the named parameters
+\param tag the tag of the parameter
 \param name name of the parameter in the message of the exception
-\throws Error if the value is not in [0, `largest`]
+\param value the default value, to be replaced
+\throws Error if the count is negative, because the conversion would give a huge number
 */
 template <class NamedParameters, class Tag>
-double angle_parameter(const NamedParameters& np, Tag tag, double default_value, int largest,
-                       const char* name) {
-  const double angle = number_parameter(np, tag, default_value);
+void replace_count(const NamedParameters& np, Tag tag, const char* name, unsigned& value) {
+  if constexpr (is_given<NamedParameters, Tag>) {
+    const auto count = parameter(np, tag);
+    static_assert(std::is_integral<decltype(count)>::value, "a count is an integer");
+    if constexpr (std::is_signed<decltype(count)>::value)
+      if (count < 0)
+        throw Error(std::string(name) + " is negative: use 0 or more");
+    value = static_cast<unsigned>(
+        (std::min<std::uintmax_t>)(count, (std::numeric_limits<unsigned>::max)()));
+  }
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Throws an exception unless a threshold of quality is in its range.
+
+\throws Error if the value is not in [0, 1]
+*/
+inline void require_quality(double quality) {
+  if (!(quality >= 0 && quality <= 1))
+    throw Error("the quality threshold is out of range: use 0 to 1");
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Throws an exception unless an angle is in its range.
+
+\param angle in degrees
+\param largest the largest permitted angle, in degrees
+\param name name of the angle in the message of the exception
+\throws Error if the angle is not in [0, `largest`]
+*/
+inline void require_angle(double angle, int largest, const char* name) {
   if (!(angle >= 0 && angle <= largest))
     throw Error("the " + std::string(name) + " is out of range: use 0 to " +
                 std::to_string(largest) + " degrees");
-  return angle;
-}
-
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Returns the target edge length: the named parameter `sizing_field`, or the mean edge of the initial
-interface.
-
-\throws Error if there is no sizing field, and `require_interface_edge()` throws
-*/
-template <class Complex, class NamedParameters>
-Edge_unit<Complex> target_edge_length(const Complex& complex, const NamedParameters& np) {
-  const Edge_unit<Complex> result(CGAL::parameters::get_parameter(np, internal_np::sizing_field),
-                                  complex.mean_interface_edge());
-  if (!result.is_sizing_field())
-    require_interface_edge(complex);
-  return result;
-}
-
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Returns the unit of lengths for collapses: the named parameter `sizing_field`, or the shortest edge
-of the initial interface. The latter is 0 if the complex was built without an interface.
-*/
-template <class Complex, class NamedParameters>
-Edge_unit<Complex> shortest_target_edge_length(const Complex& complex, const NamedParameters& np) {
-  return {CGAL::parameters::get_parameter(np, internal_np::sizing_field),
-          complex.minimum_interface_edge()};
 }
 
 /*!
@@ -163,8 +137,6 @@ public:
   explicit Given_visitor(Given given)
       : m_given(std::move(given)), m_any(internal::unwrap(m_given)) {}
 
-  /// Returns the visitor itself, for example to call `go_further()`.
-  auto& visitor() { return internal::unwrap(m_given); }
   /// Returns the object that passes calls to the visitor.
   Any_visitor<Complex>& any() { return m_any; }
 
@@ -181,8 +153,12 @@ private:
 Returns the named parameter `visitor`, or a `Deformation_visitor`, which does nothing.
 */
 template <class Complex, class NamedParameters> auto visitor_parameter(const NamedParameters& np) {
-  auto given = parameter_or(np, CGAL::internal_np::visitor, Deformation_visitor());
-  return Given_visitor<Complex, decltype(given)>(std::move(given));
+  using CGAL::internal_np::visitor_t;
+  if constexpr (is_given<NamedParameters, visitor_t>) {
+    using Given = std::decay_t<decltype(parameter(np, CGAL::internal_np::visitor))>;
+    return Given_visitor<Complex, Given>(parameter(np, CGAL::internal_np::visitor));
+  } else
+    return Given_visitor<Complex, Deformation_visitor>(Deformation_visitor());
 }
 
 } // namespace Deformable_simplicial_complexes

@@ -11,11 +11,14 @@
 
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
+#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/Edge_unit.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_operations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
@@ -25,6 +28,86 @@
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Options of `remove_degeneracies()`. The named parameters of that function have the same names, and
+their documentation describes the effects.
+
+\tparam Complex a deformable simplicial complex
+*/
+template <class Complex> struct Degeneracy_options
+{
+  /// Cells of lower quality are removed, in [0, 1], in space.
+  double degenerate_quality = defaults::Degenerate::quality;
+  /// Facets, in the plane triangles, with an angle of larger cosine are removed, in [0.5, 1].
+  double degenerate_cosine = defaults::Degenerate::cosine;
+  /// Shorter edges are removed, in units of the target edge length, at least 0.
+  double degenerate_length = defaults::Degenerate::length;
+  /// Target edge length at a point. If empty, it is the shortest edge of the initial interface.
+  typename Edge_unit<Complex>::Sizing_field sizing_field;
+  /// Largest number of rounds.
+  unsigned number_of_iterations = defaults::Number_of_iterations::over_mesh;
+  /// Visitor of the changes, which must outlive the call; none if null.
+  Any_visitor<Complex>* visitor = nullptr;
+
+  /// Throws an exception unless all values are in their ranges.
+  /// \throws Error if a value is out of its range
+  void check() const {
+    require_quality(degenerate_quality);
+    if (!(degenerate_cosine >= .5 && degenerate_cosine <= 1))
+      throw Error("the cosine of the minimum facet angle is out of range: use 0.5 to 1");
+    if (!(degenerate_length >= 0))
+      throw Error("the length of a degenerate edge is out of range: use 0 or more");
+  }
+};
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Does the same as `remove_degeneracies()` with named parameters.
+
+\throws Error as that function does, see also `Degeneracy_options::check()`
+*/
+template <class Complex>
+Improvement_report remove_degeneracies(Complex& dsc, const Degeneracy_options<Complex>& options) {
+  using Cell_handle = typename Complex::Cell_handle;
+
+  options.check();
+  Any_visitor<Complex> no_visitor;
+  Any_visitor<Complex>& visitor = options.visitor ? *options.visitor : no_visitor;
+  const auto unit = shortest_target_edge_length(dsc, options.sizing_field);
+
+  Improvement_report report;
+  Cavity<Complex> cavity(dsc);
+  const auto propose = [&](Cell_handle c) {
+    if (internal::Mesh_operations<Complex>::propose_degenerate_cell_removal(
+            dsc, c, options.degenerate_quality, options.degenerate_cosine, cavity))
+      return true;
+    for (int i = 0; i < Complex::corners; ++i)
+      for (int j = i + 1; j < Complex::corners; ++j) {
+        const auto middle =
+            dsc.position(c->vertex(i)) + .5 * dsc.displacement(c->vertex(i), c->vertex(j));
+        if (propose_degenerate_edge_removal(dsc, c, i, j, options.degenerate_length * unit(middle),
+                                            c->quality(), cavity))
+          return true;
+      }
+    return false;
+  };
+
+  internal::Work_list<Cell_handle> cells;
+  for (Cell_handle c : dsc.finite_cells())
+    cells.push(c);
+  internal::work_in_rounds(dsc, std::move(cells), options.number_of_iterations,
+                           [&](Cell_handle c, internal::Work_list<Cell_handle>& touched) {
+                             if (!propose(c))
+                               return;
+                             commit_proposal(dsc, cavity, visitor, report);
+                             internal::push_finite(dsc, cavity.created(), touched);
+                           });
+  return report;
+}
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -84,50 +167,16 @@ template <class Complex, class NamedParameters = parameters::Default_named_param
 Improvement_report remove_degeneracies(Complex& dsc,
                                        const NamedParameters& np = NamedParameters()) {
   namespace tags = internal_np;
-  using defaults::Degenerate;
-  using Cell_handle = typename Complex::Cell_handle;
-
   auto visitor = visitor_parameter<Complex>(np);
-  const double quality = quality_parameter(np, tags::degenerate_quality, Degenerate::quality);
-  const double cosine = number_parameter(np, tags::degenerate_cosine, Degenerate::cosine);
-  const double length = number_parameter(np, tags::degenerate_length, Degenerate::length);
-  if (!(cosine >= .5 && cosine <= 1))
-    throw Error("the cosine of the smallest angle of a facet is out of range: use 0.5 to 1");
-  if (!(length >= 0))
-    throw Error("the length of a degenerate edge is out of range: use 0 or more");
-  const unsigned rounds =
-      count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
-                      defaults::Number_of_iterations::over_mesh);
-  const auto unit = shortest_target_edge_length(dsc, np);
-
-  Improvement_report report;
-  Deformable_simplicial_complexes::Cavity<Complex> cavity(dsc);
-  const auto propose = [&](Cell_handle c) {
-    if (internal::Mesh_operations<Complex>::propose_degenerate_cell_removal(dsc, c, quality, cosine,
-                                                                            cavity))
-      return true;
-    for (int i = 0; i < Complex::corners; ++i)
-      for (int j = i + 1; j < Complex::corners; ++j) {
-        const auto middle =
-            dsc.position(c->vertex(i)) + .5 * dsc.displacement(c->vertex(i), c->vertex(j));
-        if (propose_degenerate_edge_removal(dsc, c, i, j, length * unit(middle), c->quality(),
-                                            cavity))
-          return true;
-      }
-    return false;
-  };
-
-  internal::Work_list<Cell_handle> cells;
-  for (Cell_handle c : dsc.finite_cells())
-    cells.push(c);
-  internal::work_in_rounds(dsc, std::move(cells), rounds,
-                           [&](Cell_handle c, internal::Work_list<Cell_handle>& touched) {
-                             if (!propose(c))
-                               return;
-                             commit_proposal(dsc, cavity, visitor.any(), report);
-                             internal::push_finite(dsc, cavity.created(), touched);
-                           });
-  return report;
+  Degeneracy_options<Complex> options;
+  options.visitor = &visitor.any();
+  replace_value(np, tags::degenerate_quality, options.degenerate_quality);
+  replace_value(np, tags::degenerate_cosine, options.degenerate_cosine);
+  replace_value(np, tags::degenerate_length, options.degenerate_length);
+  replace_value(np, tags::sizing_field, options.sizing_field);
+  replace_count(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
+                options.number_of_iterations);
+  return remove_degeneracies(dsc, options);
 }
 
 } // namespace Deformable_simplicial_complexes

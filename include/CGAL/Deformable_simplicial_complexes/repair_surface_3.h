@@ -153,7 +153,7 @@ template <class Point>
 Surface_repair_report_3 wrap_surface_3(Labelled_surface_3<Point>& surface,
                                        const Surface_repair_options_3& options = {}) {
   if (options.wrap_alpha == 0)
-    throw Error("the alpha of a wrap is 0: use more than 0");
+    throw Error("the alpha of the wrap is 0: use more than 0");
   internal::Surface_repairer_3 repairer(internal::soup_of(surface), options);
   repairer.run_wrap();
   internal::assign(surface, repairer.soup());

@@ -43,6 +43,84 @@ template <class Complex> struct Volume_report
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
+Options of `restore_volumes()`. The named parameters of that function have the same names.
+
+\tparam Complex a deformable simplicial complex
+*/
+template <class Complex> struct Volume_restoration_options
+{
+  Deformation_options<Complex> deformation; ///< Options of the deformations.
+  /// Largest relative error of a volume at the end, greater than 0.
+  double volume_tolerance = defaults::volume_tolerance;
+  /// Largest number of deformations.
+  unsigned number_of_iterations = defaults::Number_of_iterations::towards_volumes;
+
+  /// Throws an exception unless all values are in their ranges.
+  /// \throws Error if a value is out of its range
+  void check() const {
+    deformation.check();
+    if (!(volume_tolerance > 0))
+      throw Error("the tolerance of volumes is out of range: use more than 0");
+  }
+};
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Does the same as `restore_volumes()` with named parameters.
+
+\throws Error as that function does, see also `Volume_restoration_options::check()`
+*/
+template <class Complex>
+Volume_report<Complex> restore_volumes(Complex& dsc,
+                                       const std::map<typename Complex::Label, double>& volumes,
+                                       const Volume_restoration_options<Complex>& options) {
+  options.check();
+  double domain = 0, target = 0;
+  for (const auto label : dsc.labels())
+    domain += dsc.measure(label);
+  for (const auto& [label, volume] : volumes) {
+    target += volume;
+    if (!(volume > 0) || !std::isfinite(volume))
+      throw Error("the volume of label " + std::to_string(label) +
+                  " cannot be restored: the target is not positive and finite; give a positive, "
+                  "finite volume");
+    if (dsc.number_of_cells(label) == 0)
+      throw Error("the volume of label " + std::to_string(label) +
+                  " cannot be restored: no cell has this label; remove it from the targets");
+  }
+  const bool are_all_given = volumes.size() == dsc.labels().size();
+  if (!are_all_given && target >= domain)
+    throw Error("the target volumes leave no volume for the other labels: reduce them");
+  if (are_all_given && std::abs(target - domain) > options.volume_tolerance * domain)
+    throw Error("the target volumes of all labels do not add up to the volume of the domain: leave "
+                "out one label, which then takes the remaining volume");
+
+  Volume_report<Complex> report;
+  for (;;) {
+    std::map<typename Complex::Label, double> missing;
+    report.complete = true;
+    for (const auto& [label, volume] : volumes) {
+      missing[label] = volume - dsc.measure(label);
+      report.complete =
+          report.complete && std::abs(missing[label]) <= options.volume_tolerance * volume;
+    }
+    const std::size_t done = report.deformations.size();
+    const bool is_ended =
+        done > 0 && (report.deformations.back().stopped || report.deformations.back().passes == 0);
+    if (report.complete || done == options.number_of_iterations || is_ended)
+      return report;
+    const Interface_snapshot<Complex> interface_(dsc);
+    auto positions = interface_.positions(dsc);
+    Volume_changer<Complex>(interface_).change_by(missing, positions);
+    report.deformations.push_back(
+        deform_interface_to(dsc, interface_, positions, options.deformation));
+  }
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
 Restores given volumes (in 2D, areas) of labels by moving the interface along its normals. Parts of
 the interface between two labels move by the same distance where they are flat. Use it after a time
 step of a volume-preserving flow whose discretization changes volumes. The correction is repeated
@@ -77,54 +155,14 @@ template <class Complex, class NamedParameters = parameters::Default_named_param
 Volume_report<Complex> restore_volumes(Complex& dsc,
                                        const std::map<typename Complex::Label, double>& volumes,
                                        const NamedParameters& np = NamedParameters()) {
-  namespace tags = internal_np;
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  const double tolerance =
-      choose_parameter(get_parameter(np, tags::volume_tolerance), defaults::volume_tolerance);
-  const unsigned iterations =
-      count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
-                      defaults::Number_of_iterations::towards_volumes);
-  if (!(tolerance > 0))
-    throw Error("the tolerance of volumes is out of range: use more than 0");
-  double domain = 0, wanted = 0;
-  for (const auto label : dsc.labels())
-    domain += dsc.measure(label);
-  for (const auto& [label, volume] : volumes) {
-    wanted += volume;
-    if (!(volume > 0) || !std::isfinite(volume))
-      throw Error("the volume of label " + std::to_string(label) +
-                  " cannot be restored: it is not positive and finite");
-    if (dsc.number_of_cells(label) == 0)
-      throw Error("the volume of label " + std::to_string(label) +
-                  " cannot be restored: no cell has this label any more");
-  }
-  const bool are_all_given = volumes.size() == dsc.labels().size();
-  if (!are_all_given && wanted >= domain)
-    throw Error("the volumes to be restored fill the domain, and leave nothing for other labels");
-  if (are_all_given && std::abs(wanted - domain) > tolerance * domain)
-    throw Error(
-        "the volumes of all labels are given, but do not sum up to that of the domain; leave "
-        "a label out, and it will take what is left");
-
-  Volume_report<Complex> report;
-  for (;;) {
-    std::map<typename Complex::Label, double> missing;
-    report.complete = true;
-    for (const auto& [label, volume] : volumes) {
-      missing[label] = volume - dsc.measure(label);
-      report.complete = report.complete && std::abs(missing[label]) <= tolerance * volume;
-    }
-    const std::size_t done = report.deformations.size();
-    const bool is_ended =
-        done > 0 && (report.deformations.back().stopped || report.deformations.back().passes == 0);
-    if (report.complete || done == iterations || is_ended)
-      return report;
-    const Interface_snapshot<Complex> interface_(dsc);
-    auto positions = interface_.positions(dsc);
-    Volume_changer<Complex>(interface_).change_by(missing, positions);
-    report.deformations.push_back(deform_interface_to(dsc, interface_, positions, np));
-  }
+  auto visitor = visitor_parameter<Complex>(np);
+  Volume_restoration_options<Complex> options;
+  options.deformation.visitor = &visitor.any();
+  read_parameters(dsc, np, options.deformation);
+  replace_value(np, internal_np::volume_tolerance, options.volume_tolerance);
+  replace_count(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
+                options.number_of_iterations);
+  return restore_volumes(dsc, volumes, options);
 }
 
 } // namespace Deformable_simplicial_complexes

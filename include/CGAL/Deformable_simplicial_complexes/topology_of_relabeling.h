@@ -42,10 +42,10 @@ public:
       for (unsigned t = s + 1; t < whole; ++t)
         has[s] = has[s] || (has[t] && (s & t) == s);
     int characteristic = 0;
-    std::array<unsigned, corners> part; // vertices connected with each vertex
+    std::array<unsigned, corners> component; // vertices connected with each vertex
     unsigned vertices = 0;
     for (int i = 0; i < corners; ++i) {
-      part[i] = 1u << i;
+      component[i] = 1u << i;
       vertices |= has[1u << i] ? 1u << i : 0u;
     }
     for (unsigned s = 1; s < whole; ++s)
@@ -53,15 +53,15 @@ public:
         characteristic += dimension(s) % 2 == 1 ? -1 : 1;
         unsigned joined = 0;
         for (int i = 0; i < corners; ++i)
-          joined |= (s >> i & 1) != 0 ? part[i] : 0;
+          joined |= (s >> i & 1) != 0 ? component[i] : 0;
         for (int i = 0; i < corners; ++i)
           if ((joined >> i & 1) != 0)
-            part[i] = joined;
+            component[i] = joined;
       }
     if (characteristic != 1)
       return false;
     for (int i = 0; i < corners; ++i)
-      if ((vertices >> i & 1) != 0 && part[i] != vertices)
+      if ((vertices >> i & 1) != 0 && component[i] != vertices)
         return false;
     return true;
   }

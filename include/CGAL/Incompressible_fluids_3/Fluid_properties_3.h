@@ -54,12 +54,14 @@ public:
   /// \throws Error if the density or the viscosity is out of its range, or if the label is a gas
   void set_liquid(int label, const Liquid& liquid) {
     if (!(liquid.density > 0) || !std::isfinite(liquid.density))
-      throw Error("the density of label " + std::to_string(label) +
-                  " is not positive and finite: leave labels without mass out, they are void");
+      throw Error(
+          "the density of label " + std::to_string(label) +
+          " is not positive and finite: use more than 0, or leave out the label to make it void");
     if (!(liquid.viscosity >= 0) || !std::isfinite(liquid.viscosity))
-      throw Error("the viscosity of label " + std::to_string(label) + " is negative or not finite");
+      throw Error("the viscosity of label " + std::to_string(label) +
+                  " is negative or not finite: use 0 or more");
     if (m_gases.count(label) > 0)
-      throw Error("label " + std::to_string(label) + " is a gas already");
+      throw Error("label " + std::to_string(label) + " is already a gas: choose another label");
     m_liquids[label] = liquid;
   }
 
@@ -67,11 +69,13 @@ public:
   /// \throws Error if the pressure or the exponent is out of its range, or if the label is a liquid
   void set_gas(int label, const Gas& gas) {
     if (!(gas.pressure >= 0) || !std::isfinite(gas.pressure))
-      throw Error("the pressure of label " + std::to_string(label) + " is negative or not finite");
+      throw Error("the pressure of label " + std::to_string(label) +
+                  " is negative or not finite: use 0 or more");
     if (!(gas.exponent >= 0) || !std::isfinite(gas.exponent))
-      throw Error("the exponent of label " + std::to_string(label) + " is negative or not finite");
+      throw Error("the exponent of label " + std::to_string(label) +
+                  " is negative or not finite: use 0 or more");
     if (m_liquids.count(label) > 0)
-      throw Error("label " + std::to_string(label) + " is a liquid already");
+      throw Error("label " + std::to_string(label) + " is already a liquid: choose another label");
     m_gases[label] = gas;
   }
 
@@ -81,9 +85,10 @@ public:
   void set_surface_tension(int a, int b, double tension) {
     if (!(tension >= 0) || !std::isfinite(tension))
       throw Error("the surface tension between labels " + std::to_string(a) + " and " +
-                  std::to_string(b) + " is negative or not finite");
+                  std::to_string(b) + " is negative or not finite: use 0 or more");
     if (a == b)
-      throw Error("there is no interface between label " + std::to_string(a) + " and itself");
+      throw Error("the surface tension needs two labels, but label " + std::to_string(a) +
+                  " is given twice: give different labels");
     m_tensions[std::minmax(a, b)] = tension;
   }
 
@@ -92,7 +97,7 @@ public:
   void set_gravity(const std::array<double, 3>& acceleration) {
     for (double a : acceleration)
       if (!std::isfinite(a))
-        throw Error("gravity is not finite");
+        throw Error("gravity is not finite: give finite coordinates");
     m_gravity = acceleration;
   }
 

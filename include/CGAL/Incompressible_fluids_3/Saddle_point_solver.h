@@ -95,11 +95,11 @@ public:
     }
     Symmetric whole(all, all);
     whole.setFromTriplets(entries.begin(), entries.end());
-    if (!m_system.held.empty()) {
+    if (!m_system.constrained.empty()) {
       Symmetric free(all, all), fixed(all, all);
       free.setIdentity();
       entries.clear();
-      for (const auto& h : m_system.held)
+      for (const auto& h : m_system.constrained)
         for (int i = 0; i < 3; ++i)
           for (int j = 0; j < 3; ++j) {
             const double value = (i == j) - h.projection(i, j);
@@ -143,7 +143,7 @@ public:
                  residual = internal::relative_residual(m_system, f, s, velocities, pressures);
     if (!(residual <= bound))
       throw Convergence_error("the equations of the flow have no accurate solution: the time step "
-                              "may be too short or too long for numbers, or cells flat",
+                              "may be too short or too long, or cells may be flat",
                               residual, bound);
     v = velocities;
     p = pressures;
@@ -305,7 +305,7 @@ private:
   // velocity to others are removed.
   static Eigen::SparseMatrix<double> free_part(const System& system) {
     std::vector<char> is_fixed(std::size_t(system.nodal.rows()), false);
-    for (const auto& h : system.held)
+    for (const auto& h : system.constrained)
       is_fixed[std::size_t(h.vertex)] = h.projection.isZero();
     Eigen::SparseMatrix<double> result = system.nodal.triangularView<Eigen::Lower>();
     result.prune([&](Eigen::Index i, Eigen::Index j, double) {

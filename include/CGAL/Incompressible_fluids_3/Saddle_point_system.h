@@ -38,7 +38,7 @@ struct Saddle_point_system
   using Vector = Eigen::VectorXd;                              ///< a dense vector
 
   /// A constrained velocity.
-  struct Held_velocity
+  struct Constrained_velocity
   {
     Eigen::Index vertex; ///< the vertex
     /// The orthogonal projection onto the free velocities of the vertex.
@@ -81,13 +81,13 @@ struct Saddle_point_system
   /// m, for each pressure the viscosity divided by a quarter of the volume of the cells around.
   Vector viscosity;
   /// Constrained velocities, by increasing vertex, each vertex once.
-  std::vector<Held_velocity> held;
+  std::vector<Constrained_velocity> constrained;
   /// Closed sets; there are none if all liquids have free surfaces.
   std::vector<Closed_set> closed;
 
   /// Replaces v by P v. Takes linear time in the number of constrained velocities.
   void project(Vector& v) const {
-    for (const Held_velocity& h : held)
+    for (const Constrained_velocity& h : constrained)
       v.segment<3>(3 * h.vertex) = (h.projection * v.segment<3>(3 * h.vertex)).eval();
   }
 

@@ -61,7 +61,8 @@ inline Wall_3::Vector unit_vector(const Wall_3::Vector& v, const char* name) {
   const double largest = (std::max)({std::abs(v.x()), std::abs(v.y()), std::abs(v.z())});
   const Wall_3::Vector scaled = v / largest, result = scaled / std::sqrt(scaled.squared_length());
   if (!std::isfinite(result.squared_length()))
-    throw Error("the " + std::string(name) + " of a solid is zero or not finite");
+    throw Error("the " + std::string(name) +
+                " of a solid is zero or not finite: give a finite vector other than zero");
   return result;
 }
 
@@ -69,7 +70,7 @@ inline Wall_3::Vector unit_vector(const Wall_3::Vector& v, const char* name) {
 // \throws Error if a coordinate is not finite
 template <class Coordinates> void require_place(const Coordinates& c, const char* name) {
   if (!std::isfinite(c.x()) || !std::isfinite(c.y()) || !std::isfinite(c.z()))
-    throw Error("the " + std::string(name) + " of a solid is not finite");
+    throw Error("the " + std::string(name) + " of a solid is not finite: give finite coordinates");
 }
 
 // The set of points nearer to a center or an axis than a radius, or the complement of this set.
@@ -79,15 +80,16 @@ public:
   Radius(double radius, Solid_side side)
       : m_radius(radius), m_sign(side == Solid_side::inside ? 1 : -1) {
     if (!(radius > 0) || !std::isfinite(radius))
-      throw Error("the radius of a solid is not positive and finite");
+      throw Error(
+          "the radius of a solid is not positive and finite: use a positive, finite number");
   }
 
   // Appends the wall as seen from a point, given by its vector from the center or axis. Appends
   // nothing if this vector is zero.
-  void walls(const Wall_3::Vector& way, std::vector<Wall_3>& result) const {
-    const double r = std::sqrt(way.squared_length());
+  void walls(const Wall_3::Vector& from_center, std::vector<Wall_3>& result) const {
+    const double r = std::sqrt(from_center.squared_length());
     if (r > 0)
-      result.push_back({m_sign * (r - m_radius), m_sign / r * way});
+      result.push_back({m_sign * (r - m_radius), m_sign / r * from_center});
   }
 
 private:
@@ -140,7 +142,8 @@ public:
     for (int axis = 0; axis < 3; ++axis)
       if (!(box.max(axis) > box.min(axis)) || !std::isfinite(box.min(axis)) ||
           !std::isfinite(box.max(axis)))
-        throw Error("the box of a tank is empty or not finite");
+        throw Error(
+            "the box of a tank is empty or not finite: use a finite box with positive sides");
   }
 
   /// Appends the walls. Takes constant time.
@@ -237,12 +240,12 @@ public:
   void walls(const Point& p, double /*t*/, std::vector<Wall_3>& result) const {
     const auto [nearest, face] = m_data->tree.closest_point_and_primitive(p);
     const bool is_inside = m_data->side(p) == ON_BOUNDED_SIDE;
-    const Vector way = is_inside ? nearest - p : p - nearest;
-    const double distance = std::sqrt(way.squared_length());
+    const Vector outward = is_inside ? nearest - p : p - nearest;
+    const double distance = std::sqrt(outward.squared_length());
     // On the surface, up to rounding, the normal is the normal of the triangle.
     static constexpr double rounding = 1e-9;
     const Vector normal = distance > rounding * m_data->extent
-                              ? way / distance
+                              ? outward / distance
                               : Polygon_mesh_processing::compute_face_normal(face, m_data->mesh);
     result.push_back({m_sign * (is_inside ? -distance : distance), m_sign * normal});
   }
@@ -269,8 +272,8 @@ private:
     }
     static Mesh checked(Mesh mesh) {
       if (mesh.number_of_faces() == 0 || !is_closed(mesh) || !is_triangle_mesh(mesh))
-        throw Error(
-            "the mesh of a solid is not closed, has no facets, or some that are no triangles");
+        throw Error("the mesh of a solid is empty, not closed or not a triangle mesh: fill its "
+                    "holes and triangulate its facets");
       for (const auto v : mesh.vertices())
         internal::require_place(mesh.point(v), "mesh");
       if (!Polygon_mesh_processing::is_outward_oriented(mesh))

@@ -52,13 +52,13 @@ public:
   using Matrix = Eigen::Matrix<double, d, d>;
   using Vector = Eigen::Matrix<double, d, 1>;
 
-  // The force of an edge. The force on the vertex `from` is `weight` times `way`, the vector from
+  // The force of an edge. The force on the vertex `from` is `weight` times `edge`, the vector from
   // `from` to `to`. The force on `to` is the opposite.
   struct Pull
   {
     std::size_t from, to;
     double weight;
-    Vector way;
+    Vector edge;
   };
 
   Tensions(const Interface_snapshot<Complex>& interface_, const std::vector<Point>& positions)
@@ -154,8 +154,8 @@ struct Mean_curvature_velocity
     const Tensions tensions(interface_, positions);
     std::vector<typename Tensions::Vector> forces(positions.size(), Tensions::Vector::Zero());
     for (const auto& pull : tensions.pulls()) {
-      forces[pull.from] += pull.weight * pull.way;
-      forces[pull.to] -= pull.weight * pull.way;
+      forces[pull.from] += pull.weight * pull.edge;
+      forces[pull.to] -= pull.weight * pull.edge;
     }
     velocities.clear();
     for (std::size_t v = 0; v < positions.size(); ++v) {
@@ -249,12 +249,12 @@ private:
 
     // Junctions couple the axes. Without junctions, the axes are solved one by one.
     const int together = tensions.has_junctions() ? d : 1;
-    std::vector<std::array<double, d>> ways(positions.size());
+    std::vector<std::array<double, d>> displacements(positions.size());
     system.set(tensions, dt);
     for (int axis = 0; axis < d; axis += together) {
       system.assemble(axis, axis + together);
-      system.for_each_solved(system.pulls(),
-                             [&](std::size_t v, int along, double x) { ways[v][along] = x; });
+      system.for_each_solved(
+          system.pulls(), [&](std::size_t v, int along, double x) { displacements[v][along] = x; });
       for (Eigen::Index label = 0; label < Eigen::Index(labels.size()); ++label)
         system.for_each_solved(
             system.forces(forces, label), [&](std::size_t v, int along, double x) {
@@ -268,7 +268,7 @@ private:
     }
     std::vector<typename Complex::Approximate_point> result;
     for (std::size_t v = 0; v < positions.size(); ++v)
-      result.push_back(positions[v] + vector_of<Complex>(ways[v]));
+      result.push_back(positions[v] + vector_of<Complex>(displacements[v]));
     if (m_preserves_volumes)
       changer.change_by(changer.changes(result, positions), responses, result);
     return result;
@@ -310,8 +310,8 @@ private:
       Eigen::VectorXd right = zero();
       for (const auto& pull : m_tensions->pulls())
         for (int axis = m_first_axis; axis < m_last_axis; ++axis) {
-          right(row(pull.from, axis)) += m_dt * pull.weight * pull.way[axis];
-          right(row(pull.to, axis)) -= m_dt * pull.weight * pull.way[axis];
+          right(row(pull.from, axis)) += m_dt * pull.weight * pull.edge[axis];
+          right(row(pull.to, axis)) -= m_dt * pull.weight * pull.edge[axis];
         }
       return right;
     }
@@ -373,9 +373,8 @@ private:
         m_solver.analyzePattern(matrix);
       m_solver.factorize(matrix);
       if (m_solver.info() != Eigen::Success)
-        throw Error(
-            "the step of mean curvature flow cannot be solved for: a vertex has only facets "
-            "without area; improve the interface, or take shorter steps");
+        throw Error("the step of mean curvature flow cannot be computed: all facets of a vertex "
+                    "have area zero; improve the interface, or use a shorter time step");
     }
 
     const Interface_snapshot<Complex>& m_interface;

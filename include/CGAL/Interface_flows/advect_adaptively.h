@@ -19,7 +19,6 @@
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
 #include <CGAL/Deformable_simplicial_complexes/restore_volumes.h>
-#include <CGAL/Deformable_simplicial_complexes/topology_control.h>
 #include <CGAL/Interface_flows/Integration_scheme.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_flows/internal/paths/interface_paths.h>
@@ -45,6 +44,104 @@ std::map<typename Complex::Label, double> volumes_but_one(const Complex& dsc) {
 }
 
 } // namespace internal
+
+/*!
+\ingroup PkgInterfaceFlowsRef
+
+Options of `advect_adaptively()`. The named parameters of that function have the same names. Default
+values depend on whether the velocity contracts the interface, see `defaults::Adaptive_advection`.
+
+\tparam Complex a deformable simplicial complex
+*/
+template <class Complex> struct Adaptive_advection_options
+{
+  /// Options of the advection.
+  Advection_options<Complex> advection;
+  /// Largest distance of an edge of an adapted interface from the smooth surface, in mean edges of
+  /// the initial interface, at least 0. With 0, the interface is not adapted.
+  double interface_tolerance;
+  /// Number of steps from one adaptation to the next, at least 1.
+  unsigned adaptation_interval;
+  /// Edges between normals with a larger angle are sharp, in degrees, in [0, 180].
+  double feature_angle;
+
+  /// Constructs options with default values.
+  /// \param contracts whether the velocity contracts the interface
+  explicit Adaptive_advection_options(bool contracts = false) {
+    if (contracts)
+      set<defaults::Adaptive_advection<Complex::dimension, true>>();
+    else
+      set<defaults::Adaptive_advection<Complex::dimension, false>>();
+  }
+
+  /// Throws an exception unless all values are in their ranges.
+  /// \throws Error if a value is out of its range
+  void check() const {
+    advection.check();
+    require_angle(feature_angle, 180, "feature angle");
+    if (!(interface_tolerance >= 0))
+      throw Error("the tolerance of the interface is out of range: use 0 or more");
+    if (adaptation_interval == 0)
+      throw Error("the interval between adaptations is out of range: use 1 or more");
+  }
+
+private:
+  template <class Defaults> void set() {
+    advection.scheme = Integration_scheme::rk4;
+    advection.deformation.quality_threshold = Defaults::quality_threshold;
+    advection.deformation.minimum_angle = Defaults::minimum_angle;
+    advection.deformation.minimum_facet_angle = Defaults::minimum_facet_angle;
+    interface_tolerance = Defaults::interface_tolerance;
+    adaptation_interval = Defaults::adaptation_interval;
+    feature_angle = Defaults::feature_angle;
+  }
+};
+
+/*!
+\ingroup PkgInterfaceFlowsRef
+
+Does the same as `advect_adaptively()` with named parameters.
+
+\throws Error as that function does, see also `Adaptive_advection_options::check()`
+*/
+template <class Complex, class Velocity>
+Deformation_report<Complex> advect_adaptively(Complex& dsc, const Velocity& velocity, double t,
+                                              double dt,
+                                              const Adaptive_advection_options<Complex>& options) {
+  constexpr bool contracts = internal::contracts_interface<Velocity>;
+  options.check();
+  require_interface_edge(dsc);
+  const Deformation_options<Complex>& deformation = options.advection.deformation;
+  Improvement_report changes;
+  if (std::fmod(std::round(t / dt), options.adaptation_interval) == 0 &&
+      !dsc.interface_vertices().empty()) {
+    const Adaptation_options adaptation = {options.interface_tolerance, options.feature_angle,
+                                           !contracts, contracts && !deformation.topology_control};
+    const auto is_stretching = [&](const auto& interface_) {
+      return is_stretched(
+          interface_, interface_.positions(dsc),
+          internal::destinations_of_step(dsc, interface_, velocity, t, dt, options.advection));
+    };
+    Volume_restoration_options<Complex> restoration;
+    restoration.deformation = deformation;
+    restoration.deformation.forbid_topology_changes();
+    const auto volumes = internal::volumes_but_one(dsc);
+    changes = keep_interface_fit(dsc, adaptation, is_stretching, deformation.visitor);
+    if (internal::preserves_volumes(velocity))
+      restore_volumes(dsc, volumes, restoration);
+    Detail_options<Complex> detail;
+    detail.collapse_length = defaults::Adaptive_advection<Complex::dimension>::collapse_length;
+    detail.visitor = deformation.visitor;
+    changes = changes + control_detail(dsc, detail);
+  }
+  Deformation_report<Complex> report = advect_interface(dsc, velocity, t, dt, options.advection);
+  report.split += changes.split;
+  report.collapsed += changes.collapsed;
+  report.flipped += changes.flipped;
+  report.smoothed += changes.smoothed;
+  report.inserted += changes.inserted;
+  return report;
+}
 
 /*!
 \ingroup PkgInterfaceFlowsRef
@@ -134,52 +231,14 @@ Deformation_report<Complex> advect_adaptively(Complex& dsc, const Velocity& velo
                                               double dt,
                                               const NamedParameters& np = NamedParameters()) {
   namespace tags = internal_np;
-  constexpr bool contracts = internal::contracts_interface<Velocity>;
-  constexpr bool has_topology_control =
-      !CGAL::parameters::is_default_parameter<NamedParameters, tags::topology_control_t>::value;
-  using Defaults = defaults::Adaptive_advection<Complex::dimension, contracts>;
-  const Adaptation_options options = {
-      number_parameter(np, tags::interface_tolerance, Defaults::interface_tolerance),
-      angle_parameter(np, tags::feature_angle, Defaults::feature_angle, 180, "angle of features"),
-      !contracts, contracts && !has_topology_control};
-  const unsigned interval = count_parameter(np, tags::adaptation_interval, "adaptation_interval",
-                                            Defaults::adaptation_interval);
-  if (!(options.tolerance >= 0))
-    throw Error("the tolerance of the interface is out of range: use 0 or more");
-  if (interval == 0)
-    throw Error("the interval between adaptations is out of range: use 1 or more");
-  require_interface_edge(dsc);
-  const auto motion =
-      np.scheme(parameter_or(np, tags::scheme, Integration_scheme::rk4))
-          .quality_threshold(
-              number_parameter(np, tags::quality_threshold, Defaults::quality_threshold))
-          .minimum_angle(number_parameter(np, tags::minimum_angle, Defaults::minimum_angle))
-          .minimum_facet_angle(
-              number_parameter(np, tags::minimum_facet_angle, Defaults::minimum_facet_angle));
-
-  Improvement_report changes;
-  if (std::fmod(std::round(t / dt), interval) == 0 && !dsc.interface_vertices().empty()) {
-    const auto visitor = parameter_or(np, CGAL::internal_np::visitor, Deformation_visitor());
-    const auto is_stretching = [&](const auto& interface_) {
-      return is_stretched(interface_, interface_.positions(dsc),
-                          internal::destinations_of_step(dsc, interface_, velocity, t, dt, motion));
-    };
-    const auto volumes = internal::volumes_but_one(dsc);
-    changes = keep_interface_fit(dsc, options, is_stretching, visitor);
-    if (internal::preserves_volumes(velocity))
-      restore_volumes(dsc, volumes,
-                      motion.topology_control(Forbid_topology_changes()).relabeling_threshold(0.));
-    changes =
-        changes + control_detail(
-                      dsc, parameters::collapse_length(Defaults::collapse_length).visitor(visitor));
-  }
-  Deformation_report<Complex> report = advect_interface(dsc, velocity, t, dt, motion);
-  report.split += changes.split;
-  report.collapsed += changes.collapsed;
-  report.flipped += changes.flipped;
-  report.smoothed += changes.smoothed;
-  report.inserted += changes.inserted;
-  return report;
+  auto visitor = visitor_parameter<Complex>(np);
+  Adaptive_advection_options<Complex> options(internal::contracts_interface<Velocity>);
+  options.advection.deformation.visitor = &visitor.any();
+  read_parameters(dsc, np, options.advection);
+  replace_value(np, tags::interface_tolerance, options.interface_tolerance);
+  replace_count(np, tags::adaptation_interval, "adaptation_interval", options.adaptation_interval);
+  replace_value(np, tags::feature_angle, options.feature_angle);
+  return advect_adaptively(dsc, velocity, t, dt, options);
 }
 
 } // namespace Deformable_simplicial_complexes

@@ -22,32 +22,83 @@
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
+/*!
+\ingroup PkgInterfaceFlowsRef
+
+Options of `advect_interface()`. The named parameters of that function have the same names.
+
+\tparam Complex a deformable simplicial complex
+*/
+template <class Complex> struct Advection_options
+{
+  Deformation_options<Complex> deformation;            ///< Options of the deformation.
+  Integration_scheme scheme = Integration_scheme::rk2; ///< The method that integrates velocities.
+  /// Largest estimated error of a destination in each substep of `Integration_scheme::adaptive`, in
+  /// mean edges of the initial interface, greater than 0.
+  double integration_tolerance = defaults::integration_tolerance;
+
+  /// Throws an exception unless all values are in their ranges.
+  /// \throws Error if a value is out of its range
+  void check() const {
+    deformation.check();
+    if (!(integration_tolerance > 0))
+      throw Error("the integration tolerance is out of range: use more than 0");
+  }
+};
+
+/*!
+\ingroup PkgInterfaceFlowsRef
+
+Replaces the options that are given as named parameters of `advect_interface()`, as the function for
+`Deformation_options` does.
+*/
+template <class Complex, class NamedParameters>
+void read_parameters(const Complex& complex, const NamedParameters& np,
+                     Advection_options<Complex>& options) {
+  read_parameters(complex, np, options.deformation);
+  replace_value(np, internal_np::scheme, options.scheme);
+  replace_value(np, internal_np::integration_tolerance, options.integration_tolerance);
+}
+
 namespace internal {
 
-// Returns the destinations of the vertices of an interface for a time step, with the named
-// parameters of `advect_interface()`.
-template <class Complex, class Interface, class Velocity, class NamedParameters>
+// Returns the destinations of the vertices of the interface in a time step.
+template <class Complex, class Interface, class Velocity>
 std::vector<typename Complex::Approximate_point>
 destinations_of_step(const Complex& dsc, const Interface& interface_, const Velocity& velocity,
-                     double t, double dt, const NamedParameters& np) {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  const Integration_scheme scheme =
-      choose_parameter(get_parameter(np, internal_np::scheme), Integration_scheme::rk2);
-  const double tolerance = choose_parameter(get_parameter(np, internal_np::integration_tolerance),
-                                            defaults::integration_tolerance);
-  if (!(tolerance > 0))
-    throw Error("the tolerance of the integration is out of range: use more than 0");
-  if (scheme == Integration_scheme::adaptive && !(dsc.mean_interface_edge() > 0) &&
+                     double t, double dt, const Advection_options<Complex>& options) {
+  if (options.scheme == Integration_scheme::adaptive && !(dsc.mean_interface_edge() > 0) &&
       !interface_.vertices.empty())
-    throw Error(
-        "there is no unit for the tolerance of the integration: the complex was built without an "
-        "interface; use another scheme");
-  return find_destinations(interface_, interface_.positions(dsc), velocity, t, dt, scheme,
-                           tolerance * dsc.mean_interface_edge());
+    throw Error("the complex was built without an interface and has no unit of length for the "
+                "integration tolerance: use another scheme");
+  return find_destinations(interface_, interface_.positions(dsc), velocity, t, dt, options.scheme,
+                           options.integration_tolerance * dsc.mean_interface_edge());
 }
 
 } // namespace internal
+
+/*!
+\ingroup PkgInterfaceFlowsRef
+
+Does the same as `advect_interface()` with named parameters.
+
+\throws Error as that function does, see also `Advection_options::check()`
+*/
+template <class Complex, class Velocity>
+Deformation_report<Complex> advect_interface(Complex& dsc, const Velocity& velocity, double t,
+                                             double dt, const Advection_options<Complex>& options) {
+  options.check();
+  const internal::Interface_seen_by<Complex, Velocity> interface_(dsc);
+  const auto destinations =
+      internal::destinations_of_step(dsc, interface_, velocity, t, dt, options);
+  Deformation_options<Complex> deformation = options.deformation;
+  if constexpr (internal::is_flow_of_space<Complex, Velocity>)
+    if (!deformation.flow)
+      deformation.flow = [&](typename Complex::Vertex_handle v) {
+        return internal::follow_flow<Complex>(dsc.domain(), dsc.position(v), velocity, t, dt);
+      };
+  return deform_interface_to(dsc, interface_, destinations, deformation);
+}
 
 /*!
 \ingroup PkgInterfaceFlowsRef
@@ -106,20 +157,11 @@ template <class Complex, class Velocity,
 Deformation_report<Complex> advect_interface(Complex& dsc, const Velocity& velocity, double t,
                                              double dt,
                                              const NamedParameters& np = NamedParameters()) {
-  namespace tags = internal_np;
-  const internal::Interface_seen_by<Complex, Velocity> interface_(dsc);
-  const auto destinations = internal::destinations_of_step(dsc, interface_, velocity, t, dt, np);
-  constexpr bool has_flow =
-      !CGAL::parameters::is_default_parameter<NamedParameters, tags::flow_t>::value;
-  if constexpr (internal::is_flow_of_space<Complex, Velocity> && !has_flow) {
-    auto flow = [&](const typename Complex::Approximate_point& p) {
-      return internal::follow_flow<Complex>(dsc.domain(), p, velocity, t, dt);
-    };
-    const Named_parameters<decltype(flow), tags::flow_t, NamedParameters> with_flow(flow, np);
-    return deform_interface_to(dsc, interface_, destinations, with_flow);
-  } else {
-    return deform_interface_to(dsc, interface_, destinations, np);
-  }
+  auto visitor = visitor_parameter<Complex>(np);
+  Advection_options<Complex> options;
+  options.deformation.visitor = &visitor.any();
+  read_parameters(dsc, np, options);
+  return advect_interface(dsc, velocity, t, dt, options);
 }
 
 } // namespace Deformable_simplicial_complexes

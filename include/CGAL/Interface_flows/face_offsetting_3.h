@@ -28,7 +28,7 @@ namespace internal {
 
 // Adds the planes of the sides of the domain that contain a vertex. These planes do not move.
 // Returns whether there is such a side.
-template <class Quadric> bool hold_in_sides(Boundary_class::Bits sides, Quadric& quadric) {
+template <class Quadric> bool constrain_to_sides(Boundary_class::Bits sides, Quadric& quadric) {
   const double weight = quadric.sum_of_weights();
   for (int axis = 0; axis < 3; ++axis)
     if (Boundary_class::fixes(sides, axis))
@@ -83,7 +83,7 @@ public:
     struct Vertex
     {
       Vertex_quadric_3<Vector> quadric;
-      bool is_held = false; // by a facet or a side of the domain that does not move
+      bool is_constrained = false; // by a facet or a side of the domain that does not move
       Vector displacement = Vector(0, 0, 0), direction = Vector(0, 0, 0);
       double weight = 0, weighted_length = 0;
     };
@@ -94,14 +94,15 @@ public:
       for (int i = 0; i < 3; ++i) {
         Vertex& v = vertices[interface_.triangles[triangle.index].vertices[i]];
         v.quadric.add(triangle.unit_normal, triangle.angles[i], sign * offset);
-        v.is_held = v.is_held || sign == 0;
+        v.is_constrained = v.is_constrained || sign == 0;
       }
     }
     static constexpr double short_part = .1; // of the offset; below it, offsets cancel each other
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       Vertex& v = vertices[i];
-      v.is_held =
-          internal::hold_in_sides(interface_.vertices[i]->boundary_class(), v.quadric) || v.is_held;
+      v.is_constrained =
+          internal::constrain_to_sides(interface_.vertices[i]->boundary_class(), v.quadric) ||
+          v.is_constrained;
       v.quadric.analyse(m_threshold);
       v.displacement = v.quadric.displacement();
       const double length = std::sqrt(v.displacement.squared_length());
@@ -129,7 +130,7 @@ public:
     }
     for (std::size_t i = 0; i < positions.size(); ++i) {
       const Vertex& v = vertices[i];
-      destinations.push_back(v.is_held || !(v.weight > 0)
+      destinations.push_back(v.is_constrained || !(v.weight > 0)
                                  ? positions[i] + v.displacement
                                  : positions[i] + v.weighted_length / v.weight * v.direction);
     }
@@ -181,7 +182,7 @@ public:
                         (advected[v] - positions[v]) * triangle.unit_normal);
       }
     for (std::size_t v = 0; v < positions.size(); ++v) {
-      internal::hold_in_sides(interface_.vertices[v]->boundary_class(), quadrics[v]);
+      internal::constrain_to_sides(interface_.vertices[v]->boundary_class(), quadrics[v]);
       quadrics[v].analyse(m_threshold);
       destinations.push_back(positions[v] + quadrics[v].displacement());
     }

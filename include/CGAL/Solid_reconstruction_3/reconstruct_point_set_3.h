@@ -21,9 +21,9 @@
 #include <CGAL/Solid_reconstruction_3/internal/reconstruction/Cloud_shell_3.h>
 #include <CGAL/Solid_reconstruction_3/internal/reconstruction/Reconstructor_3.h>
 
+#include <cmath>
 #include <cstddef>
 #include <functional>
-#include <limits>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
@@ -40,6 +40,74 @@ struct Reconstruction_observer_3
     return true;
   }
 };
+
+/*!
+\ingroup PkgSolidReconstruction3Ref
+
+Options of `reconstruct_point_set_3()`. The named parameters of that function have the same names.
+
+\tparam Complex an instance of `Deformable_simplicial_complex_3`
+*/
+template <class Complex> struct Reconstruction_options_3
+{
+  /// Bound on the root mean square distance between a facet and its points, in spacings, greater
+  /// than 0 and finite.
+  double fit_tolerance = defaults::fit_tolerance;
+  /// Whether points that sample an open sheet are reconstructed.
+  bool keep_open = false;
+  /// Largest number of steps.
+  unsigned number_of_iterations = defaults::Number_of_iterations::of_reconstruction;
+  /// Number of threads if linked with TBB. The result does not depend on it.
+  unsigned number_of_threads = defaults::number_of_threads;
+  /// Called before the first step and after each step. If it returns `false`, the reconstruction
+  /// ends with the present result. If empty, no function is called.
+  std::function<bool(const Complex&, std::size_t)> observer;
+  /// Report that is filled; none if null. Handles in it belong to the result.
+  Reconstruction_report_3<Complex>* report = nullptr;
+
+  /// Throws an exception unless all values are in their ranges.
+  /// \throws Error if a value is out of its range
+  void check() const {
+    if (!(fit_tolerance > 0 && std::isfinite(fit_tolerance)))
+      throw Error("the tolerance of the fit is not positive and finite: use 0.03, for example");
+  }
+};
+
+namespace internal {
+
+// Implements `reconstruct_point_set_3()`.
+template <class Complex>
+Complex reconstruct(const Collected_points& points,
+                    const Reconstruction_options_3<Complex>& options) {
+  options.check();
+  const Progress_phase phase("reconstructing a surface");
+  const Sampled_surface_3 surface(points.points, points.normals, options.keep_open,
+                                  options.number_of_threads);
+  const Cloud_shell_3 shell(surface);
+  Complex complex = complex_of_shell<Complex>(shell);
+  Reconstructor_3<Complex> reconstructor(complex, surface, shell.edge(), options.fit_tolerance,
+                                         options.number_of_threads);
+  const auto report = reconstructor.run(options.number_of_iterations, options.observer);
+  if (options.report)
+    *options.report = report;
+  return complex;
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgSolidReconstruction3Ref
+
+Does the same as `reconstruct_point_set_3()` with named parameters and default maps.
+
+\throws Error as that function does, see also `Reconstruction_options_3::check()`
+*/
+template <class Complex, class PointRange>
+Complex reconstruct_point_set_3(const PointRange& points,
+                                const Reconstruction_options_3<Complex>& options) {
+  return internal::reconstruct(internal::collect_points(points, parameters::default_values()),
+                               options);
+}
 
 /*!
 \ingroup PkgSolidReconstruction3Ref
@@ -141,29 +209,16 @@ template <class Complex, class PointRange, class NP = parameters::Default_named_
 Complex reconstruct_point_set_3(const PointRange& points,
                                 const NP& np = parameters::default_values()) {
   namespace tags = internal_np;
-
-  const double tolerance = number_parameter(np, tags::fit_tolerance, defaults::fit_tolerance);
-  if (!(tolerance > 0 && tolerance <= (std::numeric_limits<double>::max)()))
-    throw Error("the tolerance of the fit is not positive and finite: use 0.03, for example");
-  const unsigned steps =
-      count_parameter(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
-                      defaults::Number_of_iterations::of_reconstruction);
-  const unsigned threads = count_parameter(np, tags::number_of_threads, "number_of_threads",
-                                           defaults::number_of_threads);
-  auto observer = parameter_or(np, tags::observer, Reconstruction_observer_3());
-  Reconstruction_report_3<Complex> unwanted;
-  auto report = parameter_or(np, tags::report, std::ref(unwanted));
-
-  const Progress_phase phase("reconstructing a surface");
-  const auto given = internal::collect_points(points, np);
-  const bool keeps_open = parameter_or(np, tags::keep_open, false);
-  const internal::Sampled_surface_3 surface(given.points, given.normals, keeps_open, threads);
-  const internal::Cloud_shell_3 shell(surface);
-  Complex complex = internal::complex_of_shell<Complex>(shell);
-  internal::Reconstructor_3<Complex> reconstructor(complex, surface, shell.edge(), tolerance,
-                                                   threads);
-  report.get() = reconstructor.run(steps, internal::unwrap(observer));
-  return complex;
+  Reconstruction_options_3<Complex> options;
+  replace_value(np, tags::fit_tolerance, options.fit_tolerance);
+  replace_value(np, tags::keep_open, options.keep_open);
+  replace_count(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
+                options.number_of_iterations);
+  replace_count(np, tags::number_of_threads, "number_of_threads", options.number_of_threads);
+  replace_value(np, tags::observer, options.observer);
+  if constexpr (is_given<NP, tags::report_t>)
+    options.report = &parameter(np, tags::report).get();
+  return internal::reconstruct(internal::collect_points(points, np), options);
 }
 
 } // namespace Deformable_simplicial_complexes

@@ -26,11 +26,13 @@ struct Advect_options
 
 void add_advect(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<Advect_options>();
-  CLI::App* command =
-      add_run_command(app, "advect", "Move the interface with any velocities", options->run);
-  command->add_option("--velocity", options->velocity,
-                      "Three expressions in x, y, z and t like '-y,x,sin(pi*t)', in the "
-                      "coordinates of the input, in the plane two; required for a new run");
+  CLI::App* command = add_run_command(
+      app, "advect", "Move the interface by velocities given as expressions", options->run);
+  command->add_option(
+      "--velocity", options->velocity,
+      "Velocity in the coordinates of the input: three expressions in x, y, z and t "
+      "like '-y,x,sin(pi*t)'; in the plane, two expressions in x, y and t; "
+      "required for a new run");
   add_flow_options(*command, options->flow);
   command->callback([command, options, &exit_code] {
     Run_options run = begin_run_options(*command, options->run);

@@ -11,6 +11,12 @@ class App;
 
 namespace dsc {
 
+/// Descriptions of the commands that are programs of their own, for the help.
+inline constexpr char description_of_cut_locus[] = "Compute the cut locus of a point of a surface",
+                      description_of_fluid[] = "Simulate incompressible liquids with free surfaces",
+                      description_of_reconstruct[] =
+                          "Reconstruct the closed solid whose surface a point set samples";
+
 /// Each function adds a command with its options to the program. The command runs during the
 /// parsing of the command line and stores the exit code. The command throws Usage_error if its
 /// options are invalid. Other errors are std::runtime_error, with a message of one line that states

@@ -43,8 +43,8 @@ int execute(const Convert_options& options) {
 void require_surface_to_subdivide(const std::string& path) {
   const std::string format = extension(path);
   if (format != "off" && format != "obj" && format != "ply" && format != "stl")
-    throw Usage_error("--subdivide has a meaning for surfaces only (.off, .obj, .ply, .stl); leave "
-                      "it out, or choose one of these for OUT");
+    throw Usage_error("--subdivide applies only to surfaces (.off, .obj, .ply, .stl); leave it "
+                      "out, or choose one of these formats for OUT");
 }
 
 void check(const Convert_options& options) {
@@ -59,21 +59,19 @@ void check(const Convert_options& options) {
 void add_convert(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<Convert_options>();
   CLI::App* command = app.add_subcommand("convert", "Write a checkpoint in another format");
-  command->add_option("CHECKPOINT", options->checkpoint, "File to read")->required();
-  command
-      ->add_option("OUT", options->output,
-                   "Interface (.off, .obj, .ply, .stl), its picture (.png) or tetrahedra (.vtu, "
-                   ".mesh); in the "
-                   "plane regions "
-                   "(.wkt, .poly), a picture (.svg) or triangles (.vtu)")
-      ->required();
+  command->add_option("CHECKPOINT", options->checkpoint, "Checkpoint (.dsc)")->required();
   command
       ->add_option(
-          "--subdivide", options->subdivisions,
-          "Divide each triangle of the interface into four so many times, by Loop's scheme, "
-          "which makes it smooth")
+          "OUT", options->output,
+          "Interface (.off, .obj, .ply, .stl), picture (.png) or tetrahedra (.vtu, .mesh); "
+          "in the plane, regions (.wkt, .poly), picture (.svg) or triangles (.vtu)")
+      ->required();
+  command
+      ->add_option("--subdivide", options->subdivisions,
+                   "Number of Loop subdivision steps of the interface; "
+                   "each step divides a triangle into four")
       ->check(CLI::Range(1, most_subdivisions));
-  command->add_flag("--quiet", options->quiet, "Print nothing but errors");
+  command->add_flag("--quiet", options->quiet, "Print only errors");
   command->callback([options, &exit_code] {
     check(*options);
     exit_code = execute(*options);

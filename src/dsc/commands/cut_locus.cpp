@@ -175,9 +175,8 @@ int draw_ball(const Cut_locus_options& options, const Surface& surface, double s
   std::optional<Interruptible> interruptible(std::in_place, options.quiet);
   auto front = surface.front(spacing);
   if (options.radius < front.radius())
-    throw Usage_error("--radius is less than that of the first front, " +
-                      Json(front.radius()).dump() +
-                      "; choose a larger one, or a smaller --spacing");
+    throw Usage_error("--radius is smaller than the radius " + Json(front.radius()).dump() +
+                      " of the initial front; choose a larger --radius or a smaller --spacing");
   bool goes_on = true;
   while (goes_on && front.radius() < options.radius)
     goes_on = front.advance(std::min(step, options.radius - front.radius()));
@@ -194,8 +193,8 @@ int draw_ball(const Cut_locus_options& options, const Surface& surface, double s
     write_json(options.report, json);
   }
   if (!options.quiet)
-    std::printf("dsc: the ball of the radius %.9g%s\n", front.radius(),
-                goes_on ? "" : " is everything");
+    std::printf("dsc: ball of radius %.9g%s\n", front.radius(),
+                goes_on ? "" : "; it covers the surface");
   return 0;
 }
 
@@ -215,7 +214,7 @@ int find_cut_locus(const Cut_locus_options& options, const Surface& surface, dou
   }
   interruptible.reset();
   if (locus.vertices.empty())
-    throw std::runtime_error("no cut locus was found: use a smaller --spacing, or another chart");
+    throw std::runtime_error("no cut locus was found; use a smaller --spacing or another chart");
   if (!options.output.empty())
     surface.draw(locus, options.output);
   if (!options.report.empty()) {
@@ -229,13 +228,14 @@ int find_cut_locus(const Cut_locus_options& options, const Surface& surface, dou
       nearest = std::min(nearest, vertex.distance);
       farthest = std::max(farthest, vertex.distance);
     }
-    std::printf("dsc: %zu arcs of %zu points, at distances of %.9g to %.9g%s\n",
-                locus.polylines.size(), locus.vertices.size(), nearest, farthest,
-                locus.is_complete ? "" : "; it is not complete: use a smaller --spacing");
+    std::printf("dsc: %zu %s with %zu %s, distances %.9g to %.9g%s\n", locus.polylines.size(),
+                noun(locus.polylines.size(), "arc", "arcs"), locus.vertices.size(),
+                noun(locus.vertices.size(), "vertex", "vertices"), nearest, farthest,
+                locus.is_complete ? "" : "; the result is not complete: use a smaller --spacing");
     if (!locus.doubtful.empty()) {
       const auto& p = locus.vertices[locus.doubtful.front()].point;
-      std::printf("dsc: %zu points are in doubt, the first at u = %.9g, v = %.9g\n",
-                  locus.doubtful.size(), p.x(), p.y());
+      std::printf("dsc: %zu doubtful %s, the first at u = %.9g, v = %.9g\n", locus.doubtful.size(),
+                  noun(locus.doubtful.size(), "vertex", "vertices"), p.x(), p.y());
     }
   }
   return 0;
@@ -250,15 +250,15 @@ template <class Surface> int run(const Cut_locus_options& options, const Surface
 
 template <class Metric> int run_on_torus(const Cut_locus_options& options, const Metric& metric) {
   if (options.point.size() != 2)
-    throw Usage_error("--point has three numbers for a surface in u and v; write two");
+    throw Usage_error("--point needs two numbers for a surface in u and v; write it like 0,0.3");
   return run(options, On_torus<Metric>(metric, options));
 }
 
 template <class Embedding, template <class> class Differentiated>
 int run_like_sphere(const Cut_locus_options& options, const Embedding& embedding) {
   if (options.point.size() != 3)
-    throw Usage_error("--point has two numbers for a surface in x, y and z; write three, those of "
-                      "a direction");
+    throw Usage_error("--point needs three numbers for a surface in x, y and z: a direction; write "
+                      "it like 1,0.5,0");
   using Surface = DSC::Sphere_like_surface_2<Embedding, Differentiated>;
   return run(options, Like_sphere<Surface>(Surface(
                           embedding, {options.point[0], options.point[1], options.point[2]})));
@@ -289,11 +289,11 @@ void require_periods(const Cut_locus_options& options, bool are_given) {
     return;
   if (is_ellipsoid || Surface_expressions(options.surface).is_of_sphere()) {
     if (are_given)
-      throw Usage_error("--periods has a meaning for a surface in u and v only; leave it out");
+      throw Usage_error("--periods applies only to a surface in u and v; leave it out");
   } else if (options.radius == 0 &&
              !Surface_expressions(options.surface).repeats_after(options.periods))
     throw Usage_error("the surface '" + options.surface +
-                      "' does not repeat itself after the periods; choose others by --periods");
+                      "' is not periodic with these periods; choose others by --periods");
 }
 
 /// Reads the numbers that are given as text.
@@ -319,37 +319,34 @@ void read(const CLI::App& command, Cut_locus_options& options) {
 
 void add_cut_locus(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<Cut_locus_options>();
-  CLI::App* command = app.add_subcommand(
-      "cut-locus", "Find where the shortest ways end that begin in a point of a surface");
+  CLI::App* command = app.add_subcommand("cut-locus", description_of_cut_locus);
   command
       ->add_option(
           "--surface", options->surface,
-          "'torus', of the radii 2 and 1, 'ellipsoid', of the half axes 1, 0.8 and 0.6, or the "
-          "three coordinates as expressions: in u and v, as of a torus, like "
-          "'(2+cos(v))*cos(u),(2+cos(v))*sin(u),2*sin(v)', or in x, y and z, those of the unit "
-          "sphere, like 'x,y,z*(1+0.2*x)'")
+          "'torus' (radii 2 and 1), 'ellipsoid' (semi-axes 1, 0.8 and 0.6), or three coordinates "
+          "as expressions: in u and v for a periodic surface, like "
+          "'(2+cos(v))*cos(u),(2+cos(v))*sin(u),2*sin(v)'; or in the coordinates x, y and z of the "
+          "unit sphere, like 'x,y,z*(1+0.2*x)'")
       ->capture_default_str();
   command
       ->add_option("--point", options->written.point,
-                   "u and v of the point, like 0,0.3; its direction, like 1,0.5,0, for a "
-                   "surface in x, y and z")
+                   "Source point: u and v, like 0,0.3; for a surface in x, y and z, its direction, "
+                   "like 1,0.5,0")
       ->required();
   command->add_option("--periods", options->written.periods,
-                      "after which a surface in u and v repeats itself; 2 pi each if not given");
+                      "Periods of a surface in u and v (default: 2 pi each)");
   command->add_option("--spacing", options->written.spacing,
-                      "Length of edges in u and v; a fortieth of a period if not given; 0.1 for a "
-                      "surface in x, y and z, whose chart is 8 wide");
+                      "Edge length in the chart (default: 1/40 of the shorter period; 0.1 for a "
+                      "surface in x, y and z, whose chart is 8 wide)");
   command->add_option("--radius", options->written.radius,
-                      "Draw the ball of this radius instead, as seen in u and v");
+                      "Compute the distance ball of this radius instead");
   command->add_option("--step", options->written.step,
-                      "By how much the front of all ways advances at once; half "
-                      "the spacing, as long as that is on the surface, if not given");
-  command->add_option(
-      "-o,--output", options->output,
-      "Picture in u and v, or of what is opposite to the point of a surface in x, y and "
-      "z (.svg); of a ball its triangles, too (.vtu)");
-  command->add_option("--report", options->report, "JSON file with points, distances and arcs");
-  command->add_flag("--quiet", options->quiet, "Print nothing but errors");
+                      "Step of the geodesics, measured on the surface (default: half the spacing, "
+                      "converted to a length on the surface)");
+  command->add_option("-o,--output", options->output,
+                      "Picture of the chart (.svg); for a ball, also its triangles (.vtu)");
+  command->add_option("--report", options->report, "JSON file with vertices, distances and arcs");
+  command->add_flag("--quiet", options->quiet, "Print only errors");
   command->callback([command, options, &exit_code] {
     read(*command, *options);
     exit_code = execute(*options);

@@ -39,11 +39,11 @@ void add_enright(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<Enright_options>();
   CLI::App* command =
       add_run_command(app, "enright",
-                      "Deform surfaces in the unit cube, or a ball if there is no INPUT, with "
+                      "Deform surfaces in the unit cube, or a ball if there is no INPUT, by "
                       "the flow of LeVeque and Enright",
                       options->run);
   add_flow_options(*command, options->flow);
-  command->add_flag("--fit", options->fits, "Scale and move the surfaces into that ball");
+  command->add_flag("--fit", options->fits, "Scale and translate the surfaces into the ball");
   command->callback([command, options, &exit_code] {
     Run_options run = begin_run_options(*command, options->run);
     run.step.motion =
@@ -52,9 +52,9 @@ void add_enright(CLI::App& app, int& exit_code) {
         options->run, default_start(options->fits),
         [&](const Run_options& checked, bool is_planar) {
           if (checked.start.inputs.empty() && options->fits)
-            throw Usage_error("--fit has nothing to fit; name at least one INPUT");
+            throw Usage_error("--fit needs a surface; give at least one INPUT");
           if (is_planar)
-            throw Usage_error("dsc enright deforms surfaces; in the plane, use dsc vortex");
+            throw Usage_error("dsc enright applies only in space; use dsc vortex in the plane");
         },
         run);
     exit_code = dsc::run(run);

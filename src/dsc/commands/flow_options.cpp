@@ -14,20 +14,22 @@ constexpr double default_dt = .01;
 } // namespace
 
 void add_tolerance_option(CLI::App& command, Tolerance_option& option) {
-  command.add_option("--tolerance", option.tolerance,
-                     "How far edges may lie from the smooth interface where it gets too coarse for "
-                     "its curvature, in mean edges of the input; 0.04 in space and 0.005 in the "
-                     "plane if not given; with 0, the interface is not "
-                     "adapted to its curvature");
+  command.add_option(
+      "--tolerance", option.tolerance,
+      "Tolerance of interface edges to the smooth interface, in mean edges of the input "
+      "(default: 0.04, in the plane 0.005); 0 turns off the adaptation of the "
+      "interface to its curvature");
 }
 
 void add_flow_options(CLI::App& command, Flow_options& options) {
-  command.add_option("--period", options.period,
-                     "Multiply velocities by cos(pi t / PERIOD), so that all is back after it");
+  command.add_option(
+      "--period", options.period,
+      "Multiply velocities by cos(pi t / PERIOD), so that the interface returns after the "
+      "period");
   command.add_option("--dt", options.dt,
-                     "Time per step; 0.01 if not given. The distance to the start is reported "
-                     "where a step ends with a period");
-  command.add_option("--scheme", options.scheme, "How velocities are integrated")
+                     "Time step (default: 0.01). The report contains the distance to the initial "
+                     "interface for each step that ends with a period");
+  command.add_option("--scheme", options.scheme, "Integration scheme")
       ->check(CLI::IsMember(&integration_schemes()))
       ->capture_default_str();
   add_tolerance_option(command, options.tolerance);

@@ -104,7 +104,7 @@ Run start(const Fluid_options& options) {
         run.fluid->relax(run.scene.relaxation_step, unsigned(run.scene.relaxation_steps),
                          parameters::number_of_threads(options.threads));
     if (!options.quiet)
-      std::printf("dsc: relaxed until vertices went with %.3g\n", velocity);
+      std::printf("dsc: the relaxation ended with the largest velocity %.3g\n", velocity);
   }
   set_velocities(run.scene, *run.fluid);
   return run;
@@ -121,7 +121,9 @@ Run resume(const Fluid_options& options) {
     run.fluid = fluid_of_scene(run.scene, options.data, run.complex->complex);
     run.fluid->restore(state_of(json.at("fluid")));
   } catch (const Json::exception&) {
-    throw Input_error(options.resume + " holds a complex, but no fluid that could go on");
+    throw Input_error(options.resume +
+                      " contains a complex, but no fluid to resume; give a checkpoint "
+                      "of dsc fluid");
   }
   return run;
 }
@@ -139,11 +141,11 @@ double next_step(const Run& run, double end) {
 void print_summary(const Run& run, unsigned steps, const Repetitions& repetitions, double seconds) {
   const Fluid::Balance balance = run.fluid->balance();
   std::printf(
-      "dsc: %s; %u steps, time %g: %zu vertices, %zu interface triangles, volume %.10g, energy "
+      "dsc: %s; %u %s, time %g: %zu vertices, %zu interface triangles, volume %.10g, energy "
       "%.6g%s; %.3g s\n",
-      run.scene.title.c_str(), steps, run.fluid->time(), run.complex->complex.number_of_vertices(),
-      run.complex->complex.interface_facets().size(), balance.volume, balance.energy(),
-      repetitions.text().c_str(), seconds);
+      run.scene.title.c_str(), steps, noun(steps, "step", "steps"), run.fluid->time(),
+      run.complex->complex.number_of_vertices(), run.complex->complex.interface_facets().size(),
+      balance.volume, balance.energy(), repetitions.text().c_str(), seconds);
 }
 
 /// A run with its output files and messages.
@@ -199,7 +201,7 @@ void Reported_run::begin() {
   m_run.complex->pressure_at = [&fluid](Complex::Vertex_handle v) { return fluid.pressure(v); };
   m_end = m_options.end > 0 ? m_options.end : m_run.scene.end;
   if (!(m_end > fluid.time()))
-    throw Usage_error("the end " + Json(m_end).dump() + " is not after the time " +
+    throw Usage_error("the final time " + Json(m_end).dump() + " is not after the time " +
                       Json(fluid.time()).dump() + " of the checkpoint; choose a later --end");
   if (m_folder && !m_options.resume.empty())
     m_folder->keep_until(fluid.time());
@@ -241,22 +243,23 @@ bool Reported_run::is_over() const {
 
 void Reported_run::advance() {
   Fluid& fluid = *m_run.fluid;
-  const auto np = parameters::number_of_threads(m_options.threads)
-                      .implicitness(m_run.scene.implicitness)
-                      .interface_tolerance(m_run.scene.interface_tolerance)
-                      .adaptation_interval(unsigned(m_run.scene.adaptation_interval));
-  const Fluid::Report report = fluid.advance(next_step(m_run, m_end), np); // all or nothing
+  Fluid::Options options;
+  options.deformation.number_of_threads = m_options.threads;
+  options.implicitness = m_run.scene.implicitness;
+  options.interface_tolerance = m_run.scene.interface_tolerance;
+  options.adaptation_interval = unsigned(m_run.scene.adaptation_interval);
+  const Fluid::Report report = fluid.advance(next_step(m_run, m_end), options); // all or nothing
   ++m_done;
   m_steps.push_back(step_json(fluid, m_run.scene, step(), report));
   m_repetitions.add(report);
   if (fluid.volumes().empty())
-    throw std::runtime_error("no liquid is left after the step " + std::to_string(step()) +
-                             ": edges may be too long for it, or steps");
+    throw std::runtime_error("no liquid remains after step " + std::to_string(step()) +
+                             "; choose a smaller edge length or time step");
 }
 
 void Reported_run::do_steps() {
   static constexpr unsigned parts = 100; // of the simulated time
-  Progress_line progress(parts, m_options.quiet, "percent");
+  Progress_line progress(parts, m_options.quiet, "progress");
   const Fluid& fluid = *m_run.fluid;
   const double start_time = fluid.time();
   const auto write_all = [&] {
@@ -275,7 +278,7 @@ void Reported_run::do_steps() {
   } catch (const CGAL::Deformable_simplicial_complexes::Interrupted_error&) {
   } catch (const CGAL::Deformable_simplicial_complexes::Fluid_step_error& error) {
     write_all();
-    throw std::runtime_error(std::string(error.what()) + "; the step before is kept in " +
+    throw std::runtime_error(std::string(error.what()) + "; the state before this step is in " +
                              checkpoint("dsc_failed"));
   } catch (...) {
     write_all();
@@ -333,47 +336,50 @@ void read(const CLI::App& command, Fluid_options& options) {
   if (command.count("--end") > 0)
     options.end = parse_positive(options.written_end, "--end");
   if (!options.lists && options.scene.empty() == options.resume.empty())
-    throw Usage_error("dsc fluid needs a SCENE or --resume, and not both; dsc fluid --list names "
+    throw Usage_error("dsc fluid needs either a SCENE or --resume; see dsc fluid --list for "
                       "scenes");
   if (options.prints && options.scene.empty())
-    throw Usage_error("dsc fluid --print needs a SCENE");
+    throw Usage_error("dsc fluid --print needs a SCENE; see dsc fluid --list");
 }
 
 } // namespace
 
 void add_fluid(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<Fluid_options>();
-  CLI::App* command = app.add_subcommand("fluid", "Compute the flow of liquids with free surfaces");
-  command->add_option("SCENE", options->scene, "Scene (.json), or the name of one: see --list");
-  command->add_flag("--list", options->lists, "Name the scenes that the program has");
-  command->add_flag("--print", options->prints, "Print the scene, to be edited");
+  CLI::App* command = app.add_subcommand("fluid", description_of_fluid);
+  command->add_option("SCENE", options->scene,
+                      "Scene file (.json), or the name of a scene of the program (see --list)");
+  command->add_flag("--list", options->lists,
+                    "Print the names and titles of the scenes of the program");
+  command->add_flag("--print", options->prints, "Print the scene as JSON");
   command->add_option("--data", options->data, "Folder of the files that the scene names");
   command->add_option("--end", options->written_end,
-                      "Time of the end; that of the scene if not given");
-  command->add_option("--steps", options->steps, "Number of steps at the most")
+                      "Final time (default: final time of the scene)");
+  command->add_option("--steps", options->steps, "Maximum number of steps")
       ->check(CLI::Range(1, INT_MAX));
   command
       ->add_option("--threads", options->threads,
-                   "Number of threads (default: all cores); the result is the same")
+                   "Number of threads (default: all cores); the result does not depend on it")
       ->check(CLI::Range(1, 1024));
   CLI::Option* output =
       command->add_option("--output", options->output,
-                          "Folder for the steps, to be shown with ParaView, and the checkpoint");
+                          "Folder for ParaView files and a checkpoint; created if necessary");
   command
       ->add_option("--subdivide", options->subdivisions,
-                   "Write a smooth surface (.ply) of each of these steps, too: of four triangles "
-                   "for each so many times, by Loop's scheme")
+                   "Also write the interface of these steps as a smooth surface (.ply), with this "
+                   "number of Loop subdivision steps")
       ->check(CLI::Range(1, most_subdivisions))
       ->needs(output);
-  command->add_option("--every", options->every, "Write each of so many steps")
+  command->add_option("--every", options->every, "Write every N-th step")
       ->check(CLI::Range(1, INT_MAX))
       ->needs(output)
       ->capture_default_str();
-  command->add_option("--resume", options->resume, "Go on from a checkpoint, to the same bits");
+  command->add_option("--resume", options->resume,
+                      "Continue from a checkpoint; the result is bitwise identical");
   command->add_option("--report", options->report,
                       "JSON file with energies, momenta, volumes and contacts of each step");
-  command->add_option("--picture", options->picture, "Picture of the liquids in the end (.png)");
-  command->add_flag("--quiet", options->quiet, "Print nothing but errors");
+  command->add_option("--picture", options->picture, "Picture of the liquids at the end (.png)");
+  command->add_flag("--quiet", options->quiet, "Print only errors");
   command->callback([command, options, &exit_code] {
     read(*command, *options);
     exit_code = execute(*options);

@@ -71,8 +71,8 @@ Mesh_content content_to_carry(const Improve_options& options, Labelled_tetrahedr
   Unused_content unused = mesh.unused;
   Mesh_content content = content_of(std::move(mesh), complex, unused);
   if (!unused.empty() && is_same_file(options.input, options.output))
-    throw Input_error("'" + options.output + "' would lose what cannot be carried over: " +
-                      unused.text() + "; choose another file for the output");
+    throw Input_error("'" + options.output + "' would lose content that cannot be copied: " +
+                      unused.text() + "; choose another output file");
   print_unused(options.input, unused);
   return content;
 }
@@ -117,20 +117,20 @@ void read(const CLI::App& command, Improve_options& options) {
 void add_improve(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<Improve_options>();
   CLI::App* command = app.add_subcommand(
-      "improve", "Improve the tetrahedra between the interface and the boundary");
+      "improve", "Optimize the tetrahedra of a labelled mesh; the interface is preserved");
   command->add_option("INPUT", options->input, "Labelled tetrahedra (.mesh, .vtu)")->required();
-  command
-      ->add_option("-o,--output", options->output,
-                   "File for the improved tetrahedra (.mesh, .vtu); may be INPUT")
+  command->add_option("-o,--output", options->output, "Output file (.mesh, .vtu); may be INPUT")
       ->required();
   add_labels_option(*command, options->labels);
   command->add_flag("--aggressive", options->improvement.aggressive,
-                    "Take minutes instead of seconds for better tetrahedra");
-  command->add_option("--threshold", options->threshold,
-                      "Improve tetrahedra of a lower quality only: the least sine of a dihedral "
-                      "angle, obtuse ones times 0.7, in units of the regular tetrahedron");
+                    "Use more operations: minutes instead of seconds, and better tetrahedra");
+  command->add_option(
+      "--threshold", options->threshold,
+      "Optimize only tetrahedra of lower quality. The quality is the least sine of a "
+      "dihedral angle relative to the regular tetrahedron; sines of obtuse angles "
+      "are multiplied by 0.7 (default: 0.25, with --aggressive 0.46)");
   command->add_option("--report", options->report, "JSON file with the state before and after");
-  command->add_flag("--quiet", options->quiet, "Print nothing but errors");
+  command->add_flag("--quiet", options->quiet, "Print only errors");
   command->callback([command, options, &exit_code] {
     read(*command, *options);
     exit_code = execute(*options);

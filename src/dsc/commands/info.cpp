@@ -97,12 +97,12 @@ void check(const Info_options& options) {
 
 void add_info(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<Info_options>();
-  CLI::App* command = app.add_subcommand("info", "Print what a file holds, in numbers");
+  CLI::App* command = app.add_subcommand("info", "Print statistics of a file");
   command
       ->add_option(
           "FILE", options->file,
-          "A surface (.off, .obj, .ply, .stl), a figure in the plane (.wkt, .poly, .pgm, .png), a "
-          "checkpoint (.dsc) or a mesh (.mesh, .vtu)")
+          "Surface (.off, .obj, .ply, .stl), planar curves or image (.wkt, .poly, .pgm, .png), "
+          "checkpoint (.dsc) or mesh (.mesh, .vtu)")
       ->required();
   add_labels_option(*command, options->labels);
   command->callback([options, &exit_code] {

@@ -12,13 +12,13 @@ namespace dsc {
 CLI::Option* add_labels_option(CLI::App& command, std::string& labels) {
   return command.add_option(
       "--labels", labels,
-      "Name of the cell array of a .vtu file that holds the labels, or 'none' for label 1 "
-      "everywhere; label, medit:ref, gmsh:physical or MaterialIDs if not given");
+      "Name of the cell array of a .vtu file with the labels; 'none' gives label 1 to all cells "
+      "(default: label, medit:ref, gmsh:physical or MaterialIDs)");
 }
 
 void require_file_with_arrays(const std::string& path, const std::string& labels) {
   if (!labels.empty() && extension(path) != "vtu")
-    throw Usage_error("--labels has a meaning for .vtu files only; leave it out");
+    throw Usage_error("--labels applies only to .vtu files; leave it out");
 }
 
 } // namespace dsc

@@ -27,11 +27,12 @@ void add_mean_curvature(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<Mean_curvature_options>();
   CLI::App* command = add_run_command(app, "mean-curvature",
                                       "Move the interface by its mean curvature", options->run);
-  command->add_option("--dt", options->dt,
-                      "Time per step, in squares of the input's unit of length; the "
-                      "square of its mean interface edge if not given");
+  command->add_option(
+      "--dt", options->dt,
+      "Time step, in squares of the length unit of the input (default: square of the "
+      "mean interface edge of the input)");
   command->add_flag("--keep-volumes", options->keeps_volumes,
-                    "Keep the volume of each label but 0");
+                    "Preserve the volume of each label except 0");
   add_tolerance_option(*command, options->tolerance);
   command->callback([command, options, &exit_code] {
     Run_options run = begin_run_options(*command, options->run);

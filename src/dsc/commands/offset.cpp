@@ -32,8 +32,9 @@ void add_offset(CLI::App& app, int& exit_code) {
   command->add_option("--distance", options->distance,
                       "Distance per step, positive outwards; 0.25e is a quarter of the mean "
                       "interface edge of the input; required for a new run");
-  command->add_flag("--move-faces", options->moves_faces,
-                    "Move flat faces as a whole, so that edges become round or stay sharp");
+  command->add_flag(
+      "--move-faces", options->moves_faces,
+      "Move flat faces as a whole: convex edges become round, concave edges stay sharp");
   command->callback([command, options, &exit_code] {
     Run_options run = begin_run_options(*command, options->run);
     run.step.motion =

@@ -72,11 +72,12 @@ public:
     std::error_code error;
     fs::create_directories(path, error);
     if (error || !fs::is_directory(path, error))
-      throw Input_error("cannot create the folder '" + path +
-                        "'; check that no file has its name and that its place may be written to");
+      throw Input_error(
+          "cannot create the folder '" + path +
+          "'; check that no file has this name and that the parent folder is writable");
     if (fs::exists(m_volume.path(), error))
       throw Input_error("the folder '" + path +
-                        "' holds the steps of another run; choose another folder");
+                        "' contains the steps of another run; choose another folder");
     require_writable(m_volume.path());
   }
 
@@ -143,10 +144,11 @@ void warn_of_openness(const Reconstruction_report& report, std::size_t triangles
   static constexpr double many = .1; // of the triangles
   const std::size_t n = report.facets_without_points.size();
   if (double(n) > many * double(triangles))
-    std::fprintf(stderr,
-                 "dsc: %zu of %zu triangles have no points: the points may sample an open surface, "
-                 "which is closed there\n",
-                 n, triangles);
+    std::fprintf(
+        stderr,
+        "dsc: %zu of %zu triangles have no points: if the points sample an open surface, use "
+        "--open\n",
+        n, triangles);
 }
 
 /// Prints a warning if the surface contradicts the points.
@@ -155,10 +157,10 @@ void warn_of_doubts(const Reconstruction_report& report) {
     return;
   const auto& p = report.doubtful_places.front();
   std::fprintf(stderr,
-               "dsc: the surface contradicts its points at %zu %s, such as (%.6g, %.6g, %.6g): a "
-               "tunnel or component is lost or extra there; add points there\n",
+               "dsc: the surface contradicts the points at %zu %s, such as (%.6g, %.6g, %.6g): a "
+               "tunnel or component is missing or extra; add points there\n",
                report.doubtful_places.size(),
-               report.doubtful_places.size() == 1 ? "place" : "places", p.x(), p.y(), p.z());
+               noun(report.doubtful_places.size(), "place", "places"), p.x(), p.y(), p.z());
 }
 
 /// Returns why the result is not complete, as the end of a message; an empty string if it is
@@ -166,7 +168,7 @@ void warn_of_doubts(const Reconstruction_report& report) {
 const char* what_is_incomplete(const Reconstruction_report& report) {
   if (report.is_complete)
     return "";
-  return report.doubtful_places.empty() ? "; did not come to rest" : "; not complete";
+  return report.doubtful_places.empty() ? "; not converged" : "; not complete";
 }
 
 /// Writes the triangles that are sampled by points.
@@ -191,15 +193,17 @@ void print_summary(const Reconstruction_report& report, std::size_t normals,
                    const Statistics& statistics, double seconds) {
   const Label_statistics& solid = statistics.labels.back();
   std::printf(
-      "dsc: %zu points, %zu %s, %zu normals used, %zu triangles, %zu %s, Euler "
-      "characteristic %d; distances of "
-      "points %.3g in the mean square, %.3g at the most (spacing %.3g); %zu unfit points, "
-      "%zu triangles without points%s; %.3g s\n",
+      "dsc: %zu points, %zu %s, %zu %s used, %zu triangles, %zu %s, Euler characteristic %d; "
+      "distances of points: root mean square %.3g, maximum %.3g (spacing %.3g); %zu unfit %s, %zu "
+      "%s without points%s; %.3g s\n",
       report.number_of_points, report.number_of_outliers,
-      report.number_of_outliers == 1 ? "outlier" : "outliers", normals, statistics.interface_facets,
-      solid.components, solid.components == 1 ? "part" : "parts", solid.euler_characteristic,
+      noun(report.number_of_outliers, "outlier", "outliers"), normals,
+      noun(normals, "normal", "normals"), statistics.interface_facets, solid.components,
+      noun(solid.components, "component", "components"), solid.euler_characteristic,
       report.root_mean_square, report.maximum_distance, report.spacing, report.unfit_points.size(),
-      report.facets_without_points.size(), what_is_incomplete(report), seconds);
+      noun(report.unfit_points.size(), "point", "points"), report.facets_without_points.size(),
+      noun(report.facets_without_points.size(), "triangle", "triangles"),
+      what_is_incomplete(report), seconds);
 }
 
 void write_report(const Reconstruct_options& options, const Reconstruction_report& report,
@@ -276,7 +280,7 @@ void read(Reconstruct_options& options) {
   if (options.keeps_open) {
     require_extension(options.output, {"off", "obj", "ply", "stl"});
     if (!options.picture.empty())
-      throw Usage_error("--picture draws closed surfaces only; leave it out, or --open");
+      throw Usage_error("--picture draws only closed surfaces; leave out --picture or --open");
   }
   options.tolerance = parse_positive(options.written_tolerance, "--tolerance");
 }
@@ -285,8 +289,7 @@ void read(Reconstruct_options& options) {
 
 void add_reconstruct(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<Reconstruct_options>();
-  CLI::App* command =
-      app.add_subcommand("reconstruct", "Find the solid whose surface points sample");
+  CLI::App* command = app.add_subcommand("reconstruct", description_of_reconstruct);
   command
       ->add_option("POINTS", options->input,
                    "Points, with or without normals (.xyz, .pwn, .ply, .off)")
@@ -297,23 +300,26 @@ void add_reconstruct(CLI::App& app, int& exit_code) {
       ->required();
   command
       ->add_option("--tolerance", options->written_tolerance,
-                   "How far triangles may be from their points, in mean distances of a point from "
-                   "its neighbors")
+                   "Tolerance of triangles to their points, in mean distances of a point from its "
+                   "neighbors")
       ->capture_default_str();
   command->add_flag("--open", options->keeps_open,
-                    "Accept points of an open sheet, and write the triangles that have points");
-  command->add_option("--steps", options->steps, "Number of steps at the most")
+                    "Accept points of an open sheet; write only the triangles with points");
+  command->add_option("--steps", options->steps, "Maximum number of steps")
       ->check(CLI::Range(1, INT_MAX))
       ->capture_default_str();
-  command->add_option("--threads", options->threads, "Number of threads; the result is the same")
+  command
+      ->add_option("--threads", options->threads,
+                   "Number of threads; the result does not depend on it")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   command->add_option("--output", options->folder,
-                      "Folder for the steps, to be shown with ParaView");
-  command->add_option("--report", options->report,
-                      "JSON file with distances, parts, and what fits nothing");
+                      "Folder for ParaView files of all steps; created if necessary");
+  command->add_option(
+      "--report", options->report,
+      "JSON file with distances, components, and points and triangles that do not fit");
   command->add_option("--picture", options->picture, "Picture of the surface (.png)");
-  command->add_flag("--quiet", options->quiet, "Print nothing but errors");
+  command->add_flag("--quiet", options->quiet, "Print only errors");
   command->callback([options, &exit_code] {
     read(*options);
     exit_code = execute(*options);

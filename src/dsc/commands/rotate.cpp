@@ -31,11 +31,12 @@ void check_axis(const Run_options& run, bool is_planar) {
 
 void add_rotate(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<Rotate_options>();
-  CLI::App* command =
-      add_run_command(app, "rotate", "Turn the interface about the domain's centre", options->run);
+  CLI::App* command = add_run_command(
+      app, "rotate", "Rotate the interface about the center of the domain", options->run);
   command->add_option("--axis", options->axis,
                       "Direction of the axis, like 0,0,1; required for a new run in space");
-  command->add_option("--angle", options->angle, "Degrees per step; required for a new run");
+  command->add_option("--angle", options->angle,
+                      "Angle per step in degrees; required for a new run");
   command->callback([command, options, &exit_code] {
     Run_options run = begin_run_options(*command, options->run);
     run.step.motion = Rotation{run.given.count("--axis") > 0 ? parse_axis(options->axis)

@@ -25,33 +25,35 @@ unsigned default_number_of_threads() { // 0 if unknown
 void add_improvement_options(CLI::App& command, Interface_improvement_options& options) {
   CLI::Option* improves =
       command.add_flag("--improve-interface", options.improves_interface,
-                       "Improve the triangles of the interface before each step");
+                       "Optimize the triangles of the interface before each step");
   command
-      .add_option("--aggressiveness", options.aggressiveness,
-                  "How much that may smooth the interface, from 0 for not at all to less than 1; "
-                  "0.025 if not given")
+      .add_option(
+          "--aggressiveness", options.aggressiveness,
+          "Amount of smoothing by --improve-interface, from 0 to less than 1 (default: 0.025)")
       ->needs(improves);
 }
 
 void add_output_options(CLI::App& command, Output_options& options) {
-  CLI::Option* output = command.add_option(
-      "--output", options.folder, "Folder for ParaView files and a checkpoint, created if need be");
+  CLI::Option* output =
+      command.add_option("--output", options.folder,
+                         "Folder for ParaView files and a checkpoint; created if necessary");
   command
-      .add_option("--every", options.every, "Write every so many steps; the last is always written")
+      .add_option("--every", options.every,
+                  "Write every N-th step; the last step is always written")
       ->check(CLI::Range(1, INT_MAX))
       ->needs(output)
       ->capture_default_str();
   command
       .add_option("--subdivide", options.subdivisions,
-                  "Write a smooth surface (.ply) of each of these steps, too, in space: of four "
-                  "triangles for each so many times, by Loop's scheme")
+                  "Also write the interface of these steps as a smooth surface (.ply), with this "
+                  "number of Loop subdivision steps; only in space")
       ->check(CLI::Range(1, most_subdivisions))
       ->needs(output);
   command.add_option("--picture", options.picture,
-                     "Picture of the interface in the end, in space (.png)");
-  command.add_option("--report", options.report, "JSON file with what happened in each step");
+                     "Picture of the interface at the end (.png); only in space");
+  command.add_option("--report", options.report, "JSON file with a report of each step");
   command.add_flag("--quiet", options.quiet,
-                   "Print nothing but errors and where an interrupted run continues");
+                   "Print only errors and the checkpoint of an interrupted run");
 }
 
 CLI::App* add_run_command(CLI::App& app, const std::string& name, const std::string& description,
@@ -59,17 +61,18 @@ CLI::App* add_run_command(CLI::App& app, const std::string& name, const std::str
   CLI::App* command = app.add_subcommand(name, description);
   CLI::Option* inputs = add_inputs(*command, options.start);
   CLI::Option* resume = command->add_option("--resume", options.resume,
-                                            "Continue the run of this checkpoint instead of an "
-                                            "INPUT; options of its steps that are not given stay");
+                                            "Continue the run of a checkpoint instead of reading "
+                                            "an INPUT; options of the steps that are not given "
+                                            "keep their values");
   resume->excludes(inputs);
-  command->add_option("--steps", options.steps, "Number of steps to do in this run")
+  command->add_option("--steps", options.steps, "Number of steps of this run")
       ->check(CLI::Range(1, INT_MAX))
       ->capture_default_str();
   add_start_options(*command, options.start, resume);
   add_improvement_options(*command, options.improvement);
   command
       ->add_option("--threads", options.threads,
-                   "Number of threads, all cores if not given; the result is the same")
+                   "Number of threads (default: all cores); the result does not depend on it")
       ->check(CLI::Range(1, most_threads));
   add_output_options(*command, options.output);
   return command;

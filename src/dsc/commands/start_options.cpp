@@ -18,9 +18,9 @@ namespace {
 void require_inputs(const Run_options& run, const Default_start& defaults, bool is_planar) {
   const bool has_input = !run.start.inputs.empty();
   if (run.resume.empty() && !has_input && !defaults.ball && !is_planar)
-    throw Usage_error("there is no INPUT; name at least one surface, or a checkpoint by --resume");
+    throw Usage_error("INPUT is missing; give at least one surface, or a checkpoint by --resume");
   if (!has_input && run.start.repairs)
-    throw Usage_error("--repair has nothing to repair; name at least one INPUT");
+    throw Usage_error("--repair needs a surface; give at least one INPUT");
   for (const std::string& input : run.start.inputs)
     if (is_planar)
       require_extension(input, {"wkt", "poly", "pgm", "png"});
@@ -35,26 +35,27 @@ void require_dimension(const Run_options& run, bool is_planar) {
   if (run.given.count("--segments") == 0)
     return;
   if (!is_planar)
-    throw Usage_error("--segments has a meaning in the plane only; leave it out");
+    throw Usage_error("--segments applies only in the plane; leave it out");
   const std::string format = run.start.inputs.empty() ? "" : extension(run.start.inputs[0]);
   if (format == "pgm" || format == "png")
-    throw Usage_error("--segments has no effect on an image of pixels; leave it out");
+    throw Usage_error("--segments does not apply to images; leave it out");
 }
 
 void require_same_kind(const Run_options& run) {
   for (const std::string& input : run.start.inputs)
     if (input_kind(input) != Input_kind::surfaces)
-      throw Usage_error(input + " cannot be mixed with other kinds of INPUT");
+      throw Usage_error(input + " cannot be combined with other kinds of INPUT; give it alone");
 }
 
 void require_inequalities(const Run_options& run, const Default_start& defaults) {
   for (const std::string& input : run.start.inputs)
     if (input_kind(input) != Input_kind::inequalities)
-      throw Usage_error(input + " is no inequality and cannot be mixed with them");
+      throw Usage_error(
+          input + " is not an inequality and cannot be combined with inequalities; leave it out");
   const Inequalities check(run.start.inputs);
   if (!run.domain && !defaults.domain_in_space)
-    throw Usage_error("inequalities need a box to hold in; give its least and its largest "
-                      "coordinates by --domain");
+    throw Usage_error("inequalities need a --domain; give its minimum and maximum coordinates like "
+                      "-1,-1,-1,1,1,1");
 }
 
 /// Throws if an option is given that has no meaning for this kind of input.
@@ -65,8 +66,7 @@ void require_kind(const Run_options& run, const Default_start& defaults, bool is
   const bool has_edge = kind == Input_kind::inequalities || kind == Input_kind::image ||
                         format == "pgm" || format == "png";
   if (is_given("--edge") && !has_edge)
-    throw Usage_error("--edge has a meaning for inequalities and images only; leave it "
-                      "out");
+    throw Usage_error("--edge applies only to inequalities and images; leave it out");
   if (is_given("--labels"))
     require_file_with_arrays(run.start.inputs.empty() ? "" : run.start.inputs.front(),
                              run.start.labels);
@@ -74,12 +74,12 @@ void require_kind(const Run_options& run, const Default_start& defaults, bool is
     return require_same_kind(run);
   for (const char* name : {"--triangles", "--fit", "--repair", "--largest-hole"})
     if (is_given(name))
-      throw Usage_error(std::string(name) + " has a meaning for surfaces only; leave it out");
+      throw Usage_error(std::string(name) + " applies only to surfaces; leave it out");
   if (kind == Input_kind::inequalities)
     require_inequalities(run, defaults);
   else if (run.start.inputs.size() > 1)
-    throw Usage_error("there is more than one INPUT, but tetrahedra and images hold all labels "
-                      "themselves; give a single one");
+    throw Usage_error("there is more than one INPUT, but tetrahedra and images contain all "
+                      "labels; give a single INPUT");
 }
 
 void set_default_start(const Default_start& defaults, bool is_planar, Run_options& run) {
@@ -96,52 +96,55 @@ void require_space(const Run_options& run, bool is_planar,
                    std::initializer_list<const char*> options) {
   for (const char* name : options)
     if (is_planar && run.given.count(name) > 0)
-      throw Usage_error(std::string(name) + " has no meaning in the plane; leave it out");
+      throw Usage_error(std::string(name) + " applies only in space; leave it out");
 }
 
 CLI::Option* add_inputs(CLI::App& command, Start_options& options) {
   return command.add_option(
       "INPUT", options.start.inputs,
-      "Closed surfaces (.off, .obj, .ply, .stl), or in the plane polygons (.wkt), or inequalities "
-      "like 'x^2+y^2+z^2<1' in the domain; they get the labels 1, 2 and so on. Or labelled "
-      "tetrahedra (.mesh, .vtu), or an image of labels (.inr, .inr.gz), in the plane (.pgm, .png) "
-      "or segments (.poly)");
+      "Closed surfaces (.off, .obj, .ply, .stl), inequalities like 'x^2+y^2+z^2<1' or, in the "
+      "plane, polygons (.wkt), which get the labels 1, 2, ...; or labelled tetrahedra (.mesh, "
+      ".vtu) or a labelled image (.inr, .inr.gz); in the plane, a labelled image (.pgm, .png) or "
+      "segments (.poly)");
 }
 
 void add_start_options(CLI::App& command, Start_options& options, CLI::Option* resume) {
   command
       .add_option("--triangles", options.start.triangles,
-                  "Decimate or refine the surfaces to about so many triangles in total")
+                  "Simplify or refine the surfaces to about this number of triangles in total")
       ->check(CLI::Range(4, INT_MAX))
       ->excludes(resume);
   command
       .add_option("--segments", options.start.segments,
-                  "Divide curves in the plane into about so many segments in total, or more")
+                  "Divide planar curves into at least about this number of segments in total")
       ->check(CLI::Range(4, INT_MAX))
       ->excludes(resume);
   command
       .add_option(
           "--domain", options.domain,
-          "Box around all, by its least and its largest coordinates like -1,-1,-1,1,1,1, "
-          "in the plane -1,-1,1,1; with ,grow behind it, or grow alone for the default box, "
-          "it gets larger where the interface comes near its boundary")
+          "Box of the complex: minimum and maximum coordinates like -1,-1,-1,1,1,1, in the plane "
+          "-1,-1,1,1. A final ,grow, or grow alone for the default box, enlarges the box when the "
+          "interface comes near its boundary")
       ->excludes(resume);
   command
-      .add_option("--edge", options.edge,
-                  "About how long interface edges are to be, of inequalities and images; a "
-                  "fortieth of the domain, or 2.5 voxels or pixels, if not given")
+      .add_option(
+          "--edge", options.edge,
+          "Target length of interface edges for inequalities and images (default: 1/40 of the "
+          "longest side of the domain; 2.5 voxels or pixels)")
       ->excludes(resume);
   add_labels_option(command, options.start.labels)->excludes(resume);
   CLI::Option* repairs =
       command
-          .add_flag("--repair", options.start.repairs,
-                    "Make surfaces bound solids that do not: merge points, close T-junctions, "
-                    "fill holes, unite parts that cross or, where that is not enough, wrap them")
+          .add_flag(
+              "--repair", options.start.repairs,
+              "Repair surfaces that do not bound a solid: merge points, close T-junctions, fill "
+              "holes, unite intersecting components or, if necessary, wrap the surface")
           ->excludes(resume);
   command
-      .add_option("--largest-hole", options.largest_hole,
-                  "Fill holes with borders up to this length, like 2.5 or, in mean edges of the "
-                  "surface, 20e; 1.6 diagonals of the box around the part if not given")
+      .add_option(
+          "--largest-hole", options.largest_hole,
+          "Fill holes whose boundary is at most this long, like 2.5; 20e means 20 mean edges of "
+          "the surface (default: 1.6 diagonals of the bounding box of the component)")
       ->needs(repairs)
       ->excludes(resume);
 }

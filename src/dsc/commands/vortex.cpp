@@ -41,14 +41,14 @@ void add_vortex(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<Vortex_options>();
   CLI::App* command =
       add_run_command(app, "vortex",
-                      "Deform surfaces in the unit cube, or a ball if there is no INPUT, with a "
-                      "single vortex about the z direction; in the plane, curves in the unit "
-                      "square or, with --plane, a disk",
+                      "Deform surfaces in the unit cube, or a ball if there is no INPUT, by a "
+                      "single vortex about the z axis; in the plane, curves in the unit square or, "
+                      "with --plane, a disk",
                       options->run);
   command->add_flag("--plane", options->is_planar,
-                    "Without INPUT, deform a disk in the unit square");
+                    "Deform a disk in the unit square; not with an INPUT");
   add_flow_options(*command, options->flow);
-  command->add_flag("--fit", options->fits, "Scale and move the surfaces into that ball");
+  command->add_flag("--fit", options->fits, "Scale and translate the surfaces into the ball");
   command->callback([command, options, &exit_code] {
     Run_options run = begin_run_options(*command, options->run);
     run.step.motion =
@@ -58,7 +58,7 @@ void add_vortex(CLI::App& app, int& exit_code) {
         [&](const Run_options& checked, bool is_planar) {
           const bool has_input = !checked.start.inputs.empty();
           if (!has_input && options->fits)
-            throw Usage_error("--fit has nothing to fit; name at least one INPUT");
+            throw Usage_error("--fit needs a surface; give at least one INPUT");
           if (options->is_planar && (has_input || !checked.resume.empty()))
             throw Usage_error("--plane has no effect with an INPUT or --resume; leave it out");
           require_space(checked, is_planar, {"--fit"});

@@ -32,7 +32,7 @@ Default_start default_start() {
 
 void require_plane(const Run_options& run, bool is_planar) {
   if (run.resume.empty() && !is_planar)
-    throw Usage_error("dsc zalesak turns curves in the plane; for surfaces, use dsc rotate");
+    throw Usage_error("dsc zalesak applies only in the plane; use dsc rotate in space");
 }
 
 } // namespace
@@ -41,10 +41,10 @@ void add_zalesak(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<Zalesak_options>();
   CLI::App* command =
       add_run_command(app, "zalesak",
-                      "Turn curves, or a slotted disk if there is no INPUT, about (50, 50) in "
-                      "the square up to (100, 100), once in 628 units of time",
+                      "Rotate curves, or a slotted disk if there is no INPUT, about (50, 50) in "
+                      "the square from (0, 0) to (100, 100); a full rotation takes the time 628",
                       options->run);
-  command->add_option("--dt", options->dt, "Time per step; 1 if not given");
+  command->add_option("--dt", options->dt, "Time step (default: 1)");
   command->callback([command, options, &exit_code] {
     Run_options run = begin_run_options(*command, options->run);
     run.step.motion =

@@ -55,7 +55,7 @@ TEST(Control_detail, splits_long_edges_of_the_interface) {
   EXPECT_NEAR(dsc.area(1), 6, tolerance);
 }
 
-TEST(Control_detail, follows_the_size_field) {
+TEST(Control_detail, follows_the_sizing_field) {
   const auto number_of_splits = [](const auto& size) {
     Complex dsc = make_complex(grid(2, small_meshes::uniform));
     const auto report = DSC::control_detail(
@@ -180,7 +180,7 @@ TEST(Control_detail, keeps_the_topology_and_is_deterministic) {
 }
 
 // Without an interface, there is no reference length for edges.
-TEST(Control_detail, without_interface_and_size_field_does_nothing) {
+TEST(Control_detail, without_interface_and_sizing_field_does_nothing) {
   Complex dsc = jittered_grid(4, small_meshes::uniform, .3, 1);
   const auto state = dsc.state();
   EXPECT_EQ(number_of_changes(DSC::control_detail(dsc, parameters::change_interface(true))), 0u);

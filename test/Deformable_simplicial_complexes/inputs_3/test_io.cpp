@@ -6,6 +6,7 @@
 #include <CGAL/Deformable_simplicial_complexes/IO/PVD_series.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/VTU_3.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/labelled_surface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/replace_file.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/extract_interface_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
@@ -351,11 +352,11 @@ TEST(Replace_file, keeps_the_older_file_on_failure) {
     write_bytes(temporary, "new");
     return true;
   };
-  EXPECT_THROW(internal::replace_file(path, fail), File_error);
-  EXPECT_THROW(internal::replace_file(path, interrupt), std::runtime_error);
+  EXPECT_THROW(DSC::replace_file(path, fail), File_error);
+  EXPECT_THROW(DSC::replace_file(path, interrupt), std::runtime_error);
   EXPECT_EQ(file_bytes(path), "old");
   EXPECT_EQ(folder.number_of_files(), 1);
-  internal::replace_file(path, succeed);
+  DSC::replace_file(path, succeed);
   EXPECT_EQ(file_bytes(path), "new");
   EXPECT_EQ(folder.number_of_files(), 1);
 }

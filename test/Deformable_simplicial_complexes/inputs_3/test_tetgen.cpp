@@ -259,8 +259,8 @@ TEST(Tetgen, has_a_time_limit) {
   const Tetgen_tetrahedralizer_3 tetrahedralizer(2.5, 10, infinity, 1e-6);
   EXPECT_EQ(tetrahedralizer.time_limit(), 1e-6);
   EXPECT_EQ(failure(tetrahedralizer, cube),
-            "TetGen reached its time limit: use a higher one, larger bounds for the tetrahedra or "
-            "a coarser surface");
+            "TetGen reached its time limit: use a longer time limit, larger bounds for the "
+            "tetrahedra or a coarser surface");
   EXPECT_THROW(Tetgen_tetrahedralizer_3(2.5, 10, infinity, 0), Error);
   EXPECT_THROW(Tetgen_tetrahedralizer_3(2.5, 10, infinity, std::nan("")), Error);
 }

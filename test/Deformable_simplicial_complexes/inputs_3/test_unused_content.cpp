@@ -55,12 +55,12 @@ TEST(Unused_content, of_surfaces_is_the_same_in_text_and_binary) {
   EXPECT_EQ(unused_of_surface("a.stl", whole_files::stl(true)), "");
   EXPECT_EQ(unused_of_surface("a.stl", whole_files::stl(false)), "");
   EXPECT_EQ(unused_of_surface("a.obj", whole_files::obj()),
-            "1 files of materials, 12 normals, 1 objects, 12 texture coordinates");
+            "1 material files, 12 normals, 1 objects, 12 texture coordinates");
 }
 
 TEST(Unused_content, of_points_is_what_is_no_coordinate_nor_normal) {
   EXPECT_EQ(points_of("a.xyz", "0 0 0 1 0 0\n1 0 0 0 1 0\n").second, "");
-  EXPECT_EQ(points_of("a.xyz", "0 0 0 7\n1 0 0 7\n").second, "2 lines with more numbers");
+  EXPECT_EQ(points_of("a.xyz", "0 0 0 7\n1 0 0 7\n").second, "2 lines with additional numbers");
   const auto [colored, unused] = points_of("a.xyz", "0 0 0 255 0 0\n1 0 0 0 0 0\n");
   EXPECT_EQ(unused, "2 colors of points");
   EXPECT_EQ(colored[0].second, CGAL::NULL_VECTOR);

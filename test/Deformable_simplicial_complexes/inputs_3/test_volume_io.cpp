@@ -213,7 +213,7 @@ TEST(Read_vtu, other_files_are_refused) {
   expect_refusal("", "is empty");
   expect_refusal("MeshVersionFormatted 2\n", "is a MEDIT mesh");
   expect_refusal("<html></html>", "no element VTKFile");
-  expect_refusal(text.substr(0, text.size() / 2), "is it a VTK XML file, and whole?");
+  expect_refusal(text.substr(0, text.size() / 2), "is it a complete VTK XML file?");
   expect_refusal("<VTKFile type=\"PolyData\"><PolyData/></VTKFile>", "type 'PolyData'");
   expect_refusal("<VTKFile type=\"UnstructuredGrid\"></VTKFile>", "no element UnstructuredGrid");
   expect_refusal(replaced(text, "<Piece", "<Piece NumberOfPoints=\"0\"></Piece><Piece"),
@@ -229,7 +229,7 @@ TEST(Read_vtu, elements_nested_without_end_are_refused) {
   std::string text;
   for (int i = 0; i < 30000; ++i)
     text += "<a>";
-  expect_refusal(text, "line 1: elements are nested in more than 64 others");
+  expect_refusal(text, "line 1: elements are nested more than 64 levels deep");
   for (int i = 0; i < 30000; ++i)
     text += "</a>";
   expect_refusal(text, "elements are nested");
@@ -247,8 +247,8 @@ TEST(Read_vtu, xml_may_be_written_in_any_way) {
 }
 
 TEST(Read_vtu, what_is_no_xml_is_refused_with_its_line) {
-  expect_refusal("\n<a><b></a></b>", "line 2: a tag closes another element than the last one");
-  expect_refusal("</a>", "line 1: a tag closes another element");
+  expect_refusal("\n<a><b></a></b>", "line 2: a closing tag does not match the last open element");
+  expect_refusal("</a>", "line 1: a closing tag does not match");
   expect_refusal("\n\n<>", "line 3: a tag has no name");
   expect_refusal("<a", "a tag does not end");
   expect_refusal("<a b='>", "a tag does not end");
@@ -273,8 +273,8 @@ TEST(Read_vtu, arrays_must_be_complete) {
     expect_refusal(labelled_cells().text(other), "should be a number");
   Grid grid = two_cells();
   grid.array("CellData", "Int32", "label", std::vector<int>{1, 2, 3});
-  expect_refusal(grid.text(sizes), "the array 'label' of CellData has 3 numbers and not 2");
-  expect_refusal(replaced(text, " 3 -7", " 3 seven"), "is no number");
+  expect_refusal(grid.text(sizes), "the array 'label' of CellData has 3 numbers instead of 2");
+  expect_refusal(replaced(text, " 3 -7", " 3 seven"), "is not a number");
   expect_refusal(replaced(text, "format=\"ascii\"", "format=\"morse\""), "format 'morse'");
 }
 
@@ -288,7 +288,7 @@ TEST(Read_vtu, values_must_make_sense) {
                    "cell 1 has a vertex that does not exist");
   for (const char* bad : {" 1.5", " nan", " inf", " 2147483648"})
     expect_refusal(replaced(text, " 3 -7", std::string(" 3") + bad),
-                   "the label of cell 1 is no integer");
+                   "the label of cell 1 is not a 32-bit integer");
   expect_refusal(replaced(text, " 4 8\n", " 4 9\n"), "cell 1 does not have four vertices");
   for (const auto& [type, name] :
        std::vector<std::pair<std::string, std::string>>{{" 12", "a hexahedron"},
@@ -296,7 +296,7 @@ TEST(Read_vtu, values_must_make_sense) {
                                                         {" 200", "of an unknown type"},
                                                         {" nan", "of an unknown type"}})
     expect_refusal(replaced(text, " 10 10\n", " 10" + type + "\n"),
-                   "cell 1 is " + name + " and no tetrahedron");
+                   "cell 1 is " + name + " and not a tetrahedron");
 }
 
 // Reads a grid with this array of labels.
@@ -319,8 +319,8 @@ Grid unnamed_labels() {
 TEST(Read_vtu, labels_are_not_guessed) {
   const std::string text = unnamed_labels().text(sizes);
   for (const char* part :
-       {"'material' (Int32, whole numbers from 4 to 9)", "'p' (Float64, no labels from -2 to 0.5)",
-        "'f' (Float64, whole numbers from 7 to 8)", "--labels NAME", "'none'"})
+       {"'material' (Int32, integers from 4 to 9)", "'p' (Float64, not labels from -2 to 0.5)",
+        "'f' (Float64, integers from 7 to 8)", "--labels NAME", "'none'"})
     expect_refusal(text, part);
   const Temporary_folder folder;
   const std::string path = folder / "a.vtu";
@@ -340,7 +340,7 @@ TEST(Read_vtu, labels_are_not_guessed) {
 TEST(Read_vtu, labels_beyond_53_bits_are_refused) {
   Grid grid = two_cells();
   grid.array("CellData", "Int64", "label", std::vector<std::int64_t>{1, std::int64_t(1) << 60});
-  expect_refusal(grid.text(sizes), "the label of cell 1 is no integer of 32 bits");
+  expect_refusal(grid.text(sizes), "the label of cell 1 is not a 32-bit integer");
 }
 
 TEST(Read_vtu, a_second_array_of_labels_is_told) {
@@ -369,7 +369,7 @@ TEST(Read_vtu, other_arrays_are_read_and_written) {
   ASSERT_EQ(arrays.points.size(), 2u);
   EXPECT_EQ(arrays.points[0].values, (std::vector<double>{1, 2, 3.5, 4, 5}));
   EXPECT_TRUE(arrays.points[1].is_integer());
-  EXPECT_EQ(unused.text(), "1 array of no numbers ('names')");
+  EXPECT_EQ(unused.text(), "1 array without numbers ('names')");
 
   Complex dsc;
   dsc.assign(mesh.points, mesh.tetrahedra, mesh.labels);
@@ -448,10 +448,10 @@ TEST(Read_medit, what_changes_the_result_is_refused) {
     }
   };
   expect_message(medit_head + "Hexahedra 1\n1 2 3 4 5 1 2 3 0\nEnd\n",
-                 "1 elements of 'Hexahedra'; cut them into tetrahedra");
+                 "1 elements of 'Hexahedra'; divide them into tetrahedra");
   expect_message(medit_head + "TetrahedraP2 1\n1 2 3 4 5 1 2 3 4 5 0\nEnd\n", "'TetrahedraP2'");
   expect_message(medit_head + "Tetrahedra 1\n1 2 3 4 3000000000\nEnd\n",
-                 "line 13: '3000000000' is no integer of 32 bits");
+                 "line 13: '3000000000' is not a 32-bit integer");
   expect_message(medit_head + "Ridges 1\n1\nEnd\n", "line 13: there is no edge 1");
   expect_message(medit_head + "Triangles 1\n1 2 9 0\nEnd\n", "line 13: there is no vertex 9");
 }
@@ -468,14 +468,14 @@ TEST(Read_vtu, damaged_binary_data_are_refused) {
     expect_refusal(replaced(text, "\"UInt32\"", "\"UInt16\""), "header_type 'UInt16'");
     expect_refusal(replaced(text, "\"UInt32\"", "\"UInt64\""), "ends too early");
     expect_refusal(replaced(text, "Float64", "Float80"), "unknown type 'Float80'");
-    expect_refusal(replaced(text, "Float64", "Float32"), "has 30 numbers and not 3 times 5");
+    expect_refusal(replaced(text, "Float64", "Float32"), "has 30 numbers instead of 3 times 5");
   }
   Encoding encoding;
   encoding.format = "raw";
   const std::string text = labelled_cells(encoding).text(sizes);
   expect_refusal(text.substr(0, text.size() - 40), "the section AppendedData does not end");
   expect_refusal(replaced(text, "   _", "   "), "does not begin with '_'");
-  expect_refusal(replaced(text, "offset=\"0\"", "offset=\"100000\""), "begins behind the end");
+  expect_refusal(replaced(text, "offset=\"0\"", "offset=\"100000\""), "begins after the end");
   expect_refusal(replaced(text, "offset=\"0\"", "offset=\"x\""), "offset should be a number");
 }
 

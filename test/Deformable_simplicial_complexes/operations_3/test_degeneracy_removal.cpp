@@ -394,7 +394,7 @@ TEST(Remove_degeneracies, leaves_a_good_mesh_alone) {
   EXPECT_EQ(number_of_changes(DSC::remove_degeneracies(empty)), 0u);
 }
 
-TEST(Remove_degeneracies, measures_edges_by_the_size_field) {
+TEST(Remove_degeneracies, measures_edges_by_the_sizing_field) {
   const auto edges_only = parameters::degenerate_quality(0.).degenerate_cosine(1.);
   const auto with_length = [&](double length) {
     Complex dsc = Grid_with_short_edge(small_meshes::uniform).dsc;

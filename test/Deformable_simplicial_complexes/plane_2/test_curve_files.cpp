@@ -95,7 +95,7 @@ TEST(Poly, names_what_is_not_used) {
                                                        {"boundary markers", 7},
                                                        {"lines at the end", 1},
                                                        {"point attributes", 8},
-                                                       {"points that are no ends of segments", 1}};
+                                                       {"points without segments", 1}};
   EXPECT_EQ(unused.numbers(), expected);
   Unused_content none;
   read_poly(squares + "0\n1\n1 2 2 1 0\n", &none);
@@ -146,7 +146,7 @@ TEST(Wkt, refuses_polygons_that_are_none) {
 TEST(Wkt, tells_where_curves_cross) {
   const std::string self =
       message_of([] { make(read_wkt("POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))")); });
-  expect_part(self, "crosses or overlaps itself at its segment from (0, 0) to (2, 2)");
+  expect_part(self, "intersects itself at its segment from (0, 0) to (2, 2)");
   const std::string overlap = message_of([] {
     make(read_wkt("MULTIPOLYGON (((0 0, 2 0, 2 2, 0 2, 0 0)), ((1 1, 3 1, 3 3, 1 3, 1 1)))"));
   });

@@ -346,7 +346,7 @@ TEST(Trapped_cells, small_components_are_found_from_all_of_their_cells) {
       Complex at_once = motley_complex(6, number_of_labels, 3);
       Complex one_by_one = at_once;
       DSC::Any_visitor<Complex> visitor;
-      const internal::Topology_control<Complex> allow = [](const Complex&, Cell_handle, int) {
+      const DSC::Deformation_options<Complex>::Topology_control allow = [](const Complex&, Cell_handle, int) {
         return true;
       };
       internal::Trapped_cells<Complex> fast(at_once, visitor, allow, manifold),

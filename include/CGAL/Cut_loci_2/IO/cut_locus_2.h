@@ -8,11 +8,14 @@
 #ifndef CGAL_CUT_LOCI_2_IO_CUT_LOCUS_2_H
 #define CGAL_CUT_LOCI_2_IO_CUT_LOCUS_2_H
 
+#include <CGAL/Deformable_simplicial_complexes/IO/replace_file.h>
 #include <CGAL/license/Cut_loci_2.h>
 
 #include <CGAL/Cut_loci_2/Sphere_like_surface_2.h>
 #include <CGAL/Cut_loci_2/cut_locus_2.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/SVG_2.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/Svg_canvas.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/replace_file.h>
 #include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
 
 #include <CGAL/Bbox_2.h>
@@ -48,11 +51,10 @@ inline void write_SVG(const std::string& path,
                       const Deformable_simplicial_complexes::Torus_domain<2>& domain,
                       const Simple_cartesian<double>::Point_2& point,
                       const SVG_options& options = SVG_options()) {
-  namespace internal = Deformable_simplicial_complexes::internal;
   using Point = Simple_cartesian<double>::Point_2;
   const auto& periods = domain.periods();
-  const internal::Svg_canvas canvas(options.window, Bbox_2(0, 0, periods[0], periods[1]),
-                                    options.width, periods);
+  const Deformable_simplicial_complexes::Svg_canvas canvas(
+      options.window, Bbox_2(0, 0, periods[0], periods[1]), options.width, periods);
   std::string arcs, source;
   for (const auto& polyline : locus.polylines) {
     Point p = locus.vertices[polyline.front()].point;
@@ -64,7 +66,7 @@ inline void write_SVG(const std::string& path,
     }
   }
   canvas.add(std::array<Point, 2>{point, point}, source);
-  internal::replace_file_by_stream(path, [&](std::ostream& out) {
+  Deformable_simplicial_complexes::replace_file_by_stream(path, [&](std::ostream& out) {
     canvas.begin(out);
     out << "<path id=\"cut_locus\" fill=\"none\" stroke=\"#000000\" stroke-width=\""
         << options.line_width << "\" d=\"" << arcs << "\"/>\n"
@@ -97,7 +99,6 @@ void write_SVG(
     const Deformable_simplicial_complexes::Sphere_like_surface_2<Embedding, Differentiated>&
         surface,
     const SVG_options& options = SVG_options()) {
-  namespace internal = Deformable_simplicial_complexes::internal;
   using Surface = Deformable_simplicial_complexes::Sphere_like_surface_2<Embedding, Differentiated>;
   using Point = Simple_cartesian<double>::Point_2;
   static constexpr int meridians = 24, parallels = 6, finer = 4; // every 15 degrees
@@ -134,7 +135,7 @@ void write_SVG(
   const double margin = .02 * (box.xmax() - box.xmin());
   const Bbox_2 window(box.xmin() - margin, box.ymin() - margin, box.xmax() + margin,
                       box.ymax() + margin);
-  const internal::Svg_canvas canvas(window, window, options.width, {0, 0});
+  const Deformable_simplicial_complexes::Svg_canvas canvas(window, window, options.width, {0, 0});
   std::string lines, arcs;
   for (const auto& line : grid)
     canvas.add(line, lines);
@@ -143,7 +144,7 @@ void write_SVG(
       canvas.add(std::array<Point, 2>{seen(locus.vertices[polyline[k - 1]].point),
                                       seen(locus.vertices[polyline[k]].point)},
                  arcs);
-  internal::replace_file_by_stream(path, [&](std::ostream& out) {
+  Deformable_simplicial_complexes::replace_file_by_stream(path, [&](std::ostream& out) {
     canvas.begin(out);
     out << "<path id=\"surface\" fill=\"none\" stroke=\"#b0b0b0\" stroke-width=\".8\" d=\"" << lines
         << "\"/>\n"

@@ -12,6 +12,7 @@
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/replace_file.h>
 #include <CGAL/Deformable_simplicial_complexes/Mesh_entities.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/Unused_content.h>
@@ -126,7 +127,7 @@ void write_MEDIT(const std::string& path,
                  const Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure>& dsc,
                  const Deformable_simplicial_complexes::Mesh_entities& entities =
                      Deformable_simplicial_complexes::Mesh_entities()) {
-  Deformable_simplicial_complexes::internal::replace_file_by_stream(
+  Deformable_simplicial_complexes::replace_file_by_stream(
       path, [&](std::ostream& out) { write_MEDIT(out, dsc, entities); });
 }
 

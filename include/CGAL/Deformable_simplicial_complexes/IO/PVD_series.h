@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
+#include <CGAL/Deformable_simplicial_complexes/IO/replace_file.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
 
@@ -66,7 +67,7 @@ public:
             m_path);
       entries.push_back({time, relative_to_collection(file)});
     }
-    Deformable_simplicial_complexes::internal::replace_file_by_stream(
+    Deformable_simplicial_complexes::replace_file_by_stream(
         m_path, [&](std::ostream& out) { write(out, entries); });
     m_entries.swap(entries);
   }

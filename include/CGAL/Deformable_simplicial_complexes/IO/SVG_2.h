@@ -12,6 +12,8 @@
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <CGAL/Deformable_simplicial_complex_2.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/Svg_canvas.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/replace_file.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/extract_interface_2.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
@@ -71,85 +73,6 @@ inline std::string color_of_label(int label) {
   return text;
 }
 
-// Canvas for triangles and segments of the plane. It draws each of them at all images of a period
-// that are visible.
-class Svg_canvas
-{
-public:
-  // Constructs a canvas of a window, or of `all` if the window is empty. Throws Error if the window
-  // or the width, in pixels, is out of range.
-  Svg_canvas(const Bbox_2& window, const Bbox_2& all, double width,
-             const std::array<double, 2>& periods)
-      : m_window(window == Bbox_2() ? all : window), m_width(width), m_periods(periods) {
-    static constexpr double most_periods = 100, widest = 1e6;
-    if (!(width > 0 && width <= widest))
-      throw Error("the width of a picture is not between 0 and a million pixels");
-    const double size[2] = {m_window.xmax() - m_window.xmin(), m_window.ymax() - m_window.ymin()};
-    m_scale = width / size[0];
-    for (int axis = 0; axis < 2; ++axis)
-      if (!(size[axis] > 0 && size[axis] * m_scale <= widest) ||
-          (periods[axis] > 0 && size[axis] > most_periods * periods[axis]))
-        throw Error(
-            "the window of a picture is empty, not finite, very long, or more than a hundred "
-            "periods");
-  }
-
-  void begin(std::ostream& out) const {
-    const double height = m_scale * (m_window.ymax() - m_window.ymin());
-    out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << m_width << "\" height=\""
-        << height << "\" viewBox=\"0 0 " << m_width << ' ' << height
-        << "\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n"
-        << "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
-  }
-
-  template <class Point, std::size_t n>
-  void add(const std::array<Point, n>& corners, std::string& path) const {
-    std::array<int, 2> first, last;
-    for (int axis = 0; axis < 2; ++axis) {
-      const auto [low, high] =
-          std::minmax_element(corners.begin(), corners.end(),
-                              [&](const Point& p, const Point& q) { return p[axis] < q[axis]; });
-      const double begin = axis == 0 ? m_window.xmin() : m_window.ymin(),
-                   end = axis == 0 ? m_window.xmax() : m_window.ymax(), period = m_periods[axis];
-      if (period <= 0 && ((*high)[axis] < begin || (*low)[axis] > end))
-        return; // not visible
-      first[axis] = period > 0 ? int(std::ceil((begin - (*high)[axis]) / period)) : 0;
-      last[axis] = period > 0 ? int(std::floor((end - (*low)[axis]) / period)) : 0;
-    }
-    for (int i = first[0]; i <= last[0]; ++i)
-      for (int j = first[1]; j <= last[1]; ++j) {
-        for (std::size_t k = 0; k < n; ++k)
-          append(k == 0 ? 'M' : 'L', corners[k].x() + i * m_periods[0],
-                 corners[k].y() + j * m_periods[1], path);
-        if (n > 2)
-          path += 'Z';
-      }
-  }
-
-private:
-  void append(char command, double x, double y, std::string& path) const {
-    path += command;
-    append(m_scale * (x - m_window.xmin()), path);
-    path += ',';
-    append(m_scale * (m_window.ymax() - y), path);
-  }
-
-  // Appends a number with hundredths of a pixel, independent of the locale. Numbers far outside the
-  // picture are clamped.
-  static void append(double x, std::string& path) {
-    static constexpr double farthest = 1e7;
-    char text[32];
-    const auto end =
-        std::to_chars(text, text + sizeof text, (std::max)(-farthest, (std::min)(farthest, x)),
-                      std::chars_format::fixed, 2);
-    path.append(text, end.ptr);
-  }
-
-  Bbox_2 m_window;
-  double m_width, m_scale;
-  std::array<double, 2> m_periods;
-};
-
 } // namespace internal
 } // namespace Deformable_simplicial_complexes
 
@@ -194,7 +117,8 @@ void write_SVG(const std::string& path,
           in_user_coordinates(Point(periods[0], periods[1])).bbox();
   for (double& period : periods)
     period *= normalization.scale;
-  const internal::Svg_canvas canvas(options.window, all, options.width, periods);
+  const Deformable_simplicial_complexes::Svg_canvas canvas(options.window, all, options.width,
+                                                           periods);
 
   std::map<int, std::string> regions;
   std::string edges, interface_;
@@ -209,7 +133,7 @@ void write_SVG(const std::string& path,
       if (dsc.is_interface(typename Complex::Facet(c, i)) && c->label() > c->neighbor(i)->label())
         canvas.add(std::array<Point, 2>{corners[(i + 1) % 3], corners[(i + 2) % 3]}, interface_);
   }
-  internal::replace_file_by_stream(path, [&](std::ostream& out) {
+  Deformable_simplicial_complexes::replace_file_by_stream(path, [&](std::ostream& out) {
     canvas.begin(out);
     // The thin lines around triangles close the gaps that antialiasing would leave between them.
     for (const auto& [label, region] : regions) {

@@ -108,7 +108,7 @@ private:
   static void read(png_structp png, png_bytep to, std::size_t size) {
     auto& self = *static_cast<Png_labels*>(png_get_io_ptr(png));
     if (size > self.m_bytes.size() - self.m_position)
-      png_error(png, "it ends too early");
+      png_error(png, "the file is truncated");
     std::memcpy(to, self.m_bytes.data() + self.m_position, size);
     self.m_position += size;
   }

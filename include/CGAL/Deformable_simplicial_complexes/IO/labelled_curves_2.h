@@ -12,6 +12,7 @@
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <CGAL/Deformable_simplicial_complex_2.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/replace_file.h>
 #include <CGAL/Deformable_simplicial_complexes/Labelled_curve_2.h>
 #include <CGAL/Deformable_simplicial_complexes/Seeded_segments_2.h>
 #include <CGAL/Deformable_simplicial_complexes/Unused_content.h>
@@ -101,7 +102,7 @@ number of triangles.
 */
 template <class Traits, class Tds>
 void write_WKT(const std::string& path, const Deformable_simplicial_complex_2<Traits, Tds>& dsc) {
-  Deformable_simplicial_complexes::internal::replace_file_by_stream(path, [&](std::ostream& out) {
+  Deformable_simplicial_complexes::replace_file_by_stream(path, [&](std::ostream& out) {
     out.precision(std::numeric_limits<double>::max_digits10);
     const auto write_ring = [&](const auto& ring) {
       out << '(';
@@ -163,7 +164,7 @@ void write_poly(const std::string& path, const Deformable_simplicial_complex_2<T
       if (dsc.measure(c) > dsc.measure(largest.back()))
         largest.back() = c;
   }
-  internal::replace_file_by_stream(path, [&](std::ostream& out) {
+  Deformable_simplicial_complexes::replace_file_by_stream(path, [&](std::ostream& out) {
     out.precision(std::numeric_limits<double>::max_digits10);
     out << extracted.points.size() << " 2 0 0\n";
     for (std::size_t i = 0; i < extracted.points.size(); ++i)

@@ -48,7 +48,7 @@ read_labelled_image(const std::string& path,
   };
   if ((bytes.compare(0, 2, "P2") != 0 && bytes.compare(0, 2, "P5") != 0) ||
       (bytes.size() > 2 && std::isdigit(static_cast<unsigned char>(bytes[2])) != 0))
-    fail("is no portable gray map: it should begin with P2 or P5; convert other images to one");
+    fail("the file does not begin with P2 or P5; convert it to a portable graymap (PGM)");
   const bool is_binary = bytes[1] == '5';
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
   const auto number = [&](std::size_t maximum) {
@@ -60,7 +60,7 @@ read_labelled_image(const std::string& path,
     std::size_t result = 0;
     for (; position < bytes.size() && std::isdigit(byte(position)); ++position)
       if ((result = 10 * result + (byte(position) - '0')) > maximum)
-        fail("a number is too large");
+        fail("a number is too large; correct it");
     return result;
   };
   static constexpr std::size_t largest_side = 1 << 20, largest_gray = 65535;
@@ -69,13 +69,13 @@ read_labelled_image(const std::string& path,
   image.height = number(largest_side);
   const std::size_t gray = number(largest_gray), size = image.width * image.height;
   if (size == 0 || gray == 0)
-    fail("there are no pixels, or no gray values");
+    fail("the width, the height or the largest gray value is 0; correct it");
   const std::size_t bytes_of_pixel = is_binary && gray > 255 ? 2 : 1;
   if (is_binary && position < bytes.size() && !std::isspace(byte(position)))
-    fail("there is no white space between the largest gray value and the pixels");
+    fail("there is no white space between the largest gray value and the pixels; insert it");
   position += is_binary;
   if (bytes.size() < position || bytes.size() - position < bytes_of_pixel * size)
-    fail("there are fewer pixels than it says; is the file truncated?");
+    fail("there are fewer pixels than the header announces; is the file truncated?");
   image.labels.reserve(size);
   while (image.labels.size() < size) {
     Deformable_simplicial_complexes::Progress_scope::check();
@@ -86,7 +86,7 @@ read_labelled_image(const std::string& path,
       if (bytes_of_pixel == 2)
         value = 256 * value + byte(position++);
       if (std::size_t(value) > gray)
-        fail("a number is too large");
+        fail("a number is too large; correct it");
       image.labels.push_back(value);
     }
   }

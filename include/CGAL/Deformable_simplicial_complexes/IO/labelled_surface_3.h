@@ -12,6 +12,7 @@
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/replace_file.h>
 #include <CGAL/Deformable_simplicial_complexes/Labelled_surface_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/Unused_content.h>
@@ -114,7 +115,7 @@ template <class Point> struct Triangle_sink
     points_of_polygon.clear();
     for (const std::size_t corner : corners) {
       if (corner >= surface.points.size())
-        fail("refers to a point that is not there; repair the file");
+        fail("refers to a point that does not exist; correct the index");
       points_of_polygon.push_back(surface.points[corner]);
     }
     const auto triangles = triangulated_polygon(points_of_polygon);
@@ -230,12 +231,12 @@ read_labelled_surface(const std::string& path, int label = 1,
   };
   const internal::Surface_format format = internal::surface_format(path);
   require(format != internal::Surface_format::none,
-          "this is no format for surfaces; choose a file .off, .obj, .ply or .stl");
+          "the extension is not a surface format; choose a .off, .obj, .ply or .stl file");
   const Deformable_simplicial_complexes::Progress_phase phase("reading a surface");
   std::ifstream in = internal::open_input(path, internal::lower_case_extension(path));
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path, error);
-  require(!error, "cannot read the file; check that it may be read");
+  require(!error, "cannot read the file; check its permissions");
 
   // Polygons may precede their points in a file. The file is therefore read twice: first the
   // points, then the polygons.
@@ -245,7 +246,7 @@ read_labelled_surface(const std::string& path, int label = 1,
       first_scanner, static_cast<std::size_t>(size) / least_bytes_of_point, unused, {}};
   internal::read_polygons(in, format, first_scanner, points);
   points.unused("normals of points", points.number_of_normals);
-  require(points.number_of_polygons != 0, "there are no polygons; choose a surface that has some");
+  require(points.number_of_polygons != 0, "there are no polygons; choose a file with polygons");
   Deformable_simplicial_complexes::Labelled_surface_3<Point> surface;
   surface.label = label;
   surface.points.swap(points.points);
@@ -257,7 +258,7 @@ read_labelled_surface(const std::string& path, int label = 1,
   if (format == internal::Surface_format::stl)
     internal::merge_equal_points(surface);
   else if (unused)
-    unused->add("points that no polygon has", internal::number_of_unused_points(surface));
+    unused->add("points without polygons", internal::number_of_unused_points(surface));
   return surface;
 }
 
@@ -284,8 +285,9 @@ void write_interface(const std::string& path,
   const internal::Surface_format format = internal::surface_format(path);
   if (format == internal::Surface_format::none)
     throw Deformable_simplicial_complexes::File_error(
-        path + " has no format for surfaces: choose .off, .obj, .ply or .stl", path);
-  internal::replace_file_by_stream(path, [&](std::ostream& out) {
+        path + " does not have the extension of a surface format: choose .off, .obj, .ply or .stl",
+        path);
+  Deformable_simplicial_complexes::replace_file_by_stream(path, [&](std::ostream& out) {
     out.precision(std::numeric_limits<double>::max_digits10);
     if (!internal::write_soup(out, format, surface.points, surface.triangles))
       out.setstate(std::ios::failbit);

@@ -122,7 +122,7 @@ inline void read_xyz(File_scanner& scanner, Point_set_sink& sink) {
       numbers.push_back(scanner.number<double>());
     }
     if (numbers.size() < 3)
-      scanner.fail("a point has less than three coordinates; correct it", line);
+      scanner.fail("a point has fewer than three coordinates; correct it", line);
     sink.point(numbers[0], numbers[1], numbers[2]);
     if (numbers.size() == 6) {
       sink.normal(numbers[3], numbers[4], numbers[5]);
@@ -131,7 +131,7 @@ inline void read_xyz(File_scanner& scanner, Point_set_sink& sink) {
     lines_with_more += numbers.size() % 3 != 0 || scanner.words_left() > 0;
     scanner.skip_line();
   }
-  sink.unused("lines with more numbers", lines_with_more);
+  sink.unused("lines with additional numbers", lines_with_more);
   std::vector<IO::Point_and_normal_3>& points = sink.points;
   if (announced && normals == 0 && points.size() == 2 * *announced)
     take_second_half_as_normals(points);
@@ -189,7 +189,7 @@ read_point_set(const std::string& path,
     internal::read_xyz(scanner, sink);
   sink.unused("polygons", sink.number_of_polygons);
   if (sink.points.empty())
-    throw File_error(path + ": there are no points", path);
+    throw File_error(path + ": there are no points; choose a file with points", path);
   return std::move(sink.points);
 }
 

@@ -117,11 +117,11 @@ private:
   }
 
   bool leaves_a_disk() const {
-    Disjoint_sets parts(m_breaks.size());
+    Disjoint_sets components(m_breaks.size());
     std::size_t number = m_breaks.size();
     for (const auto& arc : m_arcs) {
-      number -= parts.find(arc.front()) != parts.find(arc.back());
-      parts.join(arc.front(), arc.back());
+      number -= components.find(arc.front()) != components.find(arc.back());
+      components.join(arc.front(), arc.back());
     }
     return number == 1 &&
            m_arcs.size() + 1 == m_breaks.size() + Geodesics_2<Metric>::cycles_of_cut_locus;

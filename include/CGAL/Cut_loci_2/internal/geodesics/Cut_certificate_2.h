@@ -115,10 +115,11 @@ private:
     static constexpr int parts = 4;
     static constexpr double margin = 1.03;
     const Point q = m_domain.near(p, to);
-    const auto way = q - p;
+    const auto difference = q - p;
     double result = 0;
     for (int i = 0; i < parts; ++i)
-      result += m_geodesics.length(p + (i + .5) / parts * way, way.x() / parts, way.y() / parts);
+      result += m_geodesics.length(p + (i + .5) / parts * difference, difference.x() / parts,
+                                   difference.y() / parts);
     return margin * result;
   }
 

@@ -163,8 +163,8 @@ private:
         if (const auto it = m_arrivals.find({(s[0] + i + n) % n, (s[1] + j + m) % m});
             it != m_arrivals.end())
           for (const Arrival& a : it->second)
-            if (const double way = miss(p, a.state).norm(); way < farthest)
-              near.emplace_back(way, &a);
+            if (const double distance = miss(p, a.state).norm(); distance < farthest)
+              near.emplace_back(distance, &a);
     std::stable_sort(near.begin(), near.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<const Arrival*> result;

@@ -54,8 +54,8 @@ Geodesic_state advance_geodesic(const Metric& metric, const Geodesic_units& unit
                  b = -((g.F_u - g.E_v / 2) * p * p + g.G_u * p * q + g.G_v / 2 * q * q),
                  determinant = g.E * g.G - g.F * g.F;
     if (!(g.E > 0 && determinant > 0))
-      throw Error("a geodesic cannot be followed: the metric is not positive on its way; choose "
-                  "another chart");
+      throw Error("a geodesic cannot be integrated: the metric is not positive definite along it; "
+                  "choose another chart");
     const double scale = units.chart / determinant;
     dx = {p, q, scale * (g.G * a - g.F * b), scale * (g.E * b - g.F * a)};
   };
@@ -83,7 +83,8 @@ Geodesic_state advance_geodesic(const Metric& metric, const Geodesic_units& unit
       break;
   }
   if (!(std::abs(whole - done) <= shortest * std::abs(whole)))
-    throw Error("a geodesic cannot be followed: the metric changes too fast; choose another chart");
+    throw Error(
+        "a geodesic cannot be integrated: the metric changes too fast; choose another chart");
   return {units.chart * state[0], units.chart * state[1], state[2] / speed, state[3] / speed};
 }
 
@@ -104,10 +105,10 @@ public:
       : m_metric(metric), m_domain(domain), m_source(source), m_g(metric(source.x(), source.y())) {
     const double determinant = m_g.E * m_g.G - m_g.F * m_g.F;
     if (!std::isfinite(source.x()) || !std::isfinite(source.y()))
-      throw Error("the point is not finite");
+      throw Error("the source point is not finite: correct its coordinates");
     if (!(m_g.E > 0 && determinant > 0) || !std::isfinite(determinant))
-      throw Error("the metric is not positive at the point: choose another one, or a chart that is "
-                  "regular there");
+      throw Error("the metric is not positive definite at the source point: choose another point, "
+                  "or a chart that is regular there");
     const double half_trace = (m_g.E + m_g.G) / 2,
                  root = std::sqrt((std::max)(0., half_trace * half_trace - determinant));
     m_longest = std::sqrt(half_trace + root);
@@ -161,8 +162,8 @@ public:
     const double radius = longest(edges * spacing);
     for (std::size_t axis = 0; axis < 2; ++axis)
       if (!(m_extent[axis] * radius < widest * m_domain.periods()[axis]))
-        throw Error("the first front goes around the torus: the metric is much longer along one "
-                    "direction than across; use a smaller spacing");
+        throw Error("the initial front goes around the torus, since the metric is too anisotropic: "
+                    "use a smaller spacing");
     return radius;
   }
 

@@ -146,14 +146,14 @@ private:
   // Returns the next word of the line. Throws `File_error` if there is none.
   std::string_view word() {
     if (!m_scanner.next_on_line())
-      m_scanner.fail("a word is missing in the header; repair the file");
+      m_scanner.fail("a word is missing in the header; correct the header");
     return m_scanner.word();
   }
 
   const Ply_type* type() {
     const Ply_type* result = find_ply_type(word());
     if (!result)
-      m_scanner.fail(in_quotes(m_scanner.word()) + " is no type of numbers; write int or double");
+      m_scanner.fail(in_quotes(m_scanner.word()) + " is not a number type; write int or double");
     return result;
   }
 
@@ -173,7 +173,8 @@ private:
       else if (m_scanner.word() == "end_header")
         break;
       else if (m_scanner.word() != "comment" && m_scanner.word() != "obj_info")
-        m_scanner.fail(in_quotes(m_scanner.word()) + " is no word of a PLY header; correct it");
+        m_scanner.fail(in_quotes(m_scanner.word()) +
+                       " is not a keyword of PLY headers; correct it");
     }
     m_scanner.skip_line();
     check_elements();
@@ -186,7 +187,7 @@ private:
     else if (format == "binary_big_endian")
       m_encoding = Encoding::big_endian;
     else if (format != "ascii")
-      m_scanner.fail(in_quotes(m_scanner.word()) + " is no format of PLY files; write ascii");
+      m_scanner.fail(in_quotes(m_scanner.word()) + " is not a format of PLY files; write ascii");
   }
 
   void read_element() {
@@ -197,13 +198,13 @@ private:
     std::string element(name);
     if (element == "tristrips" || element == "range_grid")
       m_scanner.fail("the element " + in_quotes(element) +
-                     " describes a surface without polygons; write all of it as polygons");
+                     " describes a surface without polygons; write the surface as polygons");
     m_elements.push_back({kind, std::move(element), m_scanner.number<std::size_t>(), {}});
   }
 
   void read_property() {
     if (m_elements.empty())
-      m_scanner.fail("there is no element for this property; repair the file");
+      m_scanner.fail("the property does not follow an element; correct the header");
     Ply_element& element = m_elements.back();
     const bool is_list = m_scanner.next_is("list");
     const Ply_type* const size_type = is_list ? type() : nullptr;
@@ -240,7 +241,8 @@ private:
   std::size_t index(const Ply_type& type) {
     const double number = type.read(m_scanner, m_encoding);
     if (!(number >= 0) || number != std::trunc(number) || number > 4294967295.)
-      m_scanner.fail("the size of a list or an index is not a number from 0 to 4294967295");
+      m_scanner.fail(
+          "the size of a list or an index is not a number from 0 to 4294967295; correct it");
     return static_cast<std::size_t>(number);
   }
 

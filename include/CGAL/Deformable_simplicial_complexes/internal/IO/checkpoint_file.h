@@ -9,6 +9,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_CHECKPOINT_FILE_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_CHECKPOINT_FILE_H
 
+#include <CGAL/Deformable_simplicial_complexes/IO/replace_file.h>
 #include <CGAL/Deformable_simplicial_complexes/State.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
@@ -60,7 +61,7 @@ using Checkpoint_members =
                std::array<double, d>&>;                        // periods
 static_assert(
     std::is_same<decltype(members(std::declval<State<3>&>())), Checkpoint_members<3>>::value,
-    "the state has other members than files have: raise checkpoint_version, too");
+    "the members of the state differ from the members in files: increase checkpoint_version");
 
 inline std::uint32_t crc_32(const char* bytes, std::size_t size) {
   boost::crc_32_type crc;
@@ -207,7 +208,7 @@ template <int d> Checkpoint<d> read_checkpoint_file(const std::string& path) {
   header(crc);
   header(size);
   require(version == checkpoint_version,
-          "has version " + std::to_string(version) + " and not " +
+          "has version " + std::to_string(version) + " instead of " +
               std::to_string(checkpoint_version) +
               ": read it with the version of this package that wrote it");
   const std::size_t payload_size = bytes.size() - checkpoint_header_size;
@@ -220,7 +221,7 @@ template <int d> Checkpoint<d> read_checkpoint_file(const std::string& path) {
   payload(checkpoint.metadata);
   std::apply([&](auto&... members) { (payload(members), ...); }, members(checkpoint.state));
   require(payload.is_complete() && has_consistent_sizes(checkpoint.state),
-          "contradicts itself: it was not written by this package, choose another file");
+          "is inconsistent: it was not written by this package; choose another file");
   return checkpoint;
 }
 

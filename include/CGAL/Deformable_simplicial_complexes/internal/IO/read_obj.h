@@ -35,16 +35,16 @@ struct Obj_statement
 inline const Obj_statement* find_obj_statement(std::string_view keyword) {
   static constexpr Obj_statement statements[] = {{"vt", "texture coordinates"},
                                                  {"vn", "normals"},
-                                                 {"vp", "points of parameters"},
+                                                 {"vp", "points in parameter space"},
                                                  {"g", "groups"},
                                                  {"o", "objects"},
                                                  {"s", "smoothing groups"},
                                                  {"mg", "merging groups"},
                                                  {"usemtl", "materials of polygons"},
-                                                 {"mtllib", "files of materials"},
+                                                 {"mtllib", "material files"},
                                                  {"usemap", "textures of polygons"},
-                                                 {"maplib", "files of textures"},
-                                                 {"p", "points as elements"},
+                                                 {"maplib", "texture files"},
+                                                 {"p", "point elements"},
                                                  {"l", "lines"},
                                                  {"curv", "curves"},
                                                  {"curv2", "curves"},
@@ -70,7 +70,7 @@ template <class Sink> void read_obj(File_scanner& scanner, Sink& sink) {
     const std::string_view corner = scanner.word();
     const auto index = number_of_word<std::int64_t>(corner.substr(0, corner.find('/')));
     if (!index || *index == 0 || *index < -number_of_points)
-      scanner.fail(in_quotes(scanner.word()) + " is no corner of a polygon; correct it");
+      scanner.fail(in_quotes(scanner.word()) + " is not a corner of a polygon; correct it");
     return static_cast<std::size_t>(*index > 0 ? *index - 1 : number_of_points + *index);
   };
 
@@ -96,8 +96,8 @@ template <class Sink> void read_obj(File_scanner& scanner, Sink& sink) {
       scanner.fail(in_quotes(keyword) + " is not expected; is it an OBJ file?");
     } else if (const Obj_statement* const statement = find_obj_statement(keyword)) {
       if (!statement->content)
-        scanner.fail(in_quotes(keyword) + " describes a surface without polygons, or in another "
-                                          "file; write all of it as polygons");
+        scanner.fail(in_quotes(keyword) + " describes a surface without polygons or in another "
+                                          "file; write the surface as polygons");
       ++unused[statement->content];
     } else {
       // A message names at most this number of unknown statements.

@@ -121,7 +121,7 @@ template <class Sink> void read_off(File_scanner& scanner, Sink& sink) {
   sink.unused(header.has_color && header.has_texture ? "colors and texture coordinates of points"
               : header.has_color                     ? "colors of points"
               : header.has_texture                   ? "texture coordinates of points"
-                                                     : "points with further numbers",
+                                                     : "points with additional numbers",
               points_with_more);
   sink.unused("colors of polygons", polygons_with_more);
   if (is_binary) {

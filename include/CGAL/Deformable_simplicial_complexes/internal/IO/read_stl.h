@@ -62,8 +62,8 @@ inline bool is_binary_stl(std::istream& in, const std::string& path) {
   }
   if (begin.find('\0') == begin.npos)
     return false;
-  fail("lacks the last " + std::to_string(announced - size) +
-       " bytes of them; is it an STL file, and whole?");
+  fail("lacks their last " + std::to_string(announced - size) +
+       " bytes; is it a complete STL file?");
   return true;
 }
 
@@ -116,9 +116,9 @@ public:
       }
     }
     if (is_in_solid || solids == 0)
-      m_scanner.fail("the solid does not end; is it an STL file, and whole?");
+      m_scanner.fail("the solid does not end; is it a complete STL file?");
     m_sink.unused("names of solids", solids > 1 ? solids : 0);
-    m_sink.unused("lines that are no part of a facet", others);
+    m_sink.unused("lines outside facets", others);
   }
 
 private:

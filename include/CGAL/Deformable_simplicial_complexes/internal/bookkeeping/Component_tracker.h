@@ -399,8 +399,8 @@ private:
       sources[origin.second].push_back(origin.first);
     }
     std::vector<bool> is_seen_before(before.size()), is_seen_now(now.size());
-    const auto part = [&](const std::vector<Component>& components, Number i) {
-      return Component_event::Part{i, totals.volume_of(components[i].volume)};
+    const auto with_volume = [&](const std::vector<Component>& components, Number i) {
+      return Component_event::Component{i, totals.volume_of(components[i].volume)};
     };
     std::vector<Number> olds, news;
     const auto see = [](std::vector<bool>& is_seen, std::vector<Number>& list, Number i) {
@@ -411,9 +411,9 @@ private:
     const auto add_event = [&](Component_event::Kind kind, int label) {
       Component_event event{kind, label, {}, {}};
       for (Number i : olds)
-        event.before.push_back(part(before, i));
+        event.before.push_back(with_volume(before, i));
       for (Number i : news)
-        event.after.push_back(part(now, i));
+        event.after.push_back(with_volume(now, i));
       result.push_back(std::move(event));
     };
     using Kind = Component_event::Kind;

@@ -9,14 +9,13 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_BOXED_SOUP_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_BOXED_SOUP_3_H
 
+#include <CGAL/Deformable_simplicial_complexes/Construction_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/Tetrahedralization_3.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/building/enclosing_box_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/building/label_cells.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/improve_new_mesh.h>
-#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
-#include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
 
 #include <CGAL/Bbox_3.h>
 
@@ -47,14 +46,10 @@ struct Boxed_soup_3
 
 // Transforms a soup into the frame of the complex. Throws `Invalid_surface_error` if triangles
 // reach the box, or if distinct points become equal by rounding in this frame.
-template <class NP> Boxed_soup_3 put_into_box(Joined_soup_3 soup, const NP& np) {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  const bool normalize = choose_parameter(get_parameter(np, internal_np::normalize), false);
-  const Building_frame_3 frame(soup.points, normalize);
-  Boxed_soup_3 result = {std::move(soup), frame,
-                         frame.box(get_parameter(np, internal_np::enclosing_box)),
-                         count_parameter(np, internal_np::box_subdivision, "box_subdivision", 4u)};
+inline Boxed_soup_3 put_into_box(Joined_soup_3 soup, const Construction_options<3>& options) {
+  const Building_frame_3 frame(soup.points, options.normalize);
+  Boxed_soup_3 result = {std::move(soup), frame, frame.box(options.enclosing_box),
+                         options.box_subdivision};
   for (Coordinates_3& p : result.soup.points)
     p = frame(p);
   check_distinct(result.soup);
@@ -73,20 +68,20 @@ Tetrahedralization_3 fill_box(const Boxed_soup_3& boxed, const Tetrahedralizer& 
   auto mesh = tetrahedralizer(all.points, all.triangles);
   if (mesh.points.size() < all.points.size() ||
       !std::equal(all.points.begin(), all.points.end(), mesh.points.begin()))
-    throw Tetrahedralization_error("the tetrahedralizer moved points of the surfaces: use another "
-                                   "one");
+    throw Tetrahedralization_error(
+        "the tetrahedralizer moved points of the surfaces: use another tetrahedralizer");
   for (const auto& t : mesh.tetrahedra)
     if (*std::max_element(t.begin(), t.end()) >= mesh.points.size())
-      throw Tetrahedralization_error("the tetrahedralizer names a point that does not exist: use "
-                                     "another one");
+      throw Tetrahedralization_error(
+          "the tetrahedralizer refers to a point that does not exist: use another tetrahedralizer");
   return mesh;
 }
 
 // Returns the complex of labelled tetrahedra that are given in a frame.
-template <class Complex, class NP>
+template <class Complex>
 Complex make_in_frame(const Tetrahedralization_3& mesh,
                       const std::vector<typename Complex::Label>& labels,
-                      const Building_frame_3& frame, const NP& np) {
+                      const Building_frame_3& frame, const Construction_options<3>& options) {
   std::vector<typename Complex::Point_3> points;
   const auto construct_point = typename Complex::Geom_traits().construct_exact_point_3_object();
   for (const Coordinates_3& p : mesh.points)
@@ -95,7 +90,7 @@ Complex make_in_frame(const Tetrahedralization_3& mesh,
   dsc.assign(points, mesh.tetrahedra, labels);
   const Coordinates_3& t = frame.translation();
   dsc.set_normalization({{t[0], t[1], t[2]}, frame.scale()});
-  improve_new_mesh(dsc, new_mesh_options(np));
+  improve_new_mesh(dsc, options);
   return dsc;
 }
 

@@ -68,24 +68,23 @@ void add_segments(const Curve& curve, std::size_t number, Curve_soup_2& soup) {
     refuse_curve(reason, explanation, number, number, {segment});
   };
   if (curve.segments.empty())
-    refuse_curve(Reason::empty, "has no segments: give some", number, number, {});
+    refuse_curve(Reason::empty, "has no segments: give at least one", number, number, {});
   for (std::size_t s = 0; s < curve.segments.size(); ++s) {
     std::array<std::size_t, 2> ends;
     for (int i = 0; i < 2; ++i) {
       if (curve.segments[s][i] >= curve.points.size())
-        refuse(Reason::bad_index, "has segments with ends that do not exist: correct these indices",
-               s);
+        refuse(Reason::bad_index, "has segments whose ends do not exist: correct these indices", s);
       const auto& p = curve.points[curve.segments[s][i]];
       const std::array<double, 2> q = {to_double(p.x()) + 0., to_double(p.y()) + 0.};
       if (!std::isfinite(q[0]) || !std::isfinite(q[1]))
-        refuse(Reason::not_finite, "has coordinates that are no finite numbers: correct them", s);
+        refuse(Reason::not_finite, "has coordinates that are not finite: correct them", s);
       const auto place = soup.places.emplace(q, soup.points.size());
       if (place.second)
         soup.points.emplace_back(q[0], q[1]);
       ends[i] = place.first->second;
     }
     if (ends[0] == ends[1])
-      refuse(Reason::degenerate_facet, "has segments without length: remove them", s);
+      refuse(Reason::degenerate_facet, "has segments of length zero: remove them", s);
     soup.walls.push_back(make_wall(ends, number));
     soup.segments.push_back(s);
   }
@@ -102,15 +101,14 @@ template <class Curve> void add_curve(const Curve& curve, std::size_t number, Cu
       segments_at[v].push_back(soup.segments[w]);
   for (const auto& [point, segments] : segments_at)
     if (segments.size() % 2 != 0)
-      refuse_curve(segments.size() == 1 ? Invalid_surface_error::Reason::open
-                                        : Invalid_surface_error::Reason::non_manifold_edge,
-                   (segments.size() == 1 ? "is not closed: it ends at " +
-                                               text_of(soup.points[point]) + "; join its ends"
-                                         : "has a point where an odd number of its segments end, " +
-                                               text_of(soup.points[point]) +
-                                               ": make it closed curves, or use segments with "
-                                               "seeds"),
-                   number, number, {segments.front()});
+      refuse_curve(
+          segments.size() == 1 ? Invalid_surface_error::Reason::open
+                               : Invalid_surface_error::Reason::non_manifold_edge,
+          (segments.size() == 1
+               ? "is not closed: it ends at " + text_of(soup.points[point]) + "; join its ends"
+               : "has a point with an odd number of segments, " + text_of(soup.points[point]) +
+                     ": use closed curves, or segments with seeds"),
+          number, number, {segments.front()});
 }
 
 } // namespace internal

@@ -69,7 +69,7 @@ public:
       owners.push_back(facets[i].cell);
     }
     if (soup.triangles.empty()) // each facet has two tetrahedra, so they overlap
-      throw Invalid_cells_error("tetrahedra overlap: leave out those that are given twice", {0});
+      throw Invalid_cells_error("tetrahedra overlap: remove duplicated tetrahedra", {0});
     Joined_soup_3 result = join({merge_points(soup)});
     std::vector<std::size_t> offenders;
     for (const auto& [s, t] : crossing_triangles(result)) {
@@ -79,9 +79,9 @@ public:
     if (!offenders.empty()) {
       std::sort(offenders.begin(), offenders.end());
       offenders.erase(std::unique(offenders.begin(), offenders.end()), offenders.end());
-      throw Invalid_cells_error("tetrahedra overlap, or touch with other facets than whole "
-                                "ones: remesh where they are",
-                                std::move(offenders));
+      throw Invalid_cells_error(
+          "tetrahedra overlap, or share only parts of facets: remesh near these tetrahedra",
+          std::move(offenders));
     }
     return result;
   }

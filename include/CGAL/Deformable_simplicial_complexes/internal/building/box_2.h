@@ -9,12 +9,12 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_BOX_2_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_BOX_2_H
 
+#include <CGAL/Deformable_simplicial_complexes/Construction_options.h>
 #include <CGAL/Deformable_simplicial_complexes/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/building/Curve_soup_2.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/building/torus_grid.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Extent.h>
-#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
 #include <CGAL/Bbox_2.h>
 
@@ -70,17 +70,9 @@ inline void check_enclosed(const Curve_soup_2& soup, const Bbox_2& box) {
                      soup.walls[w].surface, soup.walls[w].surface, {soup.segments[w]});
 }
 
-inline Bbox_2 box_of(const Bbox_2& given) { return given; }
-template <class Box> Bbox_2 box_of(const Box& given) { return given.bbox(); }
-
-// Returns the box given by the named parameters, or else the default box. Throws like
-// `check_enclosed()`.
-template <class NP> Bbox_2 enclosing_box(const Curve_soup_2& soup, const NP& np) {
-  Bbox_2 box;
-  if constexpr (CGAL::parameters::is_default_parameter<NP, internal_np::enclosing_box_t>::value)
-    box = default_box(soup.points);
-  else
-    box = box_of(CGAL::parameters::get_parameter(np, internal_np::enclosing_box));
+// Returns the box of the options, or else the default box. Throws like `check_enclosed()`.
+inline Bbox_2 enclosing_box(const Curve_soup_2& soup, const Construction_options<2>& options) {
+  const Bbox_2 box = options.enclosing_box ? *options.enclosing_box : default_box(soup.points);
   check_enclosed(soup, box);
   return box;
 }

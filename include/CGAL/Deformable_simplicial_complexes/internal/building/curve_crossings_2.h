@@ -76,12 +76,12 @@ template <class Kernel> void check_crossings(const Curve_soup_2& soup) {
       " to " + text_of(soup.points[soup.walls[crossings[0].first].vertices[1]]);
   if (first == second)
     refuse_curve(Reason::self_intersection,
-                 "crosses or overlaps itself" + place + ": segments may meet in common ends only",
-                 first, second, std::move(segments));
+                 "intersects itself" + place + ": segments may meet only in common ends", first,
+                 second, std::move(segments));
   refuse_curve(Reason::crossing_surfaces,
-               "meets curve " + std::to_string(second) + place +
-                   ": they may be nested, touch in common ends of segments, and have "
-                   "whole segments in common, but not cross or overlap in parts",
+               "intersects curve " + std::to_string(second) + place +
+                   ": curves may be nested and may share whole segments or their ends, but must "
+                   "not cross or overlap in parts of segments",
                first, second, std::move(segments));
 }
 

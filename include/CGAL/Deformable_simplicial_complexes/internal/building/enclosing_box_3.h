@@ -22,6 +22,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -58,7 +59,8 @@ public:
           radius, std::hypot(p[0] - barycenter[0], p[1] - barycenter[1], p[2] - barycenter[2]));
     const double half_side = 2.5 * radius;
     if (!std::isfinite(half_side) || half_side == 0)
-      throw Error("the size of the surfaces is no number of type double: scale them");
+      throw Error(
+          "the size of the surfaces is 0 or too large for numbers of type double: scale them");
     if (normalize) {
       m_translation = barycenter;
       m_scale = half_side;
@@ -76,14 +78,12 @@ public:
   }
 
   // Returns, in this frame, the box given by the user, or else the default box.
-  Bbox_3 box(CGAL::internal_np::Param_not_found) const { return m_default_box; }
-  Bbox_3 box(const Bbox_3& given) const {
-    const Coordinates_3 min = (*this)({given.xmin(), given.ymin(), given.zmin()});
-    const Coordinates_3 max = (*this)({given.xmax(), given.ymax(), given.zmax()});
+  Bbox_3 box(const std::optional<Bbox_3>& given) const {
+    if (!given)
+      return m_default_box;
+    const Coordinates_3 min = (*this)({given->xmin(), given->ymin(), given->zmin()});
+    const Coordinates_3 max = (*this)({given->xmax(), given->ymax(), given->zmax()});
     return {min[0], min[1], min[2], max[0], max[1], max[2]};
-  }
-  template <class Iso_cuboid> Bbox_3 box(const Iso_cuboid& given) const {
-    return box(given.bbox());
   }
 
 private:
@@ -123,10 +123,9 @@ inline void check_distinct(const Joined_soup_3& soup) {
 
 // Returns the surface of a box. Each side is divided into n x n rectangles of two triangles each.
 // Diagonals run from the corners of a side towards its center, so that no tetrahedron inside can
-// have three facets on the box. Throws `Error` if `n` or the size of the box is out of range.
+// have three facets on the box. Throws `Error` if the size of the box is out of
+// range.
 inline Triangle_soup_3 box_surface(const Bbox_3& box, unsigned n) {
-  if (n < 1 || n > 1000)
-    throw Error("the subdivision of the enclosing box is out of range: use 1 to 1000");
   const std::array<Coordinates_3, 2> corners = {Coordinates_3{box.xmin(), box.ymin(), box.zmin()},
                                                 {box.xmax(), box.ymax(), box.zmax()}};
   if (!has_finite_coordinates(corners[0]) || !has_finite_coordinates(corners[1]) ||

@@ -59,7 +59,7 @@ std::vector<int> label_by_seeds(const Seeded_segments_2<Point>& segments, const 
     const auto& [point, label] = segments.seeds[i];
     const Planar_filling_2::Point p(to_double(point.x()), to_double(point.y()));
     if (!std::isfinite(p.x()) || !std::isfinite(p.y()))
-      refuse(i, "has coordinates that are no finite numbers: correct them");
+      refuse(i, "has coordinates that are not finite: correct them");
     const Planar_filling_2::Place place = filling.locate(p);
     if (!place.triangle)
       refuse(i, "is outside the enclosing box: give a larger box");

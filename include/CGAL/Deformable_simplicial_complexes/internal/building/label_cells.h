@@ -79,7 +79,7 @@ std::vector<Facet_sides<d>> find_sides(const std::vector<Cell_vertices<d>>& cell
     }
   }
   if (walls_found != walls.size())
-    throw Tetrahedralization_error("facets of the input are missing in the mesh made of it: use "
+    throw Tetrahedralization_error("facets of the input are missing in its tetrahedral mesh: use "
                                    "another tetrahedralizer, or remesh the input");
   return sides;
 }

@@ -34,12 +34,13 @@ template <int d> struct Grid
 inline std::size_t edges_in_period(double period, double edge, std::size_t least) {
   static constexpr double most = 1 << 20;
   if (!(edge > 0))
-    throw Error("the length of edges is not positive: use more than 0");
+    throw Error("the target edge length is not positive: use more than 0");
   if (!(period > 0) || !std::isfinite(period))
-    throw Error("the box is empty or not finite: its sides have to be longer than 0");
+    throw Error("the box is empty or not finite: use a finite box with positive sides");
   const double number = std::round(period / edge);
   if (!(number <= most))
-    throw Error("the edges are too short for the domain: use more than a millionth of its extent");
+    throw Error("the target edge length is too short for the domain: use more than a millionth of "
+                "its extent");
   return (std::max)(least, std::size_t(number));
 }
 
@@ -47,7 +48,8 @@ inline std::size_t edges_in_period(double period, double edge, std::size_t least
 inline void check_number_of_boxes(double number) {
   static constexpr double most = 1 << 30;
   if (!(number <= most))
-    throw Error("the edges are too short for the domain: there would be more than 2^30 cells");
+    throw Error("the target edge length is too short for the domain: use a length that gives at "
+                "most 2^30 cells");
 }
 
 // Returns a grid of a flat torus: rows of nearly regular triangles, where every second row is

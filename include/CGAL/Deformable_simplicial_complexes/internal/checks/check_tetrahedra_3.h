@@ -36,9 +36,8 @@ void orient_tetrahedra(const std::vector<typename Traits::Point_3>& points,
     if (!has_finite_coordinates(coordinates(points[i])))
       offenders.push_back(i);
   if (!offenders.empty())
-    throw Invalid_cells_error("coordinates are no finite numbers: correct or remove these "
-                              "points",
-                              {}, std::move(offenders));
+    throw Invalid_cells_error("coordinates are not finite: correct or remove these points", {},
+                              std::move(offenders));
 
   for (std::size_t t = 0; t < tetrahedra.size(); ++t)
     if (*std::max_element(tetrahedra[t].begin(), tetrahedra[t].end()) >= points.size())
@@ -62,7 +61,8 @@ void orient_tetrahedra(const std::vector<typename Traits::Point_3>& points,
     }
   }
   if (!offenders.empty())
-    throw Invalid_cells_error("tetrahedra are flat: remesh where they are", std::move(offenders));
+    throw Invalid_cells_error("tetrahedra are flat: remesh near these tetrahedra",
+                              std::move(offenders));
 }
 
 } // namespace internal

@@ -27,29 +27,31 @@ inline const char* explanation(Invalid_surface_error::Reason reason) {
   case Reason::empty:
     return "has no facets: give a closed triangle surface";
   case Reason::not_finite:
-    return "has coordinates that are no finite numbers: correct or remove these vertices";
+    return "has coordinates that are not finite: correct or remove these vertices";
   case Reason::bad_index:
     return "has facets with vertices that do not exist: correct these indices";
   case Reason::degenerate_facet:
-    return "has facets without area: remove them";
+    return "has facets of area zero: remove them";
   case Reason::open:
     return "is not closed: fill its holes";
   case Reason::non_manifold_edge:
-    return "has edges with an odd number of facets, which leaves open what is inside: remove "
-           "duplicated facets and walls between parts";
+    return "has edges with an odd number of facets, so that inside and outside are undefined: "
+           "remove duplicated facets and internal walls";
   case Reason::self_intersection:
-    return "intersects itself: parts may meet only in common vertices and edges; separate or unite "
-           "them";
+    return "intersects itself: components may meet only in common vertices and edges; separate or "
+           "unite them";
   case Reason::crossing_surfaces:
-    return "meets another surface: separate them; surfaces may be nested, and touch in common "
-           "vertices and along common edges, but not cross or share facets";
+    return "intersects another surface: separate them; surfaces may be nested and may share "
+           "vertices and edges, but must not cross or share facets";
   case Reason::too_fine:
-    return "has vertices that cannot be told apart beside the size of all surfaces: build it alone";
+    return "has vertices that coincide after rounding, relative to the size of all surfaces: use "
+           "this surface alone";
   case Reason::outside_enclosing_box:
     return "is not strictly inside the enclosing box: give a larger box";
   case Reason::contradicting_sides:
-    return "tells another label for a region than a second facet that bounds it: close the gap "
-           "between the patches, or exchange the labels of the sides where triangles are turned";
+    return "gives a region another label than a second facet of its boundary: close the gap "
+           "between the patches, or exchange the labels of the sides where the orientation of "
+           "triangles is reversed";
   }
   return "is invalid";
 }

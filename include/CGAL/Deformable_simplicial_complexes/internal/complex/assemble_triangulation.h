@@ -104,11 +104,11 @@ void append_infinite_cells(std::vector<std::array<std::size_t, corners>>& cells)
     while (j < facets.size() && facets[j].vertices == facets[i].vertices)
       ++j;
     if (j - i > 2)
-      throw Invalid_cells_error("more than two tetrahedra share a facet; give a mesh in which "
-                                "each facet has one or two",
+      throw Invalid_cells_error("more than two tetrahedra share a facet; give a mesh in which each "
+                                "facet has one or two tetrahedra",
                                 {facets[i].cell, facets[i + 1].cell, facets[i + 2].cell}, {});
     if (j - i == 2 && !facets[i].fits(facets[i + 1]))
-      throw Invalid_cells_error("two tetrahedra overlap: remesh where they are",
+      throw Invalid_cells_error("two tetrahedra overlap: remesh near these tetrahedra",
                                 {facets[i].cell, facets[i + 1].cell});
     if (j - i == 1) {
       // Replacing the opposite vertex inverts the orientation; swapping two vertices restores it.
@@ -152,7 +152,7 @@ create_cells(typename Space::Triangulation_data_structure& tds, Item_numbers& nu
     Progress_scope::check();
     if (i + 1 == facets.size() || !facets[i].fits(facets[i + 1]) ||
         (i + 2 < facets.size() && facets[i].vertices == facets[i + 2].vertices))
-      throw Invalid_cells_error("the boundary of the tetrahedra is no closed 2-manifold; give a "
+      throw Invalid_cells_error("the boundary of the tetrahedra is not a closed 2-manifold; give a "
                                 "mesh whose domain is a ball",
                                 {facets[i].cell},
                                 {facets[i].vertices.begin(), facets[i].vertices.end()});

@@ -77,9 +77,9 @@ double CGAL_DSC_CLASS::move_vertex(Vertex_handle v, const Point& destination, do
     return 1;
   }
 
-  // The volume of a cell is linear along the segment to the destination. `way` becomes the smallest
-  // parameter at which a cell is flat.
-  double way = 1;
+  // The volume of a cell is linear along the segment to the destination. `fraction` becomes the
+  // smallest parameter at which a cell is flat.
+  double fraction = 1;
   const Approximate_point from = position(v), to = m_domain.near(from, approximate(q));
   for (Cell_handle c : m_star) {
     if (is_infinite(c))
@@ -91,19 +91,19 @@ double CGAL_DSC_CLASS::move_vertex(Vertex_handle v, const Point& destination, do
     const double here = Space::measure_of_cone(geom_traits(), link, from),
                  there = Space::measure_of_cone(geom_traits(), link, to);
     if (there < here)
-      way = (std::min)(way, here / (here - there));
+      fraction = (std::min)(fraction, here / (here - there));
   }
 
   // Rounding and the quality floor can require a larger distance than the margin.
   static constexpr int maximum_number_of_halvings = 40;
-  way *= 1 - margin;
-  for (int i = 0; i < maximum_number_of_halvings && way > 0; ++i, way /= 2) {
-    const Point p = rounded(exact(from + way * (to - from)));
+  fraction *= 1 - margin;
+  for (int i = 0; i < maximum_number_of_halvings && fraction > 0; ++i, fraction /= 2) {
+    const Point p = rounded(exact(from + fraction * (to - from)));
     if (is_admissible_star(v, m_star, p, floor)) {
       if (p == v->point())
         return 0;
       move_to(p);
-      return way;
+      return fraction;
     }
   }
   return 0;

@@ -105,56 +105,65 @@ void CGAL_DSC_CLASS::swap(Labelled_complex& other) noexcept {
 }
 
 CGAL_DSC_TEMPLATE
-auto CGAL_DSC_CLASS::assign(const std::vector<Point>& points,
-                            const std::vector<std::array<size_type, corners>>& tetrahedra,
-                            const std::vector<Label>& labels) -> std::vector<Vertex_handle> {
-  if (tetrahedra.empty())
-    throw Invalid_cells_error("there are no tetrahedra; give at least one");
-  if (labels.size() != tetrahedra.size())
-    throw Invalid_cells_error("give exactly one label for each tetrahedron");
-  static constexpr size_type maximum =
-      std::uint32_t(-1) / 8; // numbers of cells and facets have 32 bits
-  if (tetrahedra.size() > maximum)
-    throw Invalid_cells_error("there are more than 2^29 tetrahedra");
-
-  Labelled_complex result(geom_traits(), m_quality_measure, m_domain);
-  std::vector<Approximate_point> positions;
-  for (const Point& p : points) {
-    positions.push_back(m_domain.canonical(approximate(p)));
-    if (!has_finite_coordinates(positions.back()))
-      throw Invalid_cells_error("coordinates are no finite numbers: correct or remove the point",
-                                {}, {positions.size() - 1});
-  }
-  if (!internal::extent_of<dimension>(positions).is_measurable())
-    throw Invalid_cells_error("the extent of the domain is not between 1e-30 and 1e30; scale "
-                              "the points, so that volumes and qualities can be computed");
-  std::vector<bool> is_used(points.size(), false);
+auto CGAL_DSC_CLASS::checked_barycenters(const std::vector<Approximate_point>& positions,
+                                         const std::vector<std::array<size_type, corners>>& cells)
+    const -> std::vector<Approximate_point> {
+  std::vector<bool> is_used(positions.size(), false);
   std::vector<Approximate_point> barycenters;
-  const Progress_phase phase("assembling the mesh");
-  for (size_type t = 0; t < tetrahedra.size(); ++t) {
+  for (size_type t = 0; t < cells.size(); ++t) {
     Progress_scope::check();
-    const auto& v = tetrahedra[t];
+    const auto& v = cells[t];
     Approximate_vector sum(CGAL::NULL_VECTOR);
     for (size_type i : v) {
-      if (i >= points.size())
-        throw Invalid_cells_error("a tetrahedron names a point that does not exist", {t}, {i});
+      if (i >= positions.size())
+        throw Invalid_cells_error(
+            "a tetrahedron refers to a point that does not exist: correct the index", {t}, {i});
       is_used[i] = true;
       sum = sum + (m_domain.near(positions[v[0]], positions[i]) - CGAL::ORIGIN);
     }
     barycenters.push_back(CGAL::ORIGIN + sum / corners);
     if (m_domain.orientation(*this, [&](int i) { return exact(positions[v[i]]); }) != POSITIVE)
       throw Invalid_cells_error(dimension == 2
-                                    ? "a triangle is flat or clockwise, as it is or rounded; "
-                                      "give its vertices in positive order"
+                                    ? "a triangle is flat or clockwise, possibly after rounding; "
+                                      "give its vertices in counterclockwise order"
                                     : "a tetrahedron is flat or negatively oriented; give its "
-                                      "vertices in positive order",
+                                      "vertices in positive orientation",
                                 {t}, {v.begin(), v.end()});
   }
   const auto unused = std::find(is_used.begin(), is_used.end(), false);
   if (unused != is_used.end())
-    throw Invalid_cells_error("a point belongs to no tetrahedron; leave it out", {},
+    throw Invalid_cells_error("a point belongs to no tetrahedron; remove it", {},
                               {size_type(unused - is_used.begin())});
+  return barycenters;
+}
 
+CGAL_DSC_TEMPLATE
+auto CGAL_DSC_CLASS::assign(const std::vector<Point>& points,
+                            const std::vector<std::array<size_type, corners>>& tetrahedra,
+                            const std::vector<Label>& labels) -> std::vector<Vertex_handle> {
+  if (tetrahedra.empty())
+    throw Invalid_cells_error("there are no tetrahedra; give at least one");
+  if (labels.size() != tetrahedra.size())
+    throw Invalid_cells_error("the number of labels differs from the number of tetrahedra: give "
+                              "one label for each tetrahedron");
+  static constexpr size_type maximum =
+      std::uint32_t(-1) / 8; // numbers of cells and facets have 32 bits
+  if (tetrahedra.size() > maximum)
+    throw Invalid_cells_error("there are 2^29 or more tetrahedra: use a coarser mesh");
+
+  Labelled_complex result(geom_traits(), m_quality_measure, m_domain);
+  std::vector<Approximate_point> positions;
+  for (const Point& p : points) {
+    positions.push_back(m_domain.canonical(approximate(p)));
+    if (!has_finite_coordinates(positions.back()))
+      throw Invalid_cells_error("coordinates are not finite: correct or remove the point", {},
+                                {positions.size() - 1});
+  }
+  if (!internal::extent_of<dimension>(positions).is_measurable())
+    throw Invalid_cells_error("the extent of the domain is not between 1e-30 and 1e30; scale "
+                              "the points, so that volumes and qualities can be computed");
+  const Progress_phase phase("assembling the mesh");
+  const std::vector<Approximate_point> barycenters = checked_barycenters(positions, tetrahedra);
   const std::vector<size_type> vertex_order = internal::hilbert_order<Space>(positions);
   const std::vector<size_type> cell_order = internal::hilbert_order<Space>(barycenters);
   internal::prepare_for_cells<Space>(result.m_triangulation);
@@ -301,7 +310,8 @@ auto CGAL_DSC_CLASS::state() const -> State {
 CGAL_DSC_TEMPLATE
 void CGAL_DSC_CLASS::restore(const State& state) {
   if (!internal::is_consistent(state))
-    throw Invalid_cells_error("the arrays of the state do not fit together");
+    throw Invalid_cells_error(
+        "the sizes of the arrays of the state are inconsistent: use an unmodified state");
   rebuild(state);
 }
 
@@ -315,7 +325,8 @@ void CGAL_DSC_CLASS::rebuild(const State& state) {
   if (!state.cells.empty())
     result.create_items(state);
   if (!result.is_valid())
-    throw Invalid_cells_error("the state is none of a valid complex");
+    throw Invalid_cells_error(
+        "the state does not describe a valid complex: use an unmodified state");
   swap(result);
 }
 
@@ -349,7 +360,8 @@ void CGAL_DSC_CLASS::create_items(const State& state) {
   for (size_type i = 0; i < cells.size(); ++i)
     cells[i]->set_noted_quality(state.noted_qualities[i]);
   if (!m_components.renumber(*this, cells, state.cell_components))
-    throw Invalid_cells_error("the numbers of components are none of these tetrahedra");
+    throw Invalid_cells_error(
+        "the component numbers of the state do not match its tetrahedra: use an unmodified state");
 }
 
 // Throws `Invalid_cells_error` if the cells around a vertex are not connected through facets. The
@@ -389,7 +401,7 @@ void CGAL_DSC_CLASS::check_boundary() const {
     for (Cell_handle c : finite_cells())
       sum += measure(c);
     if (!(sum < 1.5 * m_domain.measure()))
-      throw Invalid_cells_error("the cells cover the torus more than once");
+      throw Invalid_cells_error("the cells cover the torus more than once: give each cell once");
     return;
   }
   std::vector<Cell_handle> outside;
@@ -402,8 +414,8 @@ void CGAL_DSC_CLASS::check_boundary() const {
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   if (!Space::is_sphere(vertices.size(), outside.size()))
-    throw Invalid_cells_error("the boundary of the tetrahedra is no sphere: give a mesh whose "
-                              "domain is a ball");
+    throw Invalid_cells_error(
+        "the boundary of the tetrahedra is not a sphere: give a mesh whose domain is a ball");
 }
 
 // Computes all data that follows from points, cells and labels.
@@ -456,7 +468,7 @@ bool CGAL_DSC_CLASS::report(bool ok, const char* what, bool verbose) const {
 CGAL_DSC_TEMPLATE
 bool CGAL_DSC_CLASS::is_valid(bool verbose) const {
   if (m_triangulation.dimension() < dimension) // empty
-    return report(number_of_cells() == 0, "cells without space", verbose);
+    return report(number_of_cells() == 0, "there are cells in an empty triangulation", verbose);
   if (!report(is_sewn(verbose), "invalid data structure", verbose))
     return false;
 
@@ -466,7 +478,7 @@ bool CGAL_DSC_CLASS::is_valid(bool verbose) const {
     are_numbered = are_numbered && v->id() < vertex_id_bound() && seen_vertices.add(v);
   for (Cell_handle c : Space::all_cells(m_triangulation))
     are_numbered = are_numbered && c->id() < cell_id_bound() && seen_cells.add(c);
-  if (!report(are_numbered, "ids are too large or given twice", verbose))
+  if (!report(are_numbered, "ids are too large or not unique", verbose))
     return false;
 
   auto totals = m_totals;

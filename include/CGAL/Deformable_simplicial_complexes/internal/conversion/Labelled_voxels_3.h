@@ -66,8 +66,8 @@ template <class Function> void with_values(const _image& image, const Function& 
   else if (image.wordKind == WK_FIXED && image.wdim == 8)
     as(std::int64_t(), std::uint64_t());
   else
-    throw Error("the values of the image are of an unknown type: use integers of 1, 2, 4 or 8 "
-                "bytes, or numbers of 4 or 8");
+    throw Error("the values of the image have an unsupported type: use integers of 1, 2, 4 or 8 "
+                "bytes, or floating-point numbers of 4 or 8 bytes");
 }
 
 // Returns the label given by a value. Throws `Error` if the value is not a label.
@@ -76,13 +76,12 @@ template <class Value> int label_of(Value value) {
   // Conversion is exact up to 2^53, which is far above the largest label.
   const double number = double(value);
   if (!(number >= 0 && number <= largest_label) || number != std::floor(number))
-    throw Error("the image holds values that are no labels: use whole numbers from 0 to " +
+    throw Error("the image has values that are not labels: use integers from 0 to " +
                 std::to_string(largest_label));
   return int(number);
 }
 
 // Returns whether a domain equals the box of all voxels of an image, up to rounding.
-inline bool is_box_of_voxels(const Image_3&, CGAL::internal_np::Param_not_found) { return false; }
 inline bool is_box_of_voxels(const Image_3& image, const Bbox_3& box) {
   static constexpr double rounding = 1e-6; // in side lengths of a voxel; origins have type `float`
   const std::array<double, 3> spacing = {image.vx(), image.vy(), image.vz()},
@@ -98,18 +97,16 @@ inline bool is_box_of_voxels(const Image_3& image, const Bbox_3& box) {
   }
   return result;
 }
-template <class Iso_cuboid> bool is_box_of_voxels(const Image_3& image, const Iso_cuboid& box) {
-  return is_box_of_voxels(image, box.bbox());
-}
 
 // Returns the smallest box of voxels that contains all labels other than 0, or the box of all
 // voxels if they fill the domain. Throws `Error` if there are no voxels, if values are not labels,
 // or if all labels are 0.
 inline Labelled_voxels_3 labelled_voxels(const Image_3& image, bool fills_domain = false) {
   if (!image.is_valid() || image.size() == 0)
-    throw Error("the image has no voxels: read one");
+    throw Error("the image has no voxels: read an image with voxels");
   if (image.image()->vdim != 1)
-    throw Error("the voxels of the image have several values: use an image with one label each");
+    throw Error(
+        "the voxels of the image have several values: use an image with one label for each voxel");
   using Place = std::array<std::size_t, 3>;
   const Place all = {image.xdim(), image.ydim(), image.zdim()};
   const std::array<double, 3> origin = {image.tx(), image.ty(), image.tz()};
@@ -119,8 +116,8 @@ inline Labelled_voxels_3 labelled_voxels(const Image_3& image, bool fills_domain
   for (int axis = 0; axis < 3; ++axis)
     if (!(result.spacing[axis] > 0) || !std::isfinite(result.spacing[axis]) ||
         !std::isfinite(origin[axis]))
-      throw Error("the voxels of the image have no place or no volume: their sides have to be "
-                  "longer than 0");
+      throw Error("the origin or the spacing of the image is invalid: use a finite origin and a "
+                  "positive, finite spacing");
   const auto index = [&](const Place& p) { return (p[2] * all[1] + p[1]) * all[0] + p[0]; };
   const auto for_each_row = [](const Place& first, const Place& end, const auto& visit) {
     for (Place p = first; p[2] < end[2]; ++p[2])
@@ -140,7 +137,7 @@ inline Labelled_voxels_3 labelled_voxels(const Image_3& image, bool fills_domain
           }
     });
     if (end[0] == 0)
-      throw Error("the image holds no label but 0: there is nothing to be found in it");
+      throw Error("all labels of the image are 0: use an image with at least one other label");
     if (fills_domain) {
       first = {0, 0, 0};
       end = all;

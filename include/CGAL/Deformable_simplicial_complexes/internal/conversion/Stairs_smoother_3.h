@@ -100,13 +100,14 @@ public:
       Progress_scope::check();
       if (numbers[v] == 0)
         continue;
-      const Vector way = positions[v] + sums[v] * (part / double(numbers[v])) - m_places[v];
+      const Vector displacement =
+          positions[v] + sums[v] * (part / double(numbers[v])) - m_places[v];
       std::array<double, 3> kept;
       for (int axis = 0; axis < 3; ++axis)
-        kept[axis] =
-            Boundary_class::fixes(m_sides[v], axis)
-                ? 0
-                : std::clamp(way[axis], -m_reach[v] * m_voxel[axis], m_reach[v] * m_voxel[axis]);
+        kept[axis] = Boundary_class::fixes(m_sides[v], axis)
+                         ? 0
+                         : std::clamp(displacement[axis], -m_reach[v] * m_voxel[axis],
+                                      m_reach[v] * m_voxel[axis]);
       positions[v] = m_places[v] + Vector(kept[0], kept[1], kept[2]);
     }
   }

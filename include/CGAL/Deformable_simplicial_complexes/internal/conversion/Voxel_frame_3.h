@@ -14,12 +14,12 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/conversion/Voxel_octree_3.h>
 
 #include <CGAL/Bbox_3.h>
-#include <CGAL/Named_function_parameters.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
@@ -37,8 +37,8 @@ public:
   // Computes the frame. Normalization maps the default domain to [-1,1]^3. Throws `Error` if the
   // size of the voxels is zero or not finite, or if the domain does not contain them in its
   // interior.
-  template <class Domain>
-  Voxel_frame_3(const Labelled_voxels_3& voxels, bool normalize, const Domain& domain) {
+  Voxel_frame_3(const Labelled_voxels_3& voxels, bool normalize,
+                const std::optional<Bbox_3>& domain) {
     double squared_diagonal = 0;
     for (int axis = 0; axis < 3; ++axis) {
       m_side[axis] = voxels.spacing[axis] / voxels.largest_spacing();
@@ -49,7 +49,8 @@ public:
     m_unit = half_side * voxels.largest_spacing();
     m_center = voxels.center;
     if (!(m_unit > 0) || !std::isfinite(m_unit))
-      throw Error("the size of the voxels is no number of type double: scale them");
+      throw Error(
+          "the size of the voxels is 0 or too large for numbers of type double: scale them");
     for (double& side : m_side)
       side /= half_side;
     if (normalize) {
@@ -57,13 +58,14 @@ public:
       scale = m_unit;
     }
     for (int axis = 0; axis < 3; ++axis) {
-      const auto [low, high] = voxels.fills_domain ? Limits{-1, 1} : limits(domain, axis);
+      const auto [low, high] =
+          voxels.fills_domain || !domain ? Limits{-1, 1} : limits(*domain, axis);
       m_low[axis] = low;
       m_high[axis] = high;
       const double half = m_half[axis] * m_side[axis];
       if (!(low < -half && half < high) || !std::isfinite(low) || !std::isfinite(high))
-        throw Error("voxels with labels other than 0 reach the enclosing box, or go beyond it: use "
-                    "a larger one, or that of all voxels");
+        throw Error("voxels with labels other than 0 reach the enclosing box or lie outside it: "
+                    "use a larger box, or the box of all voxels");
     }
   }
 
@@ -105,12 +107,8 @@ private:
     double low, high;
   };
 
-  Limits limits(CGAL::internal_np::Param_not_found, int) const { return {-1, 1}; }
   Limits limits(const Bbox_3& box, int axis) const {
     return {(box.min(axis) - m_center[axis]) / m_unit, (box.max(axis) - m_center[axis]) / m_unit};
-  }
-  template <class Iso_cuboid> Limits limits(const Iso_cuboid& box, int axis) const {
-    return limits(box.bbox(), axis);
   }
 
   double m_unit;                  // half the side of the default domain, in the unit of the image

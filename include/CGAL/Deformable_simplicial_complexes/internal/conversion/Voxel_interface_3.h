@@ -24,7 +24,6 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/conversion/Voxel_pyramid_3.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/restore_volumes.h>
-#include <CGAL/Deformable_simplicial_complexes/topology_control.h>
 
 #include <algorithm>
 #include <array>
@@ -99,7 +98,7 @@ public:
       changer.change_by(missing, positions,
                         round + 1 < rounds ? iterations : changer.most_iterations);
     }
-    deform_interface_to(dsc, interface_, positions, kept());
+    deform_interface_to(dsc, interface_, positions, deformation_options());
   }
 
   // Coarsens the interface to the target edge length. The change of the volume of a component is
@@ -110,24 +109,30 @@ public:
     static constexpr double short_edges = .7, long_edges = 1.5;
     const double voxel = m_frame.side(0) * m_frame.side(1) * m_frame.side(2);
     static constexpr double swept = .2; // in volumes of a voxel
-    const auto size = [edge = m_edge](const typename Complex::Approximate_point&) { return edge; };
-    improve_interface(dsc, parameters::sizing_field(size)
-                               .interface_collapse_length(short_edges)
-                               .interface_split_length(long_edges)
-                               .swept_volume(swept * voxel / std::pow(m_edge, 3))
-                               .number_of_iterations(rounds));
-    control_detail(dsc);
+    Interface_improvement_options<Complex> options;
+    options.sizing_field = [edge = m_edge](const auto&) { return edge; };
+    options.interface_collapse_length = short_edges;
+    options.interface_split_length = long_edges;
+    options.swept_volume = swept * voxel / std::pow(m_edge, 3);
+    options.number_of_iterations = rounds;
+    improve_interface(dsc, options);
+    control_detail(dsc, Detail_options<Complex>());
   }
 
   void restore(Complex& dsc) const {
     const Progress_phase phase("restoring the volumes of components");
-    restore_volumes(dsc, m_volumes, kept().number_of_iterations(10));
+    Volume_restoration_options<Complex> options;
+    options.deformation = deformation_options();
+    options.number_of_iterations = 10;
+    restore_volumes(dsc, m_volumes, options);
     check(dsc);
   }
 
 private:
-  static auto kept() {
-    return parameters::topology_control(Forbid_topology_changes()).relabeling_threshold(0.);
+  static Deformation_options<Complex> deformation_options() {
+    Deformation_options<Complex> result;
+    result.forbid_topology_changes();
+    return result;
   }
 
   // Throws `Error` unless each component has the volume of its voxels, up to a tolerance.
@@ -148,8 +153,8 @@ private:
     const double scale = m_frame.scale,
                  side = (std::min)({m_frame.side(0), m_frame.side(1), m_frame.side(2)});
     throw Error(std::to_string(number) + " components of the labels " + names +
-                " are too fine for edges of " + std::to_string(scale * m_edge) +
-                " to get the volumes of their voxels: use edges of at most " +
+                " are too small to keep their volumes with edges of length " +
+                std::to_string(scale * m_edge) + ": use edges of at most " +
                 std::to_string(scale * side));
   }
 

@@ -116,13 +116,13 @@ inline std::optional<Ring_fault> find_ring_fault(const std::vector<Polygon_ring>
   for (std::size_t r = 0; r < rings.size(); ++r) {
     if (rings[r].is_hole && !nesting.is_in_shell(r))
       return Ring_fault{r, "a hole is outside its polygon: the first ring of a polygon is its "
-                           "boundary, the others are holes in it; correct their order"};
+                           "boundary, and the others are holes; correct their order"};
     if (rings[r].is_hole && nesting.depth(r) % 2 == 0)
       return Ring_fault{r, "a hole is inside another hole, or in a polygon that overlaps another "
-                           "one: make what is inside holes polygons of their own"};
+                           "one: write polygons inside holes as separate polygons"};
     if (!rings[r].is_hole && nesting.depth(r) % 2 != 0)
       return Ring_fault{r, "a polygon is inside another one of the same geometry: unite them, make "
-                           "it a hole, or make it a geometry of its own"};
+                           "it a hole, or make it a separate geometry"};
   }
   return std::nullopt;
 }

@@ -76,7 +76,7 @@ public:
     std::array<double, 2> p;
     for (double& x : p)
       if (!std::isfinite(x = number<double>()))
-        m_scanner.fail("a coordinate is no finite number; correct it");
+        m_scanner.fail("a coordinate is not a finite number; correct it");
     return Point(p[0], p[1]);
   }
 
@@ -122,18 +122,18 @@ private:
   bool read_points(Triangle_lines& lines) {
     const std::size_t points = lines.next();
     if (lines.number<std::size_t>() != 2)
-      lines.fail("the points are not in the plane: the second number has to be 2");
+      lines.fail("the points are not two-dimensional: the second number must be 2");
     lines.optional_number<std::size_t>(); // number of attributes of each point
     const bool has_markers = lines.optional_number<std::size_t>().value_or(0) > 0;
     lines.end();
     for (std::size_t i = 0; i < points; ++i) {
       const std::size_t index = lines.next();
       if (i == 0 && index > 1)
-        lines.fail("the first point has neither the number 0 nor 1; correct it");
+        lines.fail("the number of the first point is not 0 or 1; correct it");
       if (i == 0)
         m_first = index;
       if (index != m_first + i)
-        lines.fail("the points are not numbered one after another; correct the numbers");
+        lines.fail("the points are not numbered consecutively; correct the numbers");
       m_result.points.push_back(lines.point<Point>());
       const std::size_t more = lines.end();
       const std::size_t markers = has_markers && more > 0 ? 1 : 0;
@@ -146,11 +146,11 @@ private:
   void read_node_file() {
     const std::string path = std::filesystem::path(m_path).replace_extension(".node").string();
     if (!std::filesystem::exists(path))
-      m_lines.fail("there are no points, and there is no file " + path +
-                   " with them; put it beside this one");
+      m_lines.fail("there are no points, and the file " + path +
+                   " with the points does not exist; put it into the same folder");
     Triangle_lines lines(path);
     if (!read_points(lines))
-      lines.fail("there are no points; add some");
+      lines.fail("there are no points; add points");
   }
 
   void read_segments() {
@@ -163,15 +163,15 @@ private:
       for (std::size_t& end : ends) {
         end = m_lines.number<std::size_t>() - m_first;
         if (end >= m_result.points.size())
-          m_lines.fail("a segment names a point that does not exist; correct it");
+          m_lines.fail("a segment refers to a point that does not exist; correct it");
         is_used[end] = 1;
       }
       m_result.segments.push_back(ends);
       m_unused.add("boundary markers", m_lines.end());
     }
     if (segments == 0)
-      m_lines.fail("there are no segments; add those that bound regions");
-    m_unused.add("points that are no ends of segments",
+      m_lines.fail("there are no segments; add the boundaries of regions");
+    m_unused.add("points without segments",
                  std::size_t(std::count(is_used.begin(), is_used.end(), 0)));
   }
 
@@ -195,7 +195,8 @@ private:
       const double label = m_lines.number<double>();
       if (label != std::floor(label) || label < (std::numeric_limits<int>::min)() ||
           label > (std::numeric_limits<int>::max)())
-        m_lines.fail("the attribute of a region is no integer that can be a label; correct it");
+        m_lines.fail(
+            "the attribute of a region is not a 32-bit integer and cannot be a label; correct it");
       m_result.seeds.emplace_back(p, int(label));
       m_unused.add("area constraints", m_lines.optional_number<double>().value_or(0) > 0 ? 1 : 0);
       m_lines.end();

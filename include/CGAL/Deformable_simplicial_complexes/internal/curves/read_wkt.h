@@ -76,13 +76,13 @@ private:
     const bool is_collection = type == "GEOMETRYCOLLECTION",
                is_point = type == "POINT" || type == "MULTIPOINT";
     if (depth == 0 && !is_collection && !is_point)
-      fail(in_quotes(type) + " is no geometry that bounds a region: use POLYGON, MULTIPOLYGON, "
+      fail(in_quotes(type) + " is not a geometry that bounds a region: use POLYGON, MULTIPOLYGON, "
                              "LINESTRING or MULTILINESTRING");
     if (const std::string more = is_letter() ? word() : ""; more == "EMPTY") {
       m_unused.add("empty geometries");
       return;
     } else if (!more.empty() && !is_point) {
-      fail(in_quotes(type + ' ' + more) + " has more than x and y: leave the others out");
+      fail(in_quotes(type + ' ' + more) + " has more coordinates than x and y: remove the others");
     }
     if (is_point)
       return skip_points();
@@ -96,7 +96,7 @@ private:
 
   void collection(int depth) {
     if (depth > most_nested)
-      fail("more than 100 collections are in one another; take the geometries out of them");
+      fail("collections are nested more than 100 levels deep; use fewer levels");
     expect('(');
     do
       geometry(depth);
@@ -114,7 +114,7 @@ private:
       open -= m_text[m_position++] == ')';
     }
     if (open > 0)
-      fail("the points are not closed by a )");
+      fail("there is no ) after the points; add it");
     const auto last = m_text.begin() + std::ptrdiff_t(m_position);
     m_unused.add("points",
                  1 + std::size_t(std::count(m_text.begin() + std::ptrdiff_t(first), last, ',')));
@@ -164,12 +164,13 @@ private:
       points.push_back({x, number()});
       if (skip_space();
           m_position < m_text.size() && m_text[m_position] != ',' && m_text[m_position] != ')')
-        fail("a point has more than x and y, or a comma is missing: give two numbers for each");
+        fail("a point has more than two coordinates, or a comma is missing: give two numbers for "
+             "each point");
     } while (is_next(','));
     expect(')');
     if (points.size() < 4 || points.front() != points.back())
-      fail_at(line, "a ring is not closed: its last point must be its first, with at least two "
-                    "between");
+      fail_at(line, "a ring is not closed: its last point must equal its first point, with at "
+                    "least two other points between them");
     points.pop_back();
     m_rings.push_back({std::move(points), m_polygons, is_hole, line});
   }

@@ -10,12 +10,12 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DEFORMATION_INTERFACE_DEFORMER_H
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Stopwatch.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Deformation_remesher.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/local_edge_length.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Destinations.h>
@@ -55,8 +55,8 @@ public:
                      const Deformation_options<Complex>& options,
                      const For_each_index& for_each_index)
       : m_complex(complex), m_visitor(visitor), m_options(options), m_destinations(complex),
-        m_rigid_parts(complex, m_destinations),
-        m_mesh(complex, visitor, m_destinations, m_rigid_parts, options),
+        m_rigid_components(complex, m_destinations),
+        m_mesh(complex, visitor, m_destinations, m_rigid_components, options),
         m_trapped_cells(complex, visitor, m_options.topology_control, options.manifold_interface),
         m_for_each_index(for_each_index) {}
 
@@ -67,15 +67,13 @@ public:
   // replaced by the nearest point of the box, where the interface stops. Throws
   // `Invalid_destination_error` if a destination is not finite; nothing is changed then.
   void set_destinations(const std::vector<Vertex_handle>& vertices,
-                        const std::vector<Point>& destinations) {
-    std::vector<typename Complex::Approximate_point> positions;
-    for (const Point& p : destinations)
-      positions.push_back(m_complex.approximate(p));
-    require_finite(positions, "a destination");
+                        const std::vector<typename Complex::Approximate_point>& destinations) {
+    require_finite(destinations, "a destination");
     m_trapped_cells.log().begin();
     const Domain_box<Complex> box(m_complex);
     for (std::size_t i = 0; i < vertices.size(); ++i) {
-      const Point admissible = m_complex.admissible_destination(vertices[i], destinations[i]);
+      const Point admissible =
+          m_complex.admissible_destination(vertices[i], m_complex.exact(destinations[i]));
       auto position = m_complex.approximate(admissible);
       const bool is_stopped = box.clamp(position);
       m_stopped_at_boundary += is_stopped;
@@ -111,23 +109,23 @@ public:
     const auto flow = [&](Vertex_handle v) -> std::optional<Vector> {
       if (pass > 1 || !m_options.flow)
         return {};
-      const Vector way = m_complex.displacement(v, m_options.flow(v));
-      if (way.squared_length() < far * far * longest * longest)
-        return way;
+      const Vector displacement = m_complex.displacement(v, m_options.flow(v));
+      if (displacement.squared_length() < far * far * longest * longest)
+        return displacement;
       return {};
     };
-    const auto way = [&](Vertex_handle v) {
+    const auto remaining = [&](Vertex_handle v) {
       return m_complex.displacement(v, m_destinations.final_position(v));
     };
     lap(&Report::Seconds::motion);
-    const std::vector<Vector> ways =
-        displacement_extension(m_complex, free, way, flow, longest, m_for_each_index);
+    const std::vector<Vector> displacements =
+        displacement_extension(m_complex, free, remaining, flow, longest, m_for_each_index);
     lap(&Report::Seconds::extension);
     std::vector<Point> targets;
     for (std::size_t k = 0; k < vertices.size(); ++k)
       targets.push_back(m_destinations.destination(k));
     for (std::size_t i = 0; i < free.size(); ++i) {
-      const auto target = m_complex.position(free[i]) + ways[i];
+      const auto target = m_complex.position(free[i]) + displacements[i];
       if (target != m_complex.position(free[i]) && has_finite_coordinates(target)) {
         vertices.push_back(free[i]);
         targets.push_back(m_complex.admissible_destination(free[i], m_complex.exact(target)));
@@ -283,15 +281,16 @@ private:
       return;
     m_trapped_cells.relabel(handles(cells), threshold, [&](Cell_handle c) {
       return final_quality(c) < m_options.relabeling_threshold &&
-             !m_rigid_parts.moves_as_a_whole(c);
+             !m_rigid_components.moves_as_a_whole(c);
     });
   }
 
   // Returns the number of layers of free vertices around a vertex that follow its displacement. A
   // longer displacement needs more layers, because more space must give way.
-  unsigned number_of_layers(Vertex_handle v, double way) const {
+  unsigned number_of_layers(Vertex_handle v, double displacement) const {
     static constexpr double most = 6;
-    return unsigned((std::min)(most, 1 + std::ceil(2 * way / local_edge_length(m_complex, v))));
+    return unsigned(
+        (std::min)(most, 1 + std::ceil(2 * displacement / local_edge_length(m_complex, v))));
   }
 
   static std::vector<Cell_handle> handles(const Work_list<Cell_handle>& cells) {
@@ -310,7 +309,7 @@ private:
   Any_visitor<Complex>& m_visitor;
   Deformation_options<Complex> m_options;
   Destinations<Complex> m_destinations;
-  Rigid_components<Complex> m_rigid_parts;
+  Rigid_components<Complex> m_rigid_components;
   Deformation_remesher<Complex> m_mesh;
   Trapped_cells<Complex> m_trapped_cells;
   const For_each_index& m_for_each_index;

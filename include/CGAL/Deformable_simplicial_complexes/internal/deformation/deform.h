@@ -10,13 +10,13 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DEFORMATION_DEFORM_H
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Edge_unit.h>
 #include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/deformation/Interface_deformer.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Deformation_options.h>
 
-#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -28,20 +28,22 @@ namespace internal {
 template <class Complex>
 Deformation_report<Complex>
 deform(Complex& dsc, const std::vector<typename Complex::Vertex_handle>& vertices,
-       const std::vector<typename Complex::Point>& destinations,
-       const Deformation_options<Complex>& options, unsigned maximum_number_of_passes,
-       unsigned number_of_threads, Any_visitor<Complex>& visitor,
-       const std::function<bool(unsigned)>& go_further) {
+       const std::vector<typename Complex::Approximate_point>& destinations,
+       const Deformation_options<Complex>& options) {
+  options.check();
+  require_interface_edge(dsc);
+  Any_visitor<Complex> no_visitor;
+  Any_visitor<Complex>& visitor = options.visitor ? *options.visitor : no_visitor;
   using Seconds = typename Deformation_report<Complex>::Seconds;
   const Progress_phase phase("moving the interface");
-  const For_each_index for_each_index(number_of_threads);
+  const For_each_index for_each_index(options.number_of_threads);
   Interface_deformer<Complex> deformer(dsc, visitor, options, for_each_index);
   deformer.set_destinations(vertices, destinations);
   unsigned pass = 0;
   bool is_stopped = false;
   deformer.lap(&Seconds::rest);
-  while (!deformer.is_complete() && deformer.is_progressing() && pass < maximum_number_of_passes &&
-         !(is_stopped = !go_further(pass + 1))) {
+  while (!deformer.is_complete() && deformer.is_progressing() &&
+         pass < options.maximum_number_of_passes && !(is_stopped = !visitor.go_further(pass + 1))) {
     ++pass;
     Progress_scope::check();
     deformer.begin_pass();

@@ -46,7 +46,7 @@ public:
     for (bool is_in_file = m_scanner.next(); is_in_file && m_scanner.word() != "End";) {
       if (!m_scanner.is_keyword())
         m_scanner.fail(in_quotes(m_scanner.word()) +
-                       " is not expected; is the number of elements above it right?");
+                       " is not expected; is the number of elements above it correct?");
       is_in_file = read_section(std::string(m_scanner.word()));
     }
     check();
@@ -128,7 +128,7 @@ private:
           (starts_with(keyword, "TetrahedraP") && keyword.find("Ordering") == keyword.npos);
       if (fills_space && number > 0)
         m_scanner.fail("there are " + std::to_string(number) + " elements of " +
-                       in_quotes(keyword) + "; cut them into tetrahedra or leave them out");
+                       in_quotes(keyword) + "; divide them into tetrahedra or remove them");
       while ((is_in_file = m_scanner.next()) && !m_scanner.is_keyword())
         continue;
     }
@@ -167,7 +167,7 @@ private:
     const auto value = m_scanner.number<double>();
     using Limits = std::numeric_limits<int>;
     if (!(Limits::min() <= value && value <= Limits::max()) || value != std::trunc(value))
-      m_scanner.fail(in_quotes(m_scanner.word()) + " is no integer of 32 bits and cannot be " +
+      m_scanner.fail(in_quotes(m_scanner.word()) + " is not a 32-bit integer and cannot be " +
                      name + "; choose one from " + std::to_string(Limits::min()) + " to " +
                      std::to_string(Limits::max()));
     return static_cast<int>(value);
@@ -185,7 +185,7 @@ private:
 
   void check() {
     if (m_tetrahedra.empty())
-      m_scanner.fail("there are no tetrahedra; choose a mesh that has some");
+      m_scanner.fail("there are no tetrahedra; choose a mesh with tetrahedra");
     require(m_vertex, m_points.size(), "vertex");
     require(m_edge, m_entities.edges.size(), "edge");
     require(m_triangle, m_entities.triangles.size(), "triangle");

@@ -108,7 +108,7 @@ public:
         "the array " + in_quotes(element->attribute("Name")) + " of " + section;
     std::vector<double> result = numbers(*element, known_as);
     if (result.size() % components != 0 || result.size() / components != size)
-      fail(known_as + " has " + std::to_string(result.size()) + " numbers and not " +
+      fail(known_as + " has " + std::to_string(result.size()) + " numbers instead of " +
            (components == 1 ? "" : std::to_string(components) + " times ") + std::to_string(size) +
            "; is the file truncated?");
     return result;
@@ -196,7 +196,7 @@ private:
     if (format == "ascii") {
       std::optional<std::vector<double>> result = numbers_of_text(text(element));
       if (!result)
-        fail(known_as + " has something that is no number; correct it");
+        fail(known_as + " has a word that is not a number; correct it");
       return std::move(*result);
     }
     if (format != "binary" && format != "appended")
@@ -225,7 +225,7 @@ private:
   std::string appended_block(const Xml_element& element, const std::string& known_as) const {
     const std::size_t offset = number(element, "offset");
     if (offset > m_appended.size())
-      fail(known_as + " begins behind the end of the data; is the file truncated?");
+      fail(known_as + " begins after the end of the data; is the file truncated?");
     const std::optional<Xml_element> section = child(m_file, "AppendedData");
     return block(m_appended.substr(offset), !section || section->attribute("encoding") != "raw",
                  known_as);

@@ -48,7 +48,7 @@ inline std::vector<Mesh_array> read_vtu_arrays(const Vtu_reader& reader, const s
   for (Mesh_array& array : reader.announced_arrays(section)) {
     Progress_scope::check();
     if (find_vtk_number_type(array.type) == nullptr) {
-      unused.add("array of no numbers (" + in_quotes(array.name) + ')');
+      unused.add("array without numbers (" + in_quotes(array.name) + ')');
       continue;
     }
     array.values = reader.array(section, array.name, size, array.components);
@@ -81,7 +81,7 @@ inline Vtu_tetrahedra read_vtu_tetrahedra(const std::string& path, const std::st
   const std::size_t number_of_points = reader.number_of_points();
   const std::size_t number_of_cells = reader.number_of_cells();
   if (number_of_cells == 0)
-    reader.fail("there are no cells; choose a mesh that has tetrahedra");
+    reader.fail("there are no cells; choose a mesh with tetrahedra");
   Vtu_tetrahedra result;
   const std::vector<std::size_t> cells = vtu_tetrahedra(reader, number_of_cells, result.unused);
   result.coordinates = reader.array("Points", "", number_of_points, 3);
@@ -97,7 +97,7 @@ inline Vtu_tetrahedra read_vtu_tetrahedra(const std::string& path, const std::st
   if (cells.size() < number_of_cells)
     for (Mesh_array& array : on_cells)
       array = array.selected(cells);
-  result.unused.add("arrays of the grid as a whole", reader.number_of_global_arrays());
+  result.unused.add("arrays of field data", reader.number_of_global_arrays());
 
   const Vtu_label_choice choice(reader, on_cells);
   const std::size_t chosen = choice.find(label_array, result.unused);

@@ -85,12 +85,12 @@ vtu_tetrahedra(const Vtu_reader& reader, std::size_t number_of_cells, Unused_con
     else if (type == nullptr || type->dimension == 3)
       reader.fail("cell " + std::to_string(i) + " is " +
                   (type == nullptr ? "of an unknown type" : type->name) +
-                  " and no tetrahedron; cut it into tetrahedra or leave it out");
+                  " and not a tetrahedron; divide it into tetrahedra or remove it");
     else
       unused.add(type->plural);
   }
   if (result.empty())
-    reader.fail("there are no tetrahedra among the cells; choose a mesh that has some");
+    reader.fail("there are no tetrahedra among the cells; choose a mesh with tetrahedra");
   return result;
 }
 
@@ -104,7 +104,7 @@ read_vtu_corners(const Vtu_reader& reader, const std::vector<std::size_t>& cells
     if (!(offsets[i] >= (i == 0 ? 0 : offsets[i - 1])) || offsets[i] != std::trunc(offsets[i]) ||
         offsets[i] > 1e15)
       reader.fail("cell " + std::to_string(i) +
-                  " does not end behind the cell before it; correct the array 'offsets'");
+                  " does not end after the previous cell; correct the array 'offsets'");
   const auto begin = [&](std::size_t i) {
     return i == 0 ? 0 : static_cast<std::size_t>(offsets[i - 1]);
   };

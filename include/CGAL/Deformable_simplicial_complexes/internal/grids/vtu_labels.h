@@ -55,11 +55,11 @@ public:
       if (result == none)
         result = i;
       else if (i != none && m_arrays[i].values != m_arrays[result].values)
-        unused.add("other array of labels (" + in_quotes(known) + ", not chosen beside " +
+        unused.add("other array of labels (" + in_quotes(known) + ", ignored in favor of " +
                    in_quotes(m_arrays[result].name) + ')');
     }
     if (result == none && std::any_of(m_arrays.begin(), m_arrays.end(), may_be_labels))
-      m_reader.fail("no cell array has a name that is known for labels; " + description());
+      m_reader.fail("no cell array has a known name for labels; " + description());
     return result;
   }
 
@@ -79,7 +79,7 @@ public:
       if (!is_label(value)) {
         std::ostringstream text;
         text.precision(std::numeric_limits<double>::max_digits10);
-        text << "the label of cell " << cells[result.size()] << " is no integer of 32 bits but "
+        text << "the label of cell " << cells[result.size()] << " is not a 32-bit integer but "
              << value << "; correct the array " << in_quotes(array.name);
         m_reader.fail(text.str());
       }
@@ -107,7 +107,7 @@ private:
   // Returns a description of all arrays, and advice how to choose one.
   std::string description() const {
     std::ostringstream text;
-    text << (m_arrays.empty() ? "there are no others" : "there are ");
+    text << (m_arrays.empty() ? "there are no cell arrays" : "there are ");
     for (const Mesh_array& array : m_arrays) {
       text << (&array == &m_arrays.front() ? "" : ", ") << in_quotes(array.name) << " ("
            << array.type;
@@ -115,12 +115,12 @@ private:
         text << ", " << array.components << " components";
       else if (!array.values.empty()) {
         const auto [least, largest] = std::minmax_element(array.values.begin(), array.values.end());
-        text << (may_be_labels(array) ? ", whole numbers" : ", no labels") << " from " << *least
+        text << (may_be_labels(array) ? ", integers" : ", not labels") << " from " << *least
              << " to " << *largest;
       }
       text << ')';
     }
-    return text.str() + "; choose the one with the labels by its name (in dsc: --labels NAME), or "
+    return text.str() + "; choose the array of labels by its name (in dsc: --labels NAME), or "
                         "'none' for label 1 everywhere";
   }
 

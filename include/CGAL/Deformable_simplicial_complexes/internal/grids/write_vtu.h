@@ -9,6 +9,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GRIDS_WRITE_VTU_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GRIDS_WRITE_VTU_H
 
+#include <CGAL/Deformable_simplicial_complexes/IO/replace_file.h>
 #include <CGAL/Deformable_simplicial_complexes/Mesh_arrays.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/grids/Vtu_document.h>

@@ -60,9 +60,9 @@ public:
     std::vector<std::pair<std::size_t, int>> result;
     for (std::size_t t = 0; t < triangles.size(); ++t)
       for (int i = 0; i < 3; ++i) {
-        const Side wanted = {triangles[t][i], triangles[t][(i + 1) % 3], 0};
-        const auto side = std::lower_bound(m_sides.begin(), m_sides.end(), wanted);
-        if (side != m_sides.end() && side->from == wanted.from && side->to == wanted.to)
+        const Side key = {triangles[t][i], triangles[t][(i + 1) % 3], 0};
+        const auto side = std::lower_bound(m_sides.begin(), m_sides.end(), key);
+        if (side != m_sides.end() && side->from == key.from && side->to == key.to)
           result.emplace_back(t, side->label);
       }
     return result;
@@ -117,20 +117,20 @@ void check_image(const Labelled_image_2& image, double edge, const std::optional
   static constexpr std::size_t largest_side = 1 << 20; // also the limit of all image readers
   if (image.width == 0 || image.height == 0 || image.width > largest_side ||
       image.height > largest_side || image.labels.size() != image.width * image.height)
-    throw Error("the image has no pixels, more than 2^20 in a row or column, or not a label for "
-                "each: correct it");
+    throw Error("the image has no pixels, more than 2^20 pixels in a row or column, or not one "
+                "label for each pixel: correct it");
   if (!(edge >= 1))
-    throw Error("the edges are to be shorter than a pixel: use 1 or more");
+    throw Error("the target edge length is less than a pixel: use 1 or more");
   const Bbox_2 pixels = image.bbox();
   if (box && *box != pixels &&
       !(box->xmin() < pixels.xmin() && box->ymin() < pixels.ymin() && box->xmax() > pixels.xmax() &&
         box->ymax() > pixels.ymax() &&
         has_finite_coordinates(
             std::array<double, 4>{box->xmin(), box->ymin(), box->xmax(), box->ymax()})))
-    throw Error(
-        "the image, of " + std::to_string(image.width) + " times " + std::to_string(image.height) +
-        " pixels from the origin, is neither strictly inside the enclosing box nor fills it: "
-        "give a larger box, or none to fill the image only");
+    throw Error("the image of " + std::to_string(image.width) + " times " +
+                std::to_string(image.height) +
+                " pixels, with a corner at the origin, does not fill the enclosing box and is not "
+                "strictly inside it: give a larger box, or no box");
 }
 
 // Triangulates an image. `edge` is the target edge length, in pixels. Throws `Error` if the image,
@@ -148,10 +148,8 @@ Image_filling_2 fill_image(const Labelled_image_2& image, double edge,
   const Pixel_chains_2 chains(image, box.has_value());
   if (const std::size_t edges = chains.number_of_edges(); edges > most_edges)
     throw Error("the image has " + std::to_string(edges) +
-                " edges of pixels between different labels, more than " +
-                std::to_string(most_edges) +
-                ": if it is noisy or a photograph, filter or segment it, else reduce it or cut it "
-                "into parts");
+                " pixel edges between different labels, more than " + std::to_string(most_edges) +
+                ": filter or segment a noisy image or a photograph; reduce or divide other images");
   const Image_curves_2<Kernel> curves(chains, edge);
   Planar_filling_2 filling = fill_box_between<Kernel>(curves.soup(), box.value_or(image.bbox()));
   filling.locate = nullptr; // releases the triangulation

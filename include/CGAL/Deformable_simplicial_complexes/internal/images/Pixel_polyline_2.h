@@ -201,10 +201,10 @@ private:
     // Convergence is quadratic, unless vertices are constrained.
     static constexpr int most_moves = 20;
     const std::size_t n = m_vertices.size();
-    const double wanted = doubled_area(m_steps + 1, [&](std::size_t i) { return corner(i); });
+    const double target = doubled_area(m_steps + 1, [&](std::size_t i) { return corner(i); });
     for (int move = 0; move < most_moves; ++move) {
       const double missing =
-          (wanted - doubled_area(n, [&](std::size_t i) { return m_vertices[i].point; })) / 2;
+          (target - doubled_area(n, [&](std::size_t i) { return m_vertices[i].point; })) / 2;
       if (std::abs(missing) <= exactness)
         return true;
       std::vector<Point> chords(n);

@@ -11,10 +11,10 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_operations_2.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Small_angle_remover_2.h>
@@ -42,12 +42,12 @@ public:
 
   Deformation_remesher_2(Complex& complex, Any_visitor<Complex>& visitor,
                          const Destinations<Complex>& destinations,
-                         const Rigid_components<Complex>& rigid_parts,
+                         const Rigid_components<Complex>& rigid_components,
                          const Deformation_options<Complex>& options)
       : m_complex(complex), m_visitor(visitor), m_topology_control(options.topology_control),
         m_relabeling_threshold(options.relabeling_threshold), m_cavity(complex),
         m_improver(complex, visitor, destinations, options.quality_threshold),
-        m_small_angles(complex, visitor, rigid_parts, options.minimum_angle,
+        m_small_angles(complex, visitor, rigid_components, options.minimum_angle,
                        options.quality_threshold) {}
 
   void begin_pass(const For_each_index&) {}
@@ -105,7 +105,7 @@ private:
       return false;
     for (Cell_handle side : {c, c->neighbor(i)})
       for (auto label : exchange->joined)
-        if (!m_topology_control(m_complex, side, label))
+        if (m_topology_control && !m_topology_control(m_complex, side, label))
           return false;
     log.record(c, exchange->joined[0]);
     replace_cavity(m_complex, m_cavity, m_visitor);
@@ -116,7 +116,7 @@ private:
 
   Complex& m_complex;
   Any_visitor<Complex>& m_visitor;
-  const Topology_control<Complex>& m_topology_control;
+  const typename Deformation_options<Complex>::Topology_control& m_topology_control;
   double m_relabeling_threshold;
   Cavity<Complex> m_cavity;
   Mesh_improver<Complex> m_improver;

@@ -10,11 +10,11 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_DEFORMATION_REMESHER_3_H
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/geometry/triangle_quality.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Small_angle_remover_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Destinations.h>
@@ -46,13 +46,13 @@ public:
 
   Deformation_remesher_3(Complex& complex, Any_visitor<Complex>& visitor,
                          const Destinations<Complex>& destinations,
-                         const Rigid_components<Complex>& rigid_parts,
+                         const Rigid_components<Complex>& rigid_components,
                          const Deformation_options<Complex>& options)
       : m_complex(complex), m_destinations(destinations),
         m_relabeling_threshold(options.relabeling_threshold),
         m_degenerate_cosine(std::cos(options.minimum_facet_angle * (CGAL_PI / 180))),
         m_improver(complex, visitor, destinations, options.quality_threshold),
-        m_small_angles(complex, visitor, rigid_parts, options.minimum_angle,
+        m_small_angles(complex, visitor, rigid_components, options.minimum_angle,
                        options.quality_threshold) {}
 
   // Collects the interface facets that will have a small angle at their destinations, smaller than

@@ -53,10 +53,10 @@ public:
 
   // Creates a remover. `angle` is the bound in degrees.
   Small_angle_remover_2(Complex& complex, Any_visitor<Complex>& visitor,
-                        const Rigid_components<Complex>& rigid_parts, double angle,
+                        const Rigid_components<Complex>& rigid_components, double angle,
                         double quality_threshold)
-      : m_complex(complex), m_visitor(visitor), m_rigid_parts(rigid_parts),
-        m_wanted(std::sin(angle * CGAL_PI / 180)), m_quality_threshold(quality_threshold),
+      : m_complex(complex), m_visitor(visitor), m_rigid_components(rigid_components),
+        m_target(std::sin(angle * CGAL_PI / 180)), m_quality_threshold(quality_threshold),
         m_cavity(complex), m_best(complex) {}
 
   const Improvement_report& report() const { return m_report; }
@@ -65,9 +65,9 @@ public:
   // stamps. Triangles at regions of the interface that did not move or moved rigidly are excluded.
   Cells bad_cells() const {
     Cells result;
-    if (m_wanted > 0)
+    if (m_target > 0)
       for (Cell_handle c : m_complex.finite_cells())
-        if (c->quality() < m_quality_threshold && !m_rigid_parts.has_stayed(c) && is_bad(c))
+        if (c->quality() < m_quality_threshold && !m_rigid_components.has_stayed(c) && is_bad(c))
           result.push(c);
     result.sort();
     return result;
@@ -85,7 +85,7 @@ public:
 
 private:
   bool is_bad(Cell_handle c) const {
-    return sine(c) < m_wanted && !m_rigid_parts.has_moved_as_a_whole(c);
+    return sine(c) < m_target && !m_rigid_components.has_moved_as_a_whole(c);
   }
 
   double sine(Cell_handle c) const {
@@ -104,7 +104,7 @@ private:
       for (int j = 0; j < 3; ++j)
         consider(i != j && !c->vertex(i)->is_interface() &&
                  propose_edge_collapse(m_complex, c, i, j, 0, m_cavity));
-    if (m_best_sine < m_wanted)
+    if (m_best_sine < m_target)
       consider(propose_vertex_insertion(m_complex, c, m_cavity));
     if (m_best.removed().empty())
       return false;
@@ -116,7 +116,7 @@ private:
   // whichever is smaller, but at least the previous sine.
   double worth_it(double before) const {
     static constexpr double better = 1.1;
-    return (std::max)(before, (std::min)(better * before, m_wanted));
+    return (std::max)(before, (std::min)(better * before, m_target));
   }
 
   // Stores the proposal in `m_cavity` as the best one, if it is better than the best proposal so
@@ -142,8 +142,8 @@ private:
 
   Complex& m_complex;
   Any_visitor<Complex>& m_visitor;
-  const Rigid_components<Complex>& m_rigid_parts;
-  double m_wanted, m_quality_threshold;
+  const Rigid_components<Complex>& m_rigid_components;
+  double m_target, m_quality_threshold;
   Cavity<Complex> m_cavity, m_best;
   double m_best_sine = 0, m_least_sine = 0;
   Improvement_report m_report;

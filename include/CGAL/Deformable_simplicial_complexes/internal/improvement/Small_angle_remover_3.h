@@ -58,10 +58,10 @@ public:
 
   // Creates a remover. `angle` is the bound in degrees.
   Small_angle_remover_3(Complex& complex, Any_visitor<Complex>& visitor,
-                        const Rigid_components<Complex>& rigid_parts, double angle,
+                        const Rigid_components<Complex>& rigid_components, double angle,
                         double quality_threshold)
-      : m_complex(complex), m_visitor(visitor), m_rigid_parts(rigid_parts),
-        m_wanted(std::sin(angle * CGAL_PI / 180) / sine_of_regular), m_bound(m_wanted),
+      : m_complex(complex), m_visitor(visitor), m_rigid_components(rigid_components),
+        m_target(std::sin(angle * CGAL_PI / 180) / sine_of_regular), m_bound(m_target),
         m_quality_threshold(quality_threshold), m_cavity(complex), m_best(complex) {}
 
   const Improvement_report& report() const { return m_report; }
@@ -71,7 +71,7 @@ public:
   // recorded failure is ignored if the interface may change for the cell, because the allowed
   // change varies.
   bool is_bad(Cell_handle c) const {
-    return sine(c) < m_bound && !m_rigid_parts.has_moved_as_a_whole(c) &&
+    return sine(c) < m_bound && !m_rigid_components.has_moved_as_a_whole(c) &&
            !(is_exhausted(c, to_remove_small_angles) && !may_change_interface(c));
   }
 
@@ -85,7 +85,7 @@ public:
   Cells bad_cells() const {
     Cells result;
     for (Cell_handle c : m_complex.triangulation().finite_cell_handles())
-      if (c->quality() < m_quality_threshold && !m_rigid_parts.has_stayed(c) && is_bad(c))
+      if (c->quality() < m_quality_threshold && !m_rigid_components.has_stayed(c) && is_bad(c))
         result.push(c);
     result.sort();
     return result;
@@ -110,9 +110,9 @@ public:
       cells = stars_of_stuck();
       if (cells.empty())
         break;
-      m_bound = m_wanted * std::pow(higher, i);
+      m_bound = m_target * std::pow(higher, i);
       work_in_rounds(m_complex, std::move(cells), rounds, work);
-      m_bound = m_wanted;
+      m_bound = m_target;
     }
     keep_from_improvement();
   }
@@ -138,8 +138,8 @@ private:
   // Returns whether a cell has small angles that are not determined by a region of the interface
   // that did not move or moved rigidly.
   bool is_to_be_removed(Cell_handle c) const {
-    return sine(c) < m_bound && !m_rigid_parts.has_stayed(c) &&
-           !m_rigid_parts.touches_rigid_part(c);
+    return sine(c) < m_bound && !m_rigid_components.has_stayed(c) &&
+           !m_rigid_components.touches_rigid_component(c);
   }
 
   // Returns whether the interface may change to improve a cell.
@@ -186,7 +186,7 @@ private:
     return move_vertex(c, is_free, 0, touched) ||
            (may_change &&
             move_vertex(
-                c, [&](Vertex_handle v) { return m_rigid_parts.has_moved(v); }, 0, touched));
+                c, [&](Vertex_handle v) { return m_rigid_components.has_moved(v); }, 0, touched));
   }
 
   // Returns whether the best proposal leaves no angle below the bound.
@@ -225,7 +225,7 @@ private:
   void consider_collapses(Cell_handle c, bool of_interface) {
     for (int i = 0; i < 4; ++i) {
       const Vertex_handle v = c->vertex(i);
-      if (v->is_interface() != of_interface || (of_interface && !m_rigid_parts.has_moved(v)))
+      if (v->is_interface() != of_interface || (of_interface && !m_rigid_components.has_moved(v)))
         continue;
       for (int j = 0; j < 4; ++j)
         consider(j != i && propose_edge_collapse(m_complex, c, i, j, 0, m_cavity) &&
@@ -249,7 +249,7 @@ private:
 
   // Returns the factor for changes of the interface; it is larger in attempts to improve remaining
   // cells.
-  double slack() const { return m_bound / m_wanted; }
+  double slack() const { return m_bound / m_target; }
 
   // Stores the proposal in `m_cavity` as the best one, if it is better than the best proposal so
   // far. The quality must be preserved as well, because dihedral angles do not detect needles.
@@ -338,14 +338,14 @@ private:
   // Returns the point on the segment from the initial position of a vertex to p that is closest to
   // p within the bound on the displacement.
   Position near_home(Vertex_handle v, const Position& p) const {
-    static constexpr double longest_way = .05; // relative to the edge length
+    static constexpr double longest_displacement = .05; // relative to the edge length
     const auto known = m_homes.find(v->time_stamp());
     const Position home =
         m_complex.domain().near(p, known == m_homes.end() ? m_complex.position(v) : known->second);
-    const auto way = p - home;
-    const double length = std::sqrt(way.squared_length()),
-                 bound = slack() * longest_way * local_edge_length(m_complex, v);
-    return length > bound ? home + bound / length * way : p;
+    const auto displacement = p - home;
+    const double length = std::sqrt(displacement.squared_length()),
+                 bound = slack() * longest_displacement * local_edge_length(m_complex, v);
+    return length > bound ? home + bound / length * displacement : p;
   }
 
   typename Complex::Point_3 exact(const Position& p) const {
@@ -377,9 +377,9 @@ private:
 
   Complex& m_complex;
   Any_visitor<Complex>& m_visitor;
-  const Rigid_components<Complex>& m_rigid_parts;
+  const Rigid_components<Complex>& m_rigid_components;
   Minimum_sine_3 m_sine;
-  double m_wanted, m_bound; // `m_bound` may be larger than `m_wanted` around remaining cells
+  double m_target, m_bound; // `m_bound` may be larger than `m_target` around remaining cells
   double m_quality_threshold;
   Cavity<Complex> m_cavity, m_best;
   double m_best_sine = 0, m_least_sine = 0;

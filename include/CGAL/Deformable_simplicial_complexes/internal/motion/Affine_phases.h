@@ -32,14 +32,14 @@ public:
   // The number of a phase, and the number of a vertex at the phase that is not free.
   using Around = std::pair<std::uint32_t, std::uint32_t>;
 
-  // The free vertices, followed by the vertices around them. `positions` and `are_held` have an
-  // entry for each vertex, `known` has the displacement of each vertex that is not free. `are_held`
-  // marks vertices that constrain their phase: free vertices that cannot move in all directions,
-  // and other vertices that are not on the interface.
+  // The free vertices, followed by the vertices around them. `positions` and `are_constrained` have
+  // an entry for each vertex, `known` has the displacement of each vertex that is not free.
+  // `are_constrained` marks vertices that constrain their phase: free vertices that cannot move in
+  // all directions, and other vertices that are not on the interface.
   struct Vertices
   {
     std::vector<Vector> positions, known;
-    std::vector<char> are_held;
+    std::vector<char> are_constrained;
   };
 
   // A vertex may occur several times at a phase; its weight is the number of occurrences.
@@ -47,10 +47,10 @@ public:
                 const std::vector<Around>& around, const Vertices& vertices)
       : m_vertices(vertices), m_number_of_free(phase_of_free.size()), m_phases(number_of_phases) {
     for (std::size_t i = 0; i < phase_of_free.size(); ++i)
-      if (vertices.are_held[i])
-        m_phases[phase_of_free[i]].is_held = true;
+      if (vertices.are_constrained[i])
+        m_phases[phase_of_free[i]].is_constrained = true;
     for (const auto& [i, v] : around) {
-      m_phases[i].is_held = m_phases[i].is_held || vertices.are_held[v];
+      m_phases[i].is_constrained = m_phases[i].is_constrained || vertices.are_constrained[v];
       m_phases[i].longest = (std::max)(m_phases[i].longest, known(v).squaredNorm());
     }
     find_motions(around);
@@ -75,12 +75,12 @@ private:
   struct Phase
   {
     double longest = 0; // squared length of the longest displacement at the phase
-    bool is_held = false, deviates = false;
+    bool is_constrained = false, deviates = false;
     double weight = 0;
     Vector center = Vector::Zero(), mean = Vector::Zero();
     Matrix linear = Matrix::Zero();
 
-    bool has_motion() const { return !is_held && longest > 0; }
+    bool has_motion() const { return !is_constrained && longest > 0; }
   };
 
   const Vector& position(std::uint32_t v) const { return m_vertices.positions[v]; }

@@ -46,15 +46,15 @@ public:
 
   // Iterates until the residual norm, weighted by the inverse of the diagonal, is at most `part`
   // times its initial value, or the maximum number of iterations is reached. Unknowns stay 0 where
-  // `is_held(row, side)`, and where the diagonal is not positive.
-  template <class IsHeld>
-  std::vector<Vector> solve(std::vector<Vector> residuals, const IsHeld& is_held, double part,
-                            int maximum_number_of_iterations) const {
+  // `is_constrained(row, side)`, and where the diagonal is not positive.
+  template <class IsConstrained>
+  std::vector<Vector> solve(std::vector<Vector> residuals, const IsConstrained& is_constrained,
+                            double part, int maximum_number_of_iterations) const {
     const std::size_t n = residuals.size();
     std::vector<Vector> inverses(n), solution(n, Vector::Zero()), directions(n), products(n);
     Vector energy = sum([&](std::size_t i) -> Vector {
       for (int side = 0; side < d; ++side)
-        inverses[i][side] = m_diagonal[i] > 0 && !is_held(i, side) ? 1 / m_diagonal[i] : 0;
+        inverses[i][side] = m_diagonal[i] > 0 && !is_constrained(i, side) ? 1 / m_diagonal[i] : 0;
       directions[i] = inverses[i].cwiseProduct(residuals[i]);
       return directions[i].cwiseProduct(residuals[i]);
     });
@@ -71,9 +71,9 @@ public:
         residuals[i] -= step.cwiseProduct(products[i]);
         return residuals[i].cwiseProduct(inverses[i]).cwiseProduct(residuals[i]);
       });
-      const Vector turn = ratio(next, energy);
+      const Vector beta = ratio(next, energy);
       m_matrix.for_each_row(m_for_each_index, [&](std::size_t i) {
-        directions[i] = inverses[i].cwiseProduct(residuals[i]) + turn.cwiseProduct(directions[i]);
+        directions[i] = inverses[i].cwiseProduct(residuals[i]) + beta.cwiseProduct(directions[i]);
       });
       energy = next;
     }

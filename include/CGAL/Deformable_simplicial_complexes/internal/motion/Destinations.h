@@ -34,9 +34,9 @@ public:
   void add(Vertex_handle v, const Point& destination) {
     if (v->point() == destination)
       return;
-    m_open.push_back(m_ways.size());
+    m_open.push_back(m_displacements.size());
     m_unfinished.push_back(v);
-    m_ways.push_back({v, v->time_stamp(), m_complex.position(v), destination, true});
+    m_displacements.push_back({v, v->time_stamp(), m_complex.position(v), destination, true});
   }
 
   // Returns the vertices that have not reached their destinations, by increasing time stamp.
@@ -48,13 +48,13 @@ public:
   std::size_t update() {
     std::size_t vanished = 0, kept = 0;
     for (std::size_t k = 0; k < m_open.size(); ++k) {
-      Way& way = m_ways[m_open[k]];
-      const bool is_alive = m_complex.is_alive(way.vertex, way.time_stamp),
-                 has_arrived = is_alive && way.vertex->point() == way.destination;
-      way.is_open = is_alive && !has_arrived && way.vertex->is_interface();
-      if (way.is_open) {
+      Displacement& displacement = m_displacements[m_open[k]];
+      const bool is_alive = m_complex.is_alive(displacement.vertex, displacement.time_stamp),
+                 has_arrived = is_alive && displacement.vertex->point() == displacement.destination;
+      displacement.is_open = is_alive && !has_arrived && displacement.vertex->is_interface();
+      if (displacement.is_open) {
         m_open[kept] = m_open[k];
-        m_unfinished[kept] = way.vertex;
+        m_unfinished[kept] = displacement.vertex;
         ++kept;
       } else if (!has_arrived) {
         ++vanished;
@@ -67,8 +67,8 @@ public:
 
   // Returns whether v has a destination that it has not reached yet.
   bool has(Vertex_handle v) const {
-    const Way* way = find(v);
-    return way && way->is_open;
+    const Displacement* displacement = find(v);
+    return displacement && displacement->is_open;
   }
 
   // Returns the destination of v.
@@ -80,14 +80,15 @@ public:
 
   // Returns the destination of v, or its current position if it has none.
   Position final_position(Vertex_handle v) const {
-    const Way* way = find(v);
-    return way && way->is_open ? m_complex.approximate(way->destination) : m_complex.position(v);
+    const Displacement* displacement = find(v);
+    return displacement && displacement->is_open ? m_complex.approximate(displacement->destination)
+                                                 : m_complex.position(v);
   }
 
   // Returns the position of v before the deformation.
   Position position_before(Vertex_handle v) const {
-    const Way* way = find(v);
-    return way ? way->before : m_complex.position(v);
+    const Displacement* displacement = find(v);
+    return displacement ? displacement->before : m_complex.position(v);
   }
 
   // Returns whether v had a destination different from its initial position.
@@ -96,18 +97,19 @@ public:
   // Returns the vertices with had(v) that are still on the interface.
   std::vector<Vertex_handle> moved() const {
     std::vector<Vertex_handle> result;
-    for (const Way& way : m_ways)
-      if (m_complex.is_alive(way.vertex, way.time_stamp) && way.vertex->is_interface())
-        result.push_back(way.vertex);
+    for (const Displacement& displacement : m_displacements)
+      if (m_complex.is_alive(displacement.vertex, displacement.time_stamp) &&
+          displacement.vertex->is_interface())
+        result.push_back(displacement.vertex);
     return result;
   }
 
   // Return the destination and the remaining distance of the k-th unfinished vertex.
-  const Point& destination(std::size_t k) const { return m_ways[m_open[k]].destination; }
+  const Point& destination(std::size_t k) const { return m_displacements[m_open[k]].destination; }
   double remaining_distance(std::size_t k) const {
-    const Way& way = m_ways[m_open[k]];
-    return Complex::Space::length(
-        m_complex.displacement(way.vertex, m_complex.approximate(way.destination)));
+    const Displacement& displacement = m_displacements[m_open[k]];
+    return Complex::Space::length(m_complex.displacement(
+        displacement.vertex, m_complex.approximate(displacement.destination)));
   }
 
   // Returns the sum of the remaining distances of all unfinished vertices.
@@ -131,7 +133,7 @@ public:
   }
 
 private:
-  struct Way
+  struct Displacement
   {
     Vertex_handle vertex;
     std::size_t time_stamp; // the vertex may have been removed
@@ -140,17 +142,19 @@ private:
     bool is_open;
   };
 
-  const Way* find(Vertex_handle v) const {
-    const auto it = std::lower_bound(
-        m_ways.begin(), m_ways.end(), v->time_stamp(),
-        [](const Way& way, std::size_t time_stamp) { return way.time_stamp < time_stamp; });
-    return it != m_ways.end() && it->time_stamp == v->time_stamp() ? &*it : nullptr;
+  const Displacement* find(Vertex_handle v) const {
+    const auto it =
+        std::lower_bound(m_displacements.begin(), m_displacements.end(), v->time_stamp(),
+                         [](const Displacement& displacement, std::size_t time_stamp) {
+                           return displacement.time_stamp < time_stamp;
+                         });
+    return it != m_displacements.end() && it->time_stamp == v->time_stamp() ? &*it : nullptr;
   }
 
   const Complex& m_complex;
-  std::vector<Way> m_ways;                 // sorted by time stamp
-  std::vector<std::size_t> m_open;         // indices of unfinished entries of `m_ways`
-  std::vector<Vertex_handle> m_unfinished; // vertices of these entries
+  std::vector<Displacement> m_displacements; // sorted by time stamp
+  std::vector<std::size_t> m_open;           // indices of unfinished entries of `m_displacements`
+  std::vector<Vertex_handle> m_unfinished;   // vertices of these entries
 };
 
 } // namespace internal

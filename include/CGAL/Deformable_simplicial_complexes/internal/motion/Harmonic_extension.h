@@ -63,7 +63,8 @@ public:
       // displacement.
       m_vertices.positions.push_back(Complex::Domain::has_outside ? coordinates(complex.position(v))
                                                                   : Vector::Zero().eval());
-      m_vertices.are_held.push_back(i < free.size() ? complex.is_boundary(v) : !v->is_interface());
+      m_vertices.are_constrained.push_back(i < free.size() ? complex.is_boundary(v)
+                                                           : !v->is_interface());
       if (i >= free.size())
         m_vertices.known.push_back(coordinates(displacement(v)));
     }

@@ -62,7 +62,7 @@ public:
 
   // Returns whether the interface touched by a cell has moved rigidly. The test uses the vertices
   // of the cell or, if only one is on the interface, the interface vertices around it.
-  bool touches_rigid_part(Cell_handle c) const {
+  bool touches_rigid_component(Cell_handle c) const {
     const int number = number_of_rigid_vertices(c, now());
     if (number != 1)
       return number > 1;

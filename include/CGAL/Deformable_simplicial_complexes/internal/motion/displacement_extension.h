@@ -33,20 +33,21 @@ Free vertices at which the flow is known follow the flow; their deviation from i
 extension of the deviation of the interface and the boundary. The other free vertices get the
 harmonic extension of the displacements around them.
 
-`way(v)` is the remaining displacement of an interface vertex, and zero for boundary vertices.
-`flow(v)` is the displacement of any vertex by the flow, if it is known. `longest` is the length of
-the longest displacement.
+`displacement(v)` is the remaining displacement of an interface vertex, and zero for boundary
+vertices. `flow(v)` is the displacement of any vertex by the flow, if it is known. `longest` is the
+length of the longest displacement.
 */
-template <class Complex, class Way, class Flow>
+template <class Complex, class Displacement, class Flow>
 std::vector<typename Complex::Approximate_vector>
 displacement_extension(const Complex& complex,
-                       const std::vector<typename Complex::Vertex_handle>& free, const Way& way,
-                       const Flow& flow, double longest, const For_each_index& for_each_index) {
+                       const std::vector<typename Complex::Vertex_handle>& free,
+                       const Displacement& displacement, const Flow& flow, double longest,
+                       const For_each_index& for_each_index) {
   using Vertex_handle = typename Complex::Vertex_handle;
   using Vector = typename Complex::Approximate_vector;
   static constexpr double part = 1e-6; // relative to the longest displacement
   const double negligible = part * longest;
-  if (auto followed = motion_by_flow(complex, free, way, flow, longest, negligible))
+  if (auto followed = motion_by_flow(complex, free, displacement, flow, longest, negligible))
     return *std::move(followed);
   std::vector<Vertex_handle> guided, others;
   std::vector<Vector> flows; // displacements of guided vertices by the flow
@@ -61,7 +62,8 @@ displacement_extension(const Complex& complex,
     return std::binary_search(list.begin(), list.end(), v, Less_time_stamp());
   };
   const Harmonic_extension<Complex> to_others(
-      complex, others, [&](Vertex_handle v) { return is_free(v, guided) ? *flow(v) : way(v); },
+      complex, others,
+      [&](Vertex_handle v) { return is_free(v, guided) ? *flow(v) : displacement(v); },
       for_each_index);
   const Harmonic_extension<Complex> to_guided(
       complex, guided,
@@ -69,7 +71,7 @@ displacement_extension(const Complex& complex,
         const std::optional<Vector> known = flow(v);
         if (!known || is_free(v, others))
           return Vector(CGAL::NULL_VECTOR);
-        const Vector d = way(v) - *known;
+        const Vector d = displacement(v) - *known;
         return d.squared_length() < negligible * negligible ? Vector(CGAL::NULL_VECTOR) : d;
       },
       for_each_index);

@@ -32,14 +32,15 @@ the boundary. Returns `nullopt` if the flow is not known everywhere, the interfa
 flow, the boundary is fixed, some inner vertices are not free, or that distance is too small for the
 longest displacement.
 
-`way(v)` is the remaining displacement of an interface vertex, `flow(v)` the displacement of any
-vertex by the flow. `longest` is the length of the longest displacement. Differences up to
+`displacement(v)` is the remaining displacement of an interface vertex, `flow(v)` the displacement
+of any vertex by the flow. `longest` is the length of the longest displacement. Differences up to
 `negligible` are ignored.
 */
-template <class Complex, class Way, class Flow>
+template <class Complex, class Displacement, class Flow>
 std::optional<std::vector<typename Complex::Approximate_vector>>
 motion_by_flow(const Complex& complex, const std::vector<typename Complex::Vertex_handle>& free,
-               const Way& way, const Flow& flow, double longest, double negligible) {
+               const Displacement& displacement, const Flow& flow, double longest,
+               double negligible) {
   using Vertex_handle = typename Complex::Vertex_handle;
   using Vector = typename Complex::Approximate_vector;
   static constexpr double fading = .5; // of the distance: cells at the interface keep their shape
@@ -74,7 +75,7 @@ motion_by_flow(const Complex& complex, const std::vector<typename Complex::Verte
     if (!v->is_interface())
       continue;
     const std::optional<Vector> known = flow(v);
-    if (!known || !is_negligible(way(v) - *known))
+    if (!known || !is_negligible(displacement(v) - *known))
       return {};
     room = (std::min)(room, distance(v));
     if (longest > steepest * fading * room)

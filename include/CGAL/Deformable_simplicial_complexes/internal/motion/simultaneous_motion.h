@@ -27,7 +27,7 @@ then halved again, and so on. The neighbors of the vertex are reduced, too, so t
 it are not sheared: along each edge, the moved fractions differ by at most a quarter of the edge
 length relative to the displacement. Vertices farther away keep their displacements.
 */
-template <class Complex> class Holding_back
+template <class Complex> class Displacement_reduction
 {
 public:
   using Motion = Proposed_motion<Complex>;
@@ -36,7 +36,8 @@ public:
   using Vertex_handle = typename Complex::Vertex_handle;
   using Point = typename Complex::Point;
 
-  explicit Holding_back(Motion& motion) : m_motion(motion), m_way(motion.size(), 1.) {
+  explicit Displacement_reduction(Motion& motion)
+      : m_motion(motion), m_fractions(motion.size(), 1.) {
     m_targets.reserve(motion.size());
     for (Number i = 0; i < motion.size(); ++i)
       m_targets.push_back(motion.point(i));
@@ -47,32 +48,33 @@ public:
   // oriented.
   void run(std::vector<Cell_handle> bad) {
     while (!bad.empty())
-      bad = m_motion.bad_cells(m_motion.stars(hold_back(bad)));
+      bad = m_motion.bad_cells(m_motion.stars(reduce(bad)));
   }
 
 private:
-  static constexpr double shortest_way = 1. / 16; // smaller fractions are set to 0
+  static constexpr double smallest_fraction = 1. / 16; // smaller fractions are set to 0
   static constexpr double lead = .25; // of the edge length: maximum difference along an edge
 
   // Halves the displacements of the moving vertices of cells, and reduces the displacements of the
   // vertices around them. Returns all vertices with a reduced displacement.
-  std::vector<Number> hold_back(const std::vector<Cell_handle>& cells) {
-    std::vector<Number> held = m_motion.vertices_of(cells, [&](Number i) { return m_way[i] > 0; });
-    for (Number i : held)
-      set_way(i, m_way[i] / 2);
+  std::vector<Number> reduce(const std::vector<Cell_handle>& cells) {
+    std::vector<Number> reduced =
+        m_motion.vertices_of(cells, [&](Number i) { return m_fractions[i] > 0; });
+    for (Number i : reduced)
+      set_fraction(i, m_fractions[i] / 2);
 
     std::vector<Cell_handle> star;
-    for (std::size_t k = 0; k < held.size(); ++k) {
-      const Vertex_handle v = m_motion.vertex(held[k]);
+    for (std::size_t k = 0; k < reduced.size(); ++k) {
+      const Vertex_handle v = m_motion.vertex(reduced[k]);
       m_motion.complex().star(v, star);
       for (Cell_handle c : star)
         for (int j = 0; j < Complex::corners; ++j)
           if (c->vertex(j) != v && m_motion.has(c->vertex(j)) &&
-              follow(m_motion.number(c->vertex(j)), held[k],
+              follow(m_motion.number(c->vertex(j)), reduced[k],
                      m_motion.complex().displacement(v, c->vertex(j))))
-            held.push_back(m_motion.number(c->vertex(j)));
+            reduced.push_back(m_motion.number(c->vertex(j)));
     }
-    return held;
+    return reduced;
   }
 
   // Bounds the moved fraction of a vertex by the fraction of its neighbor. Returns whether the
@@ -80,10 +82,10 @@ private:
   bool follow(Number i, Number neighbor, const typename Complex::Approximate_vector& edge) {
     const double length = std::sqrt(edge.squared_length());
     const double distance = std::sqrt(displacement(i).squared_length());
-    const double bound = m_way[neighbor] + lead * length / distance;
-    if (!(m_way[i] > bound))
+    const double bound = m_fractions[neighbor] + lead * length / distance;
+    if (!(m_fractions[i] > bound))
       return false;
-    set_way(i, bound);
+    set_fraction(i, bound);
     return true;
   }
 
@@ -92,18 +94,20 @@ private:
     return complex.displacement(m_motion.vertex(i), complex.approximate(m_targets[i]));
   }
 
-  void set_way(Number i, double way) {
+  void set_fraction(Number i, double fraction) {
     const Vertex_handle v = m_motion.vertex(i);
     const auto motion = displacement(i);
-    m_way[i] = way < shortest_way || !std::isfinite(motion.squared_length()) ? 0 : way;
-    m_motion.set_point(i, m_way[i] == 0 ? v->point()
-                                        : m_motion.complex().exact(m_motion.complex().position(v) +
-                                                                   m_way[i] * motion));
+    m_fractions[i] =
+        fraction < smallest_fraction || !std::isfinite(motion.squared_length()) ? 0 : fraction;
+    m_motion.set_point(i, m_fractions[i] == 0
+                              ? v->point()
+                              : m_motion.complex().exact(m_motion.complex().position(v) +
+                                                         m_fractions[i] * motion));
   }
 
   Motion& m_motion;
   std::vector<Point> m_targets;
-  std::vector<double> m_way; // fraction of the displacement of each vertex
+  std::vector<double> m_fractions; // fraction of the displacement of each vertex
 };
 
 /*
@@ -123,7 +127,7 @@ move_simultaneously(Complex& complex, const std::vector<typename Complex::Vertex
   auto bad = motion.inverted_cells();
   do {
     bad = untangle(motion, std::move(bad));
-    Holding_back<Complex>(motion).run(std::move(bad));
+    Displacement_reduction<Complex>(motion).run(std::move(bad));
     bad = motion.degraded_cells();
   } while (!bad.empty());
   motion.commit();

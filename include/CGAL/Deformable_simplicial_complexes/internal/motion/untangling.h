@@ -55,24 +55,24 @@ void relocate(Proposed_motion<Complex>& motion, typename Proposed_motion<Complex
     }
   }
   double worst = motion.worst_quality(star, -std::numeric_limits<double>::infinity());
-  const auto propose = [&](double way, const Position& target) {
+  const auto propose = [&](double fraction, const Position& target) {
     if (!has_finite_coordinates(target))
       return;
     const auto before = motion.point(i);
     const Position from = motion.position(v);
     motion.set_point(
         i, complex.admissible_destination(
-               v, complex.exact(from + way * (complex.domain().near(from, target) - from))));
+               v, complex.exact(from + fraction * (complex.domain().near(from, target) - from))));
     const double after = motion.worst_quality(star, worst);
     if (after > worst)
       worst = after;
     else
       motion.set_point(i, before);
   };
-  for (double way : {.5, 1.}) {
+  for (double fraction : {.5, 1.}) {
     if (moving > 0)
-      propose(way, start + sum_of_motions / moving);
-    propose(way, CGAL::ORIGIN + mean);
+      propose(fraction, start + sum_of_motions / moving);
+    propose(fraction, CGAL::ORIGIN + mean);
   }
 }
 

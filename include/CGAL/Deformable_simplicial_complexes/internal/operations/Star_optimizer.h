@@ -183,7 +183,7 @@ private:
   bool step() {
     static constexpr double close = .05;          // relative to the worst value: also active
     static constexpr double flat = 1e-3;          // slope times the longest edge; below, no step
-    static constexpr double longest_way = .5;     // of the longest edge
+    static constexpr double longest_step = .5;    // of the longest edge
     static constexpr double shortest_part = 1e-3; // of the longest step
     static constexpr double worth = .02;          // least relative gain of a step
     static constexpr int maximum_number_of_halvings = 6;
@@ -203,16 +203,17 @@ private:
     if (!(std::sqrt(rate) * m_length > flat))
       return false;
     // Limits the step length to where another function becomes the worst one, by linear prediction.
-    double way = longest_way * m_length / std::sqrt(rate);
+    double step_length = longest_step * m_length / std::sqrt(rate);
     for (const Function& f : m_functions) {
       if (!(f.value <= relevant))
         continue;
       const double slope = f.gradient * d;
       if (slope < rate && f.value > before)
-        way = (std::min)(way, (std::max)(shortest_part * way, (f.value - before) / (rate - slope)));
+        step_length = (std::min)(step_length, (std::max)(shortest_part * step_length,
+                                                         (f.value - before) / (rate - slope)));
     }
-    for (int halvings = 0; halvings < maximum_number_of_halvings; ++halvings, way /= 2) {
-      const Point p = m_position + way * d;
+    for (int halvings = 0; halvings < maximum_number_of_halvings; ++halvings, step_length /= 2) {
+      const Point p = m_position + step_length * d;
       if (are_above(before, p)) {
         m_position = p;
         double after = std::numeric_limits<double>::infinity();

@@ -11,37 +11,21 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/Detail_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Edge_unit.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_split.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_operations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 
 #include <algorithm>
-#include <functional>
 #include <utility>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
-
-// Thresholds for edge lengths, in edge units: longer edges are split, shorter edges are collapsed.
-struct Detail_thresholds
-{
-  double split, collapse, collapse_quality;
-  bool change_interface;
-  double interface_split, interface_collapse;
-};
-
-inline void check_detail_thresholds(const Detail_thresholds& t) {
-  if (!(t.split > 0 && t.interface_split > 0))
-    throw Error("a length from which edges are split is out of range: use more than 0");
-  if (!(t.collapse >= 0 && t.interface_collapse >= 0))
-    throw Error("a length up to which edges are collapsed is out of range: use 0 or more");
-}
 
 // Splits long edges and collapses short edges, cell by cell. No collapse creates an edge that would
 // be split.
@@ -51,24 +35,24 @@ public:
   using Vertex_handle = typename Complex::Vertex_handle;
   using Cell_handle = typename Complex::Cell_handle;
 
-  // Lengths are measured by `unit`; lengths of interface edges to be collapsed, by `short_unit`.
   Detail_controller(Complex& complex, Any_visitor<Complex>& visitor,
-                    const Detail_thresholds& thresholds, const Edge_unit<Complex>& unit,
-                    const Edge_unit<Complex>& short_unit)
-      : m_complex(complex), m_visitor(visitor), m_thresholds(thresholds), m_unit(unit),
-        m_short_unit(short_unit), m_cavity(complex) {}
+                    const Detail_options<Complex>& options)
+      : m_complex(complex), m_visitor(visitor), m_options(options),
+        m_unit(target_edge_length(complex, options.sizing_field)),
+        m_short_unit(shortest_target_edge_length(complex, options.sizing_field)),
+        m_cavity(complex) {}
 
   const Improvement_report& report() const { return m_report; }
 
-  // Processes all cells for which `where` holds, then the cells created by these operations, and so
-  // on, for at most `rounds` rounds.
-  void run(unsigned rounds, const std::function<bool(Cell_handle)>& where) {
+  // Processes all selected cells, then the cells created by these operations, and so on, up to the
+  // largest number of rounds.
+  void run() {
     Work_list<Cell_handle> cells;
     for (Cell_handle c : m_complex.finite_cells())
       cells.push(c);
-    work_in_rounds(m_complex, std::move(cells), rounds,
+    work_in_rounds(m_complex, std::move(cells), m_options.number_of_iterations,
                    [&](Cell_handle c, Work_list<Cell_handle>& touched) {
-                     if (where(c) && (split(c) || collapse(c)))
+                     if ((!m_options.where || m_options.where(c)) && (split(c) || collapse(c)))
                        push_finite(m_complex, m_cavity.created(), touched);
                    });
   }
@@ -102,7 +86,7 @@ private:
   }
 
   bool collapse(Cell_handle c, int i, int j) {
-    if (!propose_edge_collapse(m_complex, c, i, j, m_thresholds.collapse_quality, m_cavity) ||
+    if (!propose_edge_collapse(m_complex, c, i, j, m_options.collapse_quality, m_cavity) ||
         makes_long_edge())
       return false;
     commit_proposal(m_complex, m_cavity, m_visitor, m_report);
@@ -120,20 +104,20 @@ private:
 
   double length_by_split_threshold(Vertex_handle v, Vertex_handle w, bool is_interface) const {
     if (is_interface)
-      return m_thresholds.change_interface ? length(v, w, m_unit) / m_thresholds.interface_split
-                                           : 0;
+      return m_options.change_interface ? length(v, w, m_unit) / m_options.interface_split_length
+                                        : 0;
     // Far from the interface, the input has no target edge length unless there is a sizing field.
-    const bool is_wanted = m_unit.is_sizing_field() || (v->is_interface() && is_tied(w)) ||
-                           (w->is_interface() && is_tied(v));
-    return is_wanted ? length(v, w, m_unit) / m_thresholds.split : 0;
+    const bool has_target = m_unit.is_sizing_field() || (v->is_interface() && is_tied(w)) ||
+                            (w->is_interface() && is_tied(v));
+    return has_target ? length(v, w, m_unit) / m_options.split_length : 0;
   }
 
   bool is_short(Cell_handle c, int i, int j) const {
     const Vertex_handle v = c->vertex(i), w = c->vertex(j);
     if (!is_tied(v) && !is_tied(w))
-      return length(v, w, m_unit) < m_thresholds.collapse;
-    return m_thresholds.change_interface && v->is_interface() && w->is_interface() &&
-           length(v, w, m_short_unit) < m_thresholds.interface_collapse &&
+      return length(v, w, m_unit) < m_options.collapse_length;
+    return m_options.change_interface && v->is_interface() && w->is_interface() &&
+           length(v, w, m_short_unit) < m_options.interface_collapse_length &&
            Mesh_operations<Complex>::is_interface_edge(m_complex, c, i, j);
   }
 
@@ -160,21 +144,21 @@ private:
 
   Complex& m_complex;
   Any_visitor<Complex>& m_visitor;
-  Detail_thresholds m_thresholds;
-  Edge_unit<Complex> m_unit, m_short_unit;
+  const Detail_options<Complex>& m_options;
+  Edge_unit<Complex> m_unit;       // of edge lengths
+  Edge_unit<Complex> m_short_unit; // of interface edges to be collapsed
   Cavity<Complex> m_cavity;
   Improvement_report m_report;
 };
 
-// Implements `control_detail()` after its parameters are read.
+// Implements `control_detail()`.
 template <class Complex>
-Improvement_report
-run_detail_control(Complex& dsc, const Detail_thresholds& thresholds,
-                   const Edge_unit<Complex>& unit, const Edge_unit<Complex>& short_unit,
-                   unsigned rounds, const std::function<bool(typename Complex::Cell_handle)>& where,
-                   Any_visitor<Complex>& visitor) {
-  Detail_controller<Complex> controller(dsc, visitor, thresholds, unit, short_unit);
-  controller.run(rounds, where);
+Improvement_report run_detail_control(Complex& dsc, const Detail_options<Complex>& options) {
+  options.check();
+  Any_visitor<Complex> no_visitor;
+  Detail_controller<Complex> controller(dsc, options.visitor ? *options.visitor : no_visitor,
+                                        options);
+  controller.run();
   return controller.report();
 }
 

@@ -10,8 +10,8 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_INTERFACE_IMPROVER_H
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
-#include <CGAL/Deformable_simplicial_complexes/Edge_unit.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_improvement_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Interface_improver_2.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Interface_improver_3.h>
@@ -33,15 +33,17 @@ using Interface_improver =
     std::conditional_t<Complex::dimension == 2, Interface_improver_2<Complex>,
                        Interface_improver_3<Complex>>;
 
-// Implements `improve_interface()` after its parameters are read.
+// Implements `improve_interface()`.
 template <class Complex>
-Improvement_report remesh_interface(Complex& dsc, const Interface_thresholds& thresholds,
-                                    const Edge_unit<Complex>& unit, unsigned iterations,
-                                    Any_visitor<Complex>& visitor) {
+Improvement_report remesh_interface(Complex& dsc,
+                                    const Interface_improvement_options<Complex>& options) {
+  options.check();
   const Progress_phase phase("improving the interface");
-  Interface_improver<Complex> improver(dsc, visitor, thresholds, unit);
-  for (unsigned i = 0; i < iterations; ++i) {
-    if (thresholds.splits_junctions)
+  Any_visitor<Complex> no_visitor;
+  Interface_improver<Complex> improver(dsc, options.visitor ? *options.visitor : no_visitor,
+                                       options);
+  for (unsigned i = 0; i < options.number_of_iterations; ++i) {
+    if (options.split_junctions)
       improver.split_junctions();
     improver.split_long_edges();
     improver.collapse_short_edges();

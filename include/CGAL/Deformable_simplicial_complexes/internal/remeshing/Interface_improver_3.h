@@ -52,9 +52,9 @@ private:
     this->for_each_interface_edge([&](Cell_handle c, int i, int j) {
       const Interface_edge_3<Complex> edge(this->m_complex, c, i, j);
       return edge.is_in_sheet() && edge.violates_delaunay_criterion() &&
-             edge.bend() < this->m_thresholds.flip_angle &&
+             edge.bend() < Base::radians(this->m_options.flip_angle) &&
              propose_interface_edge_flip(this->m_complex, c, i, j, this->m_cavity,
-                                         this->m_thresholds.quality_threshold) &&
+                                         this->m_options.quality_threshold) &&
              this->commit();
     });
   }
@@ -76,7 +76,7 @@ private:
     const auto p = this->m_complex.position(v[0]);
     return smallest_angle(std::array<typename Complex::Approximate_point_3, 3>{
                p, this->m_complex.position_near(p, v[1]), this->m_complex.position_near(p, v[2])}) <
-           this->m_thresholds.smallest_angle;
+           Base::radians(this->m_options.minimum_facet_angle);
   }
 
   bool remove_small_angle(Cell_handle c, int k) {
@@ -102,7 +102,7 @@ private:
 
   std::optional<Changed_facets> propose_flip(Cell_handle c, int i, int j) {
     const Interface_edge_3<Complex> edge(this->m_complex, c, i, j);
-    if (!edge.is_in_sheet() || edge.bend() > this->m_thresholds.feature_angle)
+    if (!edge.is_in_sheet() || edge.bend() > Base::radians(this->m_options.feature_angle))
       return std::nullopt;
     const auto change = facets_changed_by_flip(edge);
     if (!this->is_small(change, c, i, j) ||

@@ -13,16 +13,17 @@
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Edge_unit.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_improvement_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_split.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Changed_facets.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_fan.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
-#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
+
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <optional>
@@ -33,32 +34,6 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The thresholds of improve_interface().
-struct Interface_thresholds
-{
-  double aggressiveness;
-  double split, collapse;   // edge lengths, in edge units
-  double swept_volume;      // in cubes of edge units; in squares in the plane
-  double flip_angle;        // between the normals of two facets, in radians
-  double feature_angle;     // between the normals of two facets, in radians
-  double smallest_angle;    // of a facet, in radians
-  double quality_threshold; // quality of cells
-  bool splits_curved;
-  bool splits_junctions;
-};
-
-inline void check_interface_thresholds(const Interface_thresholds& t) {
-  if (!(t.aggressiveness >= 0 && t.aggressiveness < 1))
-    throw Error("the aggressiveness is out of range: use 0 to less than 1");
-  if (!(t.split > 0))
-    throw Error("a length from which edges are split is out of range: use more than 0");
-  if (!(t.collapse >= 0))
-    throw Error("a length up to which edges are collapsed is out of range: use 0 or more");
-  if (!(t.swept_volume >= 0))
-    throw Error("the volume that the interface may sweep is out of range: use 0 or more");
-  check_threshold(t.quality_threshold);
-}
-
 // The passes of improve_interface() that do not depend on the dimension.
 template <class Complex> class Interface_remesher
 {
@@ -67,11 +42,11 @@ public:
   using Cell_handle = typename Complex::Cell_handle;
   using Fan = Interface_fan<Complex>;
 
-  // Edge lengths are measured by `unit`.
   Interface_remesher(Complex& complex, Any_visitor<Complex>& visitor,
-                     const Interface_thresholds& thresholds, const Edge_unit<Complex>& unit)
-      : m_complex(complex), m_visitor(visitor), m_thresholds(thresholds), m_unit(unit),
-        m_improver(complex, visitor, thresholds.quality_threshold), m_cavity(complex) {}
+                     const Interface_improvement_options<Complex>& options)
+      : m_complex(complex), m_visitor(visitor), m_options(options),
+        m_unit(target_edge_length(complex, options.sizing_field)),
+        m_improver(complex, visitor, options.quality_threshold), m_cavity(complex) {}
 
   Improvement_report report() const { return m_report + m_improver.report(); }
 
@@ -87,7 +62,7 @@ public:
 
   void collapse_short_edges() {
     for_each_interface_edge([&](Cell_handle c, int i, int j) {
-      if (!(length(c->vertex(i), c->vertex(j)) < m_thresholds.collapse))
+      if (!(length(c->vertex(i), c->vertex(j)) < m_options.interface_collapse_length))
         return false;
       for (const auto& [vanishing, kept] : {std::make_pair(i, j), std::make_pair(j, i)})
         if (propose_collapse(c, vanishing, kept) && !makes_long_edge())
@@ -97,14 +72,15 @@ public:
   }
 
   void smooth_vertices() {
-    if (m_thresholds.aggressiveness == 0)
+    if (m_options.aggressiveness == 0)
       return;
     typename Complex::Point target;
     for (Vertex_handle v : m_complex.interface_vertices()) {
       Progress_scope::check();
       const Fan fan = this->fan(v);
-      if (!null_space_position(m_complex, fan, m_star, m_thresholds.aggressiveness,
-                               m_thresholds.feature_angle, m_thresholds.quality_threshold, target))
+      if (!null_space_position(m_complex, fan, m_star, m_options.aggressiveness,
+                               radians(m_options.feature_angle), m_options.quality_threshold,
+                               target))
         continue;
       smooth_vertex(m_complex, v, m_star, target, m_visitor);
       ++m_report.smoothed;
@@ -120,6 +96,8 @@ public:
   }
 
 protected:
+  static double radians(double degrees) { return degrees * (CGAL_PI / 180); }
+
   // Returns the cells behind the interface facets.
   Work_list<Cell_handle> cells_at_interface() const {
     Work_list<Cell_handle> cells;
@@ -145,7 +123,7 @@ protected:
     static constexpr double good = .5;   // quality of facets
     static constexpr double worst = .05; // least quality of a cell created by a collapse
     const Fan fan = this->fan(c->vertex(i));
-    if (!fan.is_disk() || !fan.keeps_features(m_thresholds.feature_angle, c->vertex(j)))
+    if (!fan.is_disk() || !fan.keeps_features(radians(m_options.feature_angle), c->vertex(j)))
       return std::nullopt;
     const auto change = facets_changed_by_collapse(m_complex, fan, c->vertex(j));
     if (!(change.worst_after > 0 && change.worst_after >= (std::min)(good, change.worst_before)) ||
@@ -157,7 +135,7 @@ protected:
   bool is_small(const Changed_facets& change, Cell_handle c, int i, int j) const {
     const auto p = m_complex.position(c->vertex(i));
     const double unit = m_unit(midpoint(p, m_complex.position_near(p, c->vertex(j))));
-    double bound = m_thresholds.swept_volume;
+    double bound = m_options.swept_volume;
     for (int k = 0; k < Complex::dimension; ++k)
       bound *= unit;
     return change.swept_volume <= bound;
@@ -192,7 +170,7 @@ private:
   // vertex if there is none.
   std::pair<int, int> longest_edge(Cell_handle c) const {
     std::pair<int, int> result(0, 0);
-    double longest = m_thresholds.split;
+    double longest = m_options.interface_split_length;
     for (int i = 0; i <= Complex::dimension; ++i)
       for (int j = i + 1; j <= Complex::dimension; ++j) {
         if (!is_interface_edge(c, i, j))
@@ -207,7 +185,7 @@ private:
   }
 
   bool split(Cell_handle c, int i, int j) {
-    const auto curved = m_thresholds.splits_curved ? curved_middle(c, i, j) : std::nullopt;
+    const auto curved = m_options.curved_splits ? curved_middle(c, i, j) : std::nullopt;
     if (!(curved && propose_edge_split(m_complex, c, i, j, *curved, m_cavity)) &&
         !propose_edge_split(m_complex, c, i, j, .5, m_cavity))
       return false;
@@ -224,7 +202,7 @@ private:
       return std::nullopt;
     const Fan a = fan(c->vertex(i)), b = fan(c->vertex(j));
     const auto is_smooth = [&](const Fan& fan) {
-      return fan.is_disk() && fan.rank_by_features(m_thresholds.feature_angle) == 1;
+      return fan.is_disk() && fan.rank_by_features(radians(m_options.feature_angle)) == 1;
     };
     if (!is_smooth(a) || !is_smooth(b))
       return std::nullopt;
@@ -235,12 +213,13 @@ private:
   // edges are accepted if the split threshold is at least twice the collapse threshold: the halves
   // of a long edge are then not collapsed again, and vertices near junctions can be removed.
   bool makes_long_edge() const {
-    if (Complex::dimension == 2 && m_thresholds.split >= 2 * m_thresholds.collapse)
+    if (Complex::dimension == 2 &&
+        m_options.interface_split_length >= 2 * m_options.interface_collapse_length)
       return false;
     const Vertex_handle kept = m_cavity.kept_vertex();
     return std::any_of(m_cavity.vertices().begin(), m_cavity.vertices().end(), [&](const auto& v) {
       return v.handle != kept && v.handle != m_cavity.vanishing_vertex() &&
-             v.handle->is_interface() && length(v.handle, kept) > m_thresholds.split;
+             v.handle->is_interface() && length(v.handle, kept) > m_options.interface_split_length;
     });
   }
 
@@ -257,7 +236,7 @@ private:
 protected:
   Complex& m_complex;
   Any_visitor<Complex>& m_visitor;
-  Interface_thresholds m_thresholds;
+  const Interface_improvement_options<Complex>& m_options;
   Edge_unit<Complex> m_unit;
   Mesh_improver<Complex> m_improver;
   Cavity<Complex> m_cavity;

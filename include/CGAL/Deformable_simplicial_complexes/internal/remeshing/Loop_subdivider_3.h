@@ -198,7 +198,7 @@ private:
   // Returns whether a point is fixed by the boundary. Points in the interior of a side of a box
   // follow their curve. Points on edges of the box, and on the boundary of other domains, are
   // fixed.
-  bool is_held_by_boundary(std::size_t p) const {
+  bool is_constrained_by_boundary(std::size_t p) const {
     const Boundary_class::Bits sides = m_surface.boundary_classes[p];
     return sides == Boundary_class::fixed || (sides & (sides - 1)) != 0;
   }
@@ -220,7 +220,7 @@ private:
     }
     for (std::size_t p = 0; p < points.size(); ++p) {
       Progress_scope::check();
-      if (fan[p] == none || stays[p] || is_held_by_boundary(p))
+      if (fan[p] == none || stays[p] || is_constrained_by_boundary(p))
         continue;
       const auto [a, b] = m_ends[fan[p]];
       if (a == none)

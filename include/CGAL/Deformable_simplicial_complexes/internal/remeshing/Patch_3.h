@@ -35,7 +35,7 @@ public:
 
   // The cells must stay in the complex during the lifetime of the patch.
   Patch_3(const Complex& complex, const std::vector<Cell_handle>& cells) {
-    add_by_parts(complex, cells);
+    add_by_components(complex, cells);
     m_origins = vertices_of(complex, m_replaced);
     const Vertex_numbers numbers(complex, m_origins);
     for (Vertex_handle v : m_origins)
@@ -48,7 +48,7 @@ public:
   // of equal label. Returns whether the patch is a ball; there is no copy otherwise.
   bool copy_to(Complex& copy) {
     try {
-      m_copied = copy.assign(m_points, m_tetrahedra, m_parts);
+      m_copied = copy.assign(m_points, m_tetrahedra, m_components);
     } catch (const Invalid_cells_error&) {
       return false;
     }
@@ -78,10 +78,10 @@ public:
     for (Vertex_handle v : vertices)
       m_points.push_back(v->point());
     m_tetrahedra.clear();
-    m_parts.clear();
+    m_components.clear();
     for (Cell_handle c : copy.cells()) {
       m_tetrahedra.push_back(corners_of(c, numbers));
-      m_parts.push_back(c->label());
+      m_components.push_back(c->label());
     }
   }
 
@@ -98,7 +98,7 @@ public:
     for (std::size_t t = 0; t < m_tetrahedra.size(); ++t) {
       const auto& v = m_tetrahedra[t];
       cavity.create({indices[v[0]], indices[v[1]], indices[v[2]], indices[v[3]]},
-                    m_parents[m_parts[t]]);
+                    m_parents[m_components[t]]);
     }
   }
 
@@ -112,7 +112,7 @@ private:
 
   // Adds the cells, component by component. A component is a set of cells of one label that are
   // connected through facets. The first cell of a component becomes the parent of the new cells.
-  void add_by_parts(const Complex& complex, const std::vector<Cell_handle>& cells) {
+  void add_by_components(const Complex& complex, const std::vector<Cell_handle>& cells) {
     Marks unseen = cell_marks(complex);
     for (Cell_handle c : cells)
       unseen.add(c);
@@ -122,7 +122,7 @@ private:
       const auto add = [&](Cell_handle c) {
         unseen.remove(c);
         m_replaced.push_back(c);
-        m_parts.push_back(typename Complex::Label(m_parents.size()));
+        m_components.push_back(typename Complex::Label(m_parents.size()));
       };
       std::size_t next = m_replaced.size();
       for (add(seed); next < m_replaced.size(); ++next)
@@ -139,9 +139,9 @@ private:
   std::vector<Vertex_handle> m_origins; // origin of each vertex; null for a new vertex
   std::vector<typename Complex::Point_3> m_points;
   std::vector<Indices> m_tetrahedra;
-  std::vector<typename Complex::Label> m_parts; // component of each tetrahedron
-  std::vector<Vertex_handle> m_copied;          // vertices of the last copy
-  std::vector<std::size_t> m_time_stamps;       // time stamps of `m_copied`
+  std::vector<typename Complex::Label> m_components; // component of each tetrahedron
+  std::vector<Vertex_handle> m_copied;               // vertices of the last copy
+  std::vector<std::size_t> m_time_stamps;            // time stamps of `m_copied`
 };
 
 } // namespace internal

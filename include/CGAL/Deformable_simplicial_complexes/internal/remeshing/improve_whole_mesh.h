@@ -12,6 +12,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Mesh_improvement_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver.h>
@@ -21,24 +22,19 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-struct Mesh_improvement_options
-{
-  double threshold;
-  unsigned rounds;
-  bool is_aggressive, smooths_interface;
-  unsigned number_of_threads;
-};
-
-// Implements `improve_mesh()` after its parameters are read.
+// Implements `improve_mesh()`.
 template <class Complex>
-Improvement_report improve_whole_mesh(Complex& dsc, const Mesh_improvement_options& options,
-                                      Any_visitor<Complex>& visitor) {
+Improvement_report improve_whole_mesh(Complex& dsc,
+                                      const Mesh_improvement_options<Complex>& options) {
+  options.check();
+  Any_visitor<Complex> no_visitor;
+  Any_visitor<Complex>& visitor = options.visitor ? *options.visitor : no_visitor;
   const Progress_phase phase("improving the mesh");
-  const double threshold = options.threshold;
-  const unsigned rounds = options.rounds;
-  Mesh_improver<Complex> improver(dsc, visitor, threshold, true, options.smooths_interface);
+  const double threshold = options.threshold();
+  const unsigned rounds = options.number_of_iterations;
+  Mesh_improver<Complex> improver(dsc, visitor, threshold, true, options.smooth_interface);
   static constexpr int attempts = 5;
-  if (!options.is_aggressive) {
+  if (!options.aggressive) {
     improver.improve_all(threshold, rounds, attempts);
     return improver.report();
   }

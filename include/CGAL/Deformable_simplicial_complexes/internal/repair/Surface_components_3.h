@@ -37,27 +37,27 @@ class Surface_components_3
 public:
   explicit Surface_components_3(const Triangle_soup_3& input) : m_soup(merge_points(input)) {
     connect();
-    find_closed_parts();
+    find_closed_components();
     find_crossings();
-    orient_closed_parts();
+    orient_closed_components();
   }
 
   // Returns the input with oriented triangles.
   const Triangle_soup_3& oriented_soup() const { return m_soup; }
 
-  std::size_t of(std::size_t triangle) const { return m_parts[triangle]; }
+  std::size_t of(std::size_t triangle) const { return m_components[triangle]; }
 
   // Returns whether a component bounds a solid: it can be oriented, and it has no boundary edges.
-  bool is_closed(std::size_t part) const { return m_is_closed[part]; }
+  bool is_closed(std::size_t component) const { return m_is_closed[component]; }
 
   std::size_t number_of_crossing_pairs() const { return m_crossing_pairs; } // pairs of triangles
 
   // Returns the number of components that intersect others or themselves.
-  std::size_t number_of_crossing_parts() const {
-    std::set<std::size_t> parts;
+  std::size_t number_of_crossing_components() const {
+    std::set<std::size_t> components;
     for (const auto& pair : m_crossings)
-      parts.insert({pair.first, pair.second});
-    return parts.size();
+      components.insert({pair.first, pair.second});
+    return components.size();
   }
 
 private:
@@ -83,17 +83,17 @@ private:
       side = end;
     }
     static constexpr std::size_t unknown = std::size_t(-1);
-    m_parts.assign(m_soup.triangles.size(), unknown);
+    m_components.assign(m_soup.triangles.size(), unknown);
     std::vector<char> is_turned(m_soup.triangles.size(), 0);
-    for (std::size_t first = 0; first < m_parts.size(); ++first) {
-      if (m_parts[first] != unknown)
+    for (std::size_t first = 0; first < m_components.size(); ++first) {
+      if (m_components[first] != unknown)
         continue;
       std::queue<std::size_t> queue;
-      m_parts[first] = m_first_triangles.size();
+      m_components[first] = m_first_triangles.size();
       for (queue.push(first); !queue.empty(); queue.pop())
         for (const Neighbor& n : neighbors[queue.front()])
-          if (m_parts[n.triangle] == unknown) {
-            m_parts[n.triangle] = m_first_triangles.size();
+          if (m_components[n.triangle] == unknown) {
+            m_components[n.triangle] = m_first_triangles.size();
             is_turned[n.triangle] = is_turned[queue.front()] != !n.agrees;
             queue.push(n.triangle);
           }
@@ -108,16 +108,16 @@ private:
 
   // Finds the closed components: in each edge, the triangles of the component cancel in
   // orientation.
-  void find_closed_parts() {
+  void find_closed_components() {
     m_is_closed.assign(m_first_triangles.size(), 1);
     for (auto side = m_sides.cbegin(); side != m_sides.cend();) {
       const auto end = end_of_edge(side, m_sides.cend());
       std::map<std::size_t, int> sums;
       for (; side != end; ++side)
-        sums[m_parts[side->triangle]] += runs_forward(*side) ? 1 : -1;
-      for (const auto& [part, sum] : sums)
+        sums[m_components[side->triangle]] += runs_forward(*side) ? 1 : -1;
+      for (const auto& [component, sum] : sums)
         if (sum != 0)
-          m_is_closed[part] = 0;
+          m_is_closed[component] = 0;
     }
   }
 
@@ -125,17 +125,17 @@ private:
     const auto pairs = crossing_triangles(m_soup);
     m_crossing_pairs = pairs.size();
     for (const auto& [s, t] : pairs)
-      m_crossings.insert(std::minmax(m_parts[s], m_parts[t]));
+      m_crossings.insert(std::minmax(m_components[s], m_components[t]));
   }
 
-  void orient_closed_parts() {
-    const std::vector<int> depths = depths_of_parts();
+  void orient_closed_components() {
+    const std::vector<int> depths = depths_of_components();
     std::vector<double> volumes(m_first_triangles.size(), 0); // six times the volume
-    for (std::size_t t = 0; t < m_parts.size(); ++t)
-      volumes[m_parts[t]] += cone(t);
-    for (std::size_t t = 0; t < m_parts.size(); ++t) {
-      const std::size_t part = m_parts[t];
-      if (m_is_closed[part] && (volumes[part] < 0) != (depths[part] % 2 == 1))
+    for (std::size_t t = 0; t < m_components.size(); ++t)
+      volumes[m_components[t]] += cone(t);
+    for (std::size_t t = 0; t < m_components.size(); ++t) {
+      const std::size_t component = m_components[t];
+      if (m_is_closed[component] && (volumes[component] < 0) != (depths[component] % 2 == 1))
         turn(t);
     }
   }
@@ -143,7 +143,7 @@ private:
   // Returns six times the signed volume of the tetrahedron of a triangle and a point of its
   // component. Such a point reduces rounding errors.
   double cone(std::size_t t) const {
-    const Coordinates_3& o = m_soup.points[m_soup.triangles[m_first_triangles[m_parts[t]]][0]];
+    const Coordinates_3& o = m_soup.points[m_soup.triangles[m_first_triangles[m_components[t]]][0]];
     std::array<Coordinates_3, 3> p;
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t axis = 0; axis < 3; ++axis)
@@ -155,16 +155,16 @@ private:
 
   // Returns, for each component, the number of closed components that contain it and that it does
   // not intersect.
-  std::vector<int> depths_of_parts() const {
+  std::vector<int> depths_of_components() const {
     const std::vector<Soup_ray_3> rays = shoot_rays(m_soup, m_first_triangles);
     std::vector<int> depths(rays.size(), 0);
-    for (std::size_t part = 0; part < rays.size(); ++part) {
+    for (std::size_t component = 0; component < rays.size(); ++component) {
       std::map<std::size_t, int> crossed; // number of crossings with each component
-      for (const Ray_crossing_3& crossing : rays[part].crossings)
-        ++crossed[m_parts[crossing.triangle]];
+      for (const Ray_crossing_3& crossing : rays[component].crossings)
+        ++crossed[m_components[crossing.triangle]];
       for (const auto& [other, times] : crossed)
-        depths[part] += other != part && times % 2 == 1 && m_is_closed[other] &&
-                        m_crossings.count(std::minmax(part, other)) == 0;
+        depths[component] += other != component && times % 2 == 1 && m_is_closed[other] &&
+                             m_crossings.count(std::minmax(component, other)) == 0;
     }
     return depths;
   }
@@ -177,7 +177,7 @@ private:
 
   Triangle_soup_3 m_soup;
   std::vector<Triangle_side> m_sides;
-  std::vector<std::size_t> m_parts;           // component of each triangle
+  std::vector<std::size_t> m_components;      // component of each triangle
   std::vector<std::size_t> m_first_triangles; // first triangle of each component
   std::vector<char> m_is_closed;
   std::set<std::pair<std::size_t, std::size_t>> m_crossings; // pairs of components

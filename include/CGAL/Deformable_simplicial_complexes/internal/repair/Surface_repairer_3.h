@@ -261,17 +261,17 @@ private:
   // Throws if a hole has a boundary that is too long, absolutely or relative to the extent of its
   // component.
   void refuse_sheets(Mesh& mesh, const std::vector<Halfedge>& holes) const {
-    const auto parts = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:part", 0).first;
-    std::vector<Bbox_3> boxes(Polygon_mesh_processing::connected_components(mesh, parts));
+    const auto components = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:part", 0).first;
+    std::vector<Bbox_3> boxes(Polygon_mesh_processing::connected_components(mesh, components));
     for (const auto f : mesh.faces())
       for (const auto v : vertices_around_face(mesh.halfedge(f), mesh))
-        boxes[parts[f]] += mesh.point(v).bbox();
+        boxes[components[f]] += mesh.point(v).bbox();
     for (Halfedge h : holes) {
       double length = 0;
       for (Halfedge side : halfedges_around_face(h, mesh))
         length += std::sqrt(
             squared_distance(mesh.point(source(side, mesh)), mesh.point(target(side, mesh))));
-      const double extent = diagonal(boxes[parts[mesh.face(mesh.opposite(h))]]);
+      const double extent = diagonal(boxes[components[mesh.face(mesh.opposite(h))]]);
       if (length > m_options.largest_hole * extent || length > m_options.longest_border)
         refuse_sheet(length, (std::min)(m_options.largest_hole * extent, m_options.longest_border));
     }
@@ -279,11 +279,12 @@ private:
 
   [[noreturn]] void refuse_sheet(double length, double longest) const {
     const Invalid_surface_error error = *flaw();
-    throw Invalid_surface_error(error.reason(),
-                                "surface 0 bounds nothing: it has a hole with a border of length " +
-                                    text_of(length) + ", and only holes with borders of up to " +
-                                    text_of(longest) + " are filled there",
-                                0, error.facets(), error.vertices());
+    throw Invalid_surface_error(
+        error.reason(),
+        "surface 0 does not bound a solid: it has a hole with a boundary of length " +
+            text_of(length) + ", and only holes with boundaries of up to " + text_of(longest) +
+            " are filled",
+        0, error.facets(), error.vertices());
   }
 
   static std::string text_of(double number) {
@@ -294,7 +295,7 @@ private:
 
   // Unites intersecting components. Triangles inside the union no longer count as input.
   void unite() {
-    const Progress_phase phase("uniting parts of a surface");
+    const Progress_phase phase("uniting components of a surface");
     Triangle_soup_3 soup = merge_points(m_soup);
     const std::size_t flat = remove_flat(soup);
     const std::optional<United_surface_3> united = unite_components(soup);
@@ -304,7 +305,7 @@ private:
     measure();
     m_report.degenerate_triangles += flat;
     m_report.crossing_pairs = united->crossing_pairs;
-    m_report.united_parts = united->crossing_parts;
+    m_report.united_parts = united->crossing_components;
     m_report.removed_triangles += united->removed_triangles;
     m_input = m_soup = united->soup;
     append(m_input, united->sheets);

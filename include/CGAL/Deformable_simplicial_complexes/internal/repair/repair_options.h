@@ -22,20 +22,21 @@ namespace internal {
 // Checks the options. Throws `Error` if a number is out of range.
 inline void check_options(const Surface_repair_options_3& options) {
   if (!(options.merge_distance >= 0 && std::isfinite(options.merge_distance)))
-    throw Error("the distance of vertices that become one must be a number from 0 on");
+    throw Error("the merge distance is negative or not finite: use 0 or more");
   if (!(options.largest_hole >= 0 && options.longest_border >= 0 && options.wrap_alpha >= 0 &&
         std::isfinite(options.wrap_alpha)))
-    throw Error("the largest hole and the alpha of a wrap must be numbers from 0 on");
+    throw Error("the largest hole, the longest border or the alpha of the wrap is out of range: "
+                "use 0 or more");
   if (!(options.wrap_offset > 0 && std::isfinite(options.wrap_offset)))
-    throw Error("the offset of a wrap must be more than 0");
+    throw Error("the offset of the wrap is not positive and finite: use more than 0");
 }
 
 template <class NamedParameters>
 Surface_repair_options_3 repair_options(const NamedParameters& np) {
   Surface_repair_options_3 options;
-  options.largest_hole = number_parameter(np, internal_np::largest_hole, options.largest_hole);
-  options.wrap_alpha = number_parameter(np, internal_np::wrap_alpha, options.wrap_alpha);
-  options.wrap_offset = number_parameter(np, internal_np::wrap_offset, options.wrap_offset);
+  replace_value(np, internal_np::largest_hole, options.largest_hole);
+  replace_value(np, internal_np::wrap_alpha, options.wrap_alpha);
+  replace_value(np, internal_np::wrap_offset, options.wrap_offset);
   return options;
 }
 

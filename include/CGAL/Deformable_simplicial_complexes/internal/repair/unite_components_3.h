@@ -31,7 +31,7 @@ struct Counted_triangles_3
 {
   Triangle_soup_3 soup; // no two triangles have the same corners
   std::vector<int> multiplicities;
-  std::vector<char> is_of_closed_parts;
+  std::vector<char> is_of_closed_components;
   std::vector<std::size_t> of_pieces; // the triangle for each triangle of the split soup
 };
 
@@ -41,7 +41,7 @@ inline bool is_even_permutation(const Triangle_indices& t) {
 }
 
 inline Counted_triangles_3 count_triangles(const Split_soup_3& split,
-                                           const Surface_components_3& parts) {
+                                           const Surface_components_3& components) {
   Counted_triangles_3 counted;
   counted.soup.points = split.points;
   std::map<Triangle_indices, std::size_t> known;
@@ -52,13 +52,13 @@ inline Counted_triangles_3 count_triangles(const Split_soup_3& split,
     if (is_new) {
       counted.soup.triangles.push_back(split.triangles[t]);
       counted.multiplicities.push_back(0);
-      counted.is_of_closed_parts.push_back(0);
+      counted.is_of_closed_components.push_back(0);
     }
     const std::size_t i = place->second;
     counted.of_pieces.push_back(i);
-    if (!parts.is_closed(parts.of(split.origins[t])))
+    if (!components.is_closed(components.of(split.origins[t])))
       continue;
-    counted.is_of_closed_parts[i] = 1;
+    counted.is_of_closed_components[i] = 1;
     counted.multiplicities[i] +=
         is_even_permutation(split.triangles[t]) == is_even_permutation(counted.soup.triangles[i])
             ? 1
@@ -75,7 +75,8 @@ inline std::vector<char> solid_regions(const Soup_regions_3& regions,
   std::vector<char> result(regions.size());
   bool has_walls = false; // triangles of components that are not closed
   for (std::size_t t = 0; t < triangles.soup.triangles.size(); ++t)
-    has_walls |= !triangles.is_of_closed_parts[t] && regions.in_front_of(t) != regions.behind(t);
+    has_walls |=
+        !triangles.is_of_closed_components[t] && regions.in_front_of(t) != regions.behind(t);
   const auto numbers = regions.winding_numbers(triangles.multiplicities);
   for (std::size_t r = 0; r < regions.size(); ++r)
     result[r] = has_walls || !numbers ? regions.depths()[r] % 2 == 1 : (*numbers)[r] > 0;
@@ -84,11 +85,11 @@ inline std::vector<char> solid_regions(const Soup_regions_3& regions,
 
 struct United_surface_3
 {
-  Triangle_soup_3 soup;          // corners are counterclockwise seen from outside
-  Triangle_soup_3 sheets;        // removed triangles that have the outside on both sides
-  std::size_t crossing_pairs;    // pairs of triangles
-  std::size_t crossing_parts;    // components that intersected others or themselves
-  std::size_t removed_triangles; // triangles of the input without any remaining part
+  Triangle_soup_3 soup;            // corners are counterclockwise seen from outside
+  Triangle_soup_3 sheets;          // removed triangles that have the outside on both sides
+  std::size_t crossing_pairs;      // pairs of triangles
+  std::size_t crossing_components; // components that intersected others or themselves
+  std::size_t removed_triangles;   // triangles of the input without any remaining part
 };
 
 // Returns the triangles between the solid and the outside, and the triangles with the outside on
@@ -109,7 +110,7 @@ inline United_surface_3 boundary_of_solid(const Split_soup_3& split,
     is_kept[t] = front != back;
     if (is_kept[t])
       result.soup.triangles.push_back(v);
-    else if (!front && !triangles.is_of_closed_parts[t])
+    else if (!front && !triangles.is_of_closed_components[t])
       result.sheets.triangles.push_back(v);
   }
   std::vector<char> is_left(size_of_input, 0);
@@ -130,16 +131,16 @@ inline United_surface_3 boundary_of_solid(const Split_soup_3& split,
 // triangles in each edge. Returns `nullopt` if there is no such solid.
 // \pre no triangle is degenerate
 inline std::optional<United_surface_3> unite_components(const Triangle_soup_3& input) {
-  const Surface_components_3 parts(input);
-  const std::optional<Split_soup_3> split = split_at_crossings(parts.oriented_soup());
+  const Surface_components_3 components(input);
+  const std::optional<Split_soup_3> split = split_at_crossings(components.oriented_soup());
   if (!split)
     return std::nullopt;
   United_surface_3 result =
-      boundary_of_solid(*split, count_triangles(*split, parts), input.triangles.size());
+      boundary_of_solid(*split, count_triangles(*split, components), input.triangles.size());
   if (result.soup.triangles.empty())
     return std::nullopt;
-  result.crossing_pairs = parts.number_of_crossing_pairs();
-  result.crossing_parts = parts.number_of_crossing_parts();
+  result.crossing_pairs = components.number_of_crossing_pairs();
+  result.crossing_components = components.number_of_crossing_components();
   return result;
 }
 

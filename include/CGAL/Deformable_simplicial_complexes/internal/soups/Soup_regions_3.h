@@ -37,9 +37,9 @@ public:
 
   explicit Soup_regions_3(const Triangle_soup_3& soup)
       : m_sets(2 * soup.triangles.size() + 1), m_regions(2 * soup.triangles.size()) {
-    Disjoint_sets parts(soup.triangles.size());
-    join_at_edges(soup, parts);
-    join_parts(soup, parts);
+    Disjoint_sets components(soup.triangles.size());
+    join_at_edges(soup, components);
+    join_components(soup, components);
     number_regions();
   }
 
@@ -113,7 +113,7 @@ private:
 
   // Joins the facing sides of triangles that are neighbors around an edge: no other triangle is
   // between them.
-  void join_at_edges(const Triangle_soup_3& soup, Disjoint_sets& parts) {
+  void join_at_edges(const Triangle_soup_3& soup, Disjoint_sets& components) {
     // Returns the side of a triangle that is met first in a right-handed rotation about the edge
     // from its first to its second vertex.
     const auto first_side = [&](const Triangle_side& side) {
@@ -130,7 +130,7 @@ private:
       for (auto s = side; s != end; ++s) {
         const auto next = s + 1 == end ? side : s + 1;
         m_sets.join(first_side(*s) ^ 1, first_side(*next));
-        parts.join(s->triangle, next->triangle);
+        components.join(s->triangle, next->triangle);
       }
       side = end;
     }
@@ -138,10 +138,10 @@ private:
 
   // Joins the regions of different connected components. The region around a component is found by
   // a ray: it is the region of the next component behind the last crossing with its own.
-  void join_parts(const Triangle_soup_3& soup, Disjoint_sets& parts) {
+  void join_components(const Triangle_soup_3& soup, Disjoint_sets& components) {
     std::vector<std::size_t> first; // first triangle of each component
     for (std::size_t t = 0; t < soup.triangles.size(); ++t)
-      if (parts.find(t) == t)
+      if (components.find(t) == t)
         first.push_back(t);
     const std::vector<Soup_ray_3> rays = shoot_rays(soup, first);
     std::vector<std::size_t> outsides; // the outermost side of each component
@@ -150,7 +150,7 @@ private:
       std::size_t beyond = infinity();
       for (const Ray_crossing_3& crossing : rays[p].crossings) {
         const std::size_t t = crossing.triangle;
-        if (parts.find(t) == first[p]) {
+        if (components.find(t) == first[p]) {
           outside = crossing.leaves_front ? front_side(t) : back_side(t);
           beyond = infinity();
         } else if (beyond == infinity())
@@ -159,12 +159,12 @@ private:
       outsides.push_back(outside);
       m_sets.join(outside, beyond);
     }
-    count_depths(first, parts, outsides);
+    count_depths(first, components, outsides);
   }
 
   // Computes the depths: the regions of a component, except the region around it, are one level
   // deeper than that region.
-  void count_depths(const std::vector<std::size_t>& first, Disjoint_sets& parts,
+  void count_depths(const std::vector<std::size_t>& first, Disjoint_sets& components,
                     const std::vector<std::size_t>& outsides) {
     number_regions();
     std::vector<std::vector<std::size_t>> inner(m_size); // regions of the components in each region
@@ -172,7 +172,7 @@ private:
     for (std::size_t p = 0; p < first.size(); ++p)
       outside_of[first[p]] = m_regions[outsides[p]];
     for (std::size_t side = 0; side < m_regions.size(); ++side) {
-      const std::size_t outside = outside_of[parts.find(side / 2)];
+      const std::size_t outside = outside_of[components.find(side / 2)];
       if (m_regions[side] != outside)
         inner[outside].push_back(m_regions[side]);
     }

@@ -31,7 +31,7 @@ struct Xml_element
   std::string_view content;    // text between the tags
 
   // Returns the value of an attribute as written; empty if there is none.
-  std::string attribute(std::string_view wanted) const {
+  std::string attribute(std::string_view requested) const {
     std::string_view rest = attributes;
     for (std::size_t begin; (begin = rest.find_first_of("\"'")) != rest.npos;) {
       const std::size_t end = rest.find(rest[begin], begin + 1);
@@ -40,7 +40,7 @@ struct Xml_element
       std::string_view key = rest.substr(0, rest.find_last_of('=', begin));
       key = key.substr(0, key.find_last_not_of(xml_white_space) + 1);
       key = key.substr(key.find_last_of(xml_white_space) + 1);
-      if (key == wanted)
+      if (key == requested)
         return std::string(rest.substr(begin + 1, end - begin - 1));
       rest.remove_prefix(end + 1);
     }
@@ -72,7 +72,7 @@ void visit_xml(std::string_view xml, const std::string& path, const Visit_elemen
   const auto fail = [&](const std::string& what) {
     const auto line = 1 + std::count(xml.begin(), xml.begin() + begin, '\n');
     throw File_error(path + ": line " + std::to_string(line) + ": " + what +
-                         "; is it a VTK XML file, and whole?",
+                         "; is it a complete VTK XML file?",
                      path);
   };
   const auto skip = [&](std::string_view first, std::string_view last) {
@@ -114,10 +114,10 @@ void visit_xml(std::string_view xml, const std::string& path, const Visit_elemen
       if (open.empty())
         element = {name, tag.substr(name.size()), xml.substr(position)};
       if (open.size() == deepest)
-        fail("elements are nested in more than " + std::to_string(deepest) + " others");
+        fail("elements are nested more than " + std::to_string(deepest) + " levels deep");
       open.push_back(name);
     } else if (open.empty() || open.back() != name)
-      fail("a tag closes another element than the last one");
+      fail("a closing tag does not match the last open element");
     if (is_last || is_empty) {
       open.pop_back();
       if (open.empty()) {

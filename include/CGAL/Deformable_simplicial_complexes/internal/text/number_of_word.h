@@ -55,24 +55,24 @@ template <class Number> std::string why_no_number(std::string_view word) {
           *real > static_cast<double>((Limits::max)()))
         return "should be an integer from " + std::to_string((Limits::min)()) + " to " +
                std::to_string((Limits::max)()) + "; correct it";
-      return "should be an integer without point and exponent; correct it";
+      return "should be an integer without a decimal point and an exponent; correct it";
     }
-    return "is too large for a number of 32 bits; correct it";
+    return "is too large for a 32-bit number; correct it";
   }
   if (word.find(',') != word.npos)
-    return "has a comma; write points in numbers and blanks between them";
+    return "has a comma; write a decimal point in numbers and spaces between them";
   if (word.find("0x") != word.npos || word.find("0X") != word.npos)
     return "is hexadecimal; write a decimal number";
   std::string with_e(word);
   std::replace(with_e.begin(), with_e.end(), 'd', 'e');
   std::replace(with_e.begin(), with_e.end(), 'D', 'e');
   if (number_of_word<double>(with_e))
-    return "has an exponent of Fortran; write e in place of d";
+    return "has a Fortran exponent; write e instead of d";
   double number = 0;
   const std::from_chars_result result =
       std::from_chars(word.data(), word.data() + word.size(), number);
   if (result.ec == std::errc::result_out_of_range && result.ptr == word.data() + word.size())
-    return "is too large; write numbers of less than 1.8e308";
+    return "is too large; write numbers less than 1.8e308";
   return "should be a number; correct it";
 }
 

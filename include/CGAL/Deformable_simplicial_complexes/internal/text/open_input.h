@@ -50,7 +50,7 @@ inline const File_signature* find_signature(std::string_view begin) {
       {"PK\x03\x04", "", "a zip archive; unpack it"},
       {"\xff\xfe", "", "text in UTF-16; save it in UTF-8"},
       {"\xfe\xff", "", "text in UTF-16; save it in UTF-8"},
-      {"$MeshFormat", "", "a Gmsh mesh; let Gmsh write another format, such as .mesh"},
+      {"$MeshFormat", "", "a Gmsh mesh; export it from Gmsh in another format, such as .mesh"},
       {"# vtk DataFile", "", "a legacy VTK file; write it as .vtu"},
       {"\x89HDF", "", "an HDF5 file; write another format"},
       {"glTF", "", "a binary glTF file; write a surface as .ply or .obj"},
@@ -83,10 +83,10 @@ inline std::ifstream open_input(const std::string& path, std::string_view extens
   if (std::filesystem::is_directory(status))
     cannot_open("it is a folder; name a file in it");
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
-    cannot_open("it is not a regular file; copy its content into one");
+    cannot_open("it is not a regular file; copy its content into a regular file");
   std::ifstream in(path, std::ios::binary);
   if (!in)
-    cannot_open("check that it may be read");
+    cannot_open("check its permissions");
 
   constexpr std::size_t longest_signature = 32;
   std::string begin(longest_signature, '\0');
@@ -100,8 +100,8 @@ inline std::ifstream open_input(const std::string& path, std::string_view extens
     const bool has_its_name = std::filesystem::path(path).extension() == signature->extension;
     fail(std::string("is ") + signature->kind +
          (signature->extension.empty() ? std::string()
-          : has_its_name               ? "; choose a file " + std::string(extension)
-                                       : "; rename it to " + std::string(signature->extension)));
+          : has_its_name ? "; choose a file with the extension " + std::string(extension)
+                         : "; rename it to " + std::string(signature->extension)));
   }
   in.clear();
   in.seekg(0);

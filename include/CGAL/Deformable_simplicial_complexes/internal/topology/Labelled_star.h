@@ -32,7 +32,7 @@ public:
   static constexpr std::size_t none = std::size_t(-1);
 
   // Sets of cells that are connected through facets.
-  struct Parts
+  struct Components
   {
     std::vector<std::size_t> of_cell; // number of the set of each cell; `none` if it is in no set
     std::size_t number = 0;
@@ -70,8 +70,8 @@ public:
 
   // Returns the connected sets of the cells whose labels fulfill a condition, numbered in the order
   // of the star.
-  template <class Condition> Parts parts(const Condition& holds) const {
-    Parts result;
+  template <class Condition> Components components(const Condition& holds) const {
+    Components result;
     result.of_cell.assign(size(), none);
     std::vector<std::size_t> front;
     const auto visit = [&](std::size_t i) {
@@ -103,8 +103,8 @@ public:
     std::sort(labels.begin(), labels.end());
     labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
     return std::all_of(labels.begin(), labels.end(), [&](const Label& label) {
-      return parts([&](const Label& other) { return other == label; }).number <= 1 &&
-             parts([&](const Label& other) { return other != label; }).number <= 1;
+      return components([&](const Label& other) { return other == label; }).number <= 1 &&
+             components([&](const Label& other) { return other != label; }).number <= 1;
     });
   }
 

@@ -63,7 +63,7 @@ public:
 
 private:
   using Star = Labelled_star<Complex>;
-  using Parts = typename Star::Parts;
+  using Components = typename Star::Components;
 
   void enlist(Cell_handle c) {
     m_time_stamps.insert(c->time_stamp());
@@ -81,8 +81,9 @@ private:
     using Label_or_none = typename Star::Label;
     const auto is_old = [&](const Label_or_none& label) { return label == m_old; };
     const auto is_new = [&](const Label_or_none& label) { return label == m_new; };
-    const Parts joined = star.parts(is_new), left = star.parts(is_old);
-    const Parts others = star.parts([&](const Label_or_none& label) { return !is_new(label); });
+    const Components joined = star.components(is_new), left = star.components(is_old);
+    const Components others =
+        star.components([&](const Label_or_none& label) { return !is_new(label); });
     if (joined.number > 1)
       join(star, joined);
     else if (left.number > 1)
@@ -90,18 +91,18 @@ private:
     else if (others.number > 1)
       absorb(star, left, Star::none);
     else // the cells of the old label may surround those of the new label
-      join(star, star.parts([&](const Label_or_none& label) { return !is_old(label); }));
+      join(star, star.components([&](const Label_or_none& label) { return !is_old(label); }));
   }
 
-  // Adds the cells of the old label with the smallest volume that connect the first set of `parts`
-  // to another one. Adds none if there is no path. Uses Dijkstra's algorithm.
-  void join(const Star& star, const Parts& parts) {
+  // Adds the cells of the old label with the smallest volume that connect the first set of
+  // `components` to another one. Adds none if there is no path. Uses Dijkstra's algorithm.
+  void join(const Star& star, const Components& components) {
     static constexpr double infinity = std::numeric_limits<double>::infinity();
     std::vector<double> distances(star.size(), infinity);
     std::vector<std::size_t> previous(star.size(), Star::none);
     std::vector<bool> is_done(star.size());
     for (std::size_t i = 0; i < star.size(); ++i)
-      if (parts.of_cell[i] == 0)
+      if (components.of_cell[i] == 0)
         distances[i] = 0;
     for (;;) {
       std::size_t nearest = Star::none;
@@ -111,16 +112,17 @@ private:
           nearest = i;
       if (nearest == Star::none)
         return;
-      const bool is_between = parts.of_cell[nearest] == Star::none;
-      if (!is_between && parts.of_cell[nearest] != 0) {
-        for (std::size_t i = previous[nearest]; parts.of_cell[i] == Star::none; i = previous[i])
+      const bool is_between = components.of_cell[nearest] == Star::none;
+      if (!is_between && components.of_cell[nearest] != 0) {
+        for (std::size_t i = previous[nearest]; components.of_cell[i] == Star::none;
+             i = previous[i])
           add(star.cell(i));
         return;
       }
       is_done[nearest] = true;
       for (std::size_t n : star.neighbors(nearest)) {
         const bool is_old = star.label(n) == m_old;
-        if (!is_old && parts.of_cell[n] == Star::none)
+        if (!is_old && components.of_cell[n] == Star::none)
           continue;
         const double distance = distances[nearest] + (is_old ? volume(star.cell(n)) : 0);
         if (distance < distances[n]) {
@@ -132,18 +134,18 @@ private:
   }
 
   // Adds all sets except one.
-  void absorb(const Star& star, const Parts& parts, std::size_t kept) {
+  void absorb(const Star& star, const Components& components, std::size_t kept) {
     for (std::size_t i = 0; i < star.size(); ++i)
-      if (parts.of_cell[i] != Star::none && parts.of_cell[i] != kept)
+      if (components.of_cell[i] != Star::none && components.of_cell[i] != kept)
         add(star.cell(i));
   }
 
   // Returns the set with the largest volume.
-  std::size_t largest(const Star& star, const Parts& parts) const {
-    std::vector<double> volumes(parts.number);
+  std::size_t largest(const Star& star, const Components& components) const {
+    std::vector<double> volumes(components.number);
     for (std::size_t i = 0; i < star.size(); ++i)
-      if (parts.of_cell[i] != Star::none)
-        volumes[parts.of_cell[i]] += volume(star.cell(i));
+      if (components.of_cell[i] != Star::none)
+        volumes[components.of_cell[i]] += volume(star.cell(i));
     return std::size_t(std::max_element(volumes.begin(), volumes.end()) - volumes.begin());
   }
 

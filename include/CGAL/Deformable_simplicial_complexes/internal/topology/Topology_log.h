@@ -111,10 +111,11 @@ private:
 
   // Returns a point where a cell left or joined one of the components of an event.
   typename Complex::Approximate_point place(const Component_event& event) const {
-    const auto has = [](const std::vector<Component_event::Part>& parts, std::uint32_t component) {
-      return std::any_of(parts.begin(), parts.end(), [&](const Component_event::Part& part) {
-        return part.component == component;
-      });
+    const auto has = [](const std::vector<Component_event::Component>& components,
+                        std::uint32_t number) {
+      return std::any_of(
+          components.begin(), components.end(),
+          [&](const Component_event::Component& item) { return item.component == number; });
     };
     const auto takes_part = [&](const Change& change) {
       return (change.from == event.label && has(event.before, change.component)) ||

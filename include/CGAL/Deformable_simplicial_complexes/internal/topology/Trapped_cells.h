@@ -10,6 +10,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TOPOLOGY_TRAPPED_CELLS_H
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/local_edge_length.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Manifold_relabeling.h>
@@ -22,7 +23,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -30,11 +30,6 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
-
-// A function that decides whether a cell may take a label that changes the topology.
-template <class Complex>
-using Topology_control =
-    std::function<bool(const Complex&, typename Complex::Cell_handle, typename Complex::Label)>;
 
 // Relabels cells that are trapped between parts of the interface. Cells that keep the topology are
 // relabeled first, followed by their neighbors. A cell that changes the topology is relabeled only
@@ -46,9 +41,10 @@ template <class Complex> class Trapped_cells
 public:
   using Cell_handle = typename Complex::Cell_handle;
   using Label = typename Complex::Label;
+  using Topology_control = typename Deformation_options<Complex>::Topology_control;
 
   Trapped_cells(Complex& complex, Any_visitor<Complex>& visitor,
-                const Topology_control<Complex>& topology_control, bool manifold_interface)
+                const Topology_control& topology_control, bool manifold_interface)
       : m_complex(complex), m_visitor(visitor), m_topology_control(topology_control),
         m_manifold_interface(manifold_interface), m_log(complex) {}
 
@@ -68,8 +64,7 @@ public:
       Progress_scope::check();
       Label label;
       if (!propose(c, threshold, is_flat, proposed, label) ||
-          relabeling_keeps_topology(m_complex, proposed, label) ||
-          !m_topology_control(m_complex, c, label))
+          relabeling_keeps_topology(m_complex, proposed, label) || !may_change_topology(c, label))
         continue;
       record(proposed, label);
       relabel(proposed, label);
@@ -89,8 +84,7 @@ public:
       Progress_scope::check();
       if (is_small_component(c, component, large)) {
         const Label label = surrounding_label(component);
-        if (label == c->label() || !complete(component, label) ||
-            !m_topology_control(m_complex, c, label))
+        if (label == c->label() || !complete(component, label) || !may_change_topology(c, label))
           continue;
         record(component, label);
         relabel(component, label);
@@ -213,6 +207,10 @@ private:
       m_log.record(c, label);
   }
 
+  bool may_change_topology(Cell_handle c, Label label) const {
+    return !m_topology_control || m_topology_control(m_complex, c, label);
+  }
+
   // Relabels cells of one label. The visitor is called after all cells have the new label.
   void relabel(const std::vector<Cell_handle>& cells, Label label) {
     const Label before = cells.front()->label();
@@ -227,7 +225,7 @@ private:
 
   Complex& m_complex;
   Any_visitor<Complex>& m_visitor;
-  const Topology_control<Complex>& m_topology_control;
+  const Topology_control& m_topology_control;
   bool m_manifold_interface;
   Topology_log<Complex> m_log;
   std::unordered_set<std::size_t> m_done; // time stamps of relabeled cells

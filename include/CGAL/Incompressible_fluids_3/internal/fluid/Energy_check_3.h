@@ -30,7 +30,7 @@ struct Energy_check_3
   // Compares the present energy with the budget. The motion and changes of the mesh share the
   // unexplained rise, and the larger share determines the bound and the cause.
   // \pre There is a budget.
-  template <class Report> void look(const Report& report, const Fluid_balance_3& now) {
+  template <class Report> void check(const Report& report, const Fluid_balance_3& now) {
     rise = budget->rise(now, report.volume_error);
     if (rise <= Energy_budget_3::tolerance)
       return;
@@ -51,17 +51,17 @@ inline std::string message_of(const Fluid_repetition_3& failure, std::uint64_t s
     case Fluid_failure_3::equations:
       return "the equations of the flow have no accurate solution, with a relative residual of ";
     case Fluid_failure_3::motion:
-      return "the motion raises the energy without a cause, by a part of ";
+      return "the motion increases the energy without a cause, by a fraction of ";
     case Fluid_failure_3::mesh:
       break;
     }
-    return "changes of the mesh raise the energy without a cause, by a part of ";
+    return "remeshing increases the energy without a cause, by a fraction of ";
   }();
   std::ostringstream message;
   message << "step " << step << " of the fluid at time " << failure.time << " failed: " << cause
           << failure.amount << ", near (" << failure.place.x() << ", " << failure.place.y() << ", "
-          << failure.place.z() << "), also after remeshing and with a time step of " << failure.dt
-          << "; choose shorter edges or another mesh";
+          << failure.place.z() << "), even after remeshing and with a time step of " << failure.dt
+          << "; use shorter edges or another mesh";
   return message.str();
 }
 

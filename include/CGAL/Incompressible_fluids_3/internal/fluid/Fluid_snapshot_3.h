@@ -24,7 +24,7 @@ public:
 
   // Restores both states, bitwise. The handles of the complex are invalidated if the complex has
   // changed since. The function cannot be interrupted. Takes O(n log n) time.
-  void put_back(Complex& complex, Fluid& fluid) const {
+  void restore(Complex& complex, Fluid& fluid) const {
     const Progress_pause pause;
     if (complex.state() != m_complex) {
       complex.clear(); // first, to save memory

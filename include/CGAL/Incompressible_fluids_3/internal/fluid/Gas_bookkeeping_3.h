@@ -25,30 +25,30 @@ namespace internal {
 class Gas_bookkeeping_3
 {
 public:
-  using Part = Liquid_bookkeeping_3::Part;
-  using Bodies = std::map<Part, Gas_body_3>;
+  using Number = Liquid_bookkeeping_3::Number;
+  using Components = std::map<Number, Gas_component_3>;
 
-  const Bodies& bodies() const { return m_bodies; }
-  void set_bodies(const Bodies& bodies) { m_bodies = bodies; }
+  const Components& components() const { return m_components; }
+  void set_components(const Components& components) { m_components = components; }
 
   // Returns the gases of a mesh with their initial pressures.
   template <class Mesh>
-  static Bodies measure(const Mesh& mesh, const Fluid_properties_3& properties) {
-    Bodies result;
-    for (const auto& part : mesh.gases) {
-      const Gas gas = *properties.gas(part.label);
-      result[part.component] = {gas, part.volume, gas.pressure, part.volume};
+  static Components measure(const Mesh& mesh, const Fluid_properties_3& properties) {
+    Components result;
+    for (const auto& component : mesh.gases) {
+      const Gas gas = *properties.gas(component.label);
+      result[component.component] = {gas, component.volume, gas.pressure, component.volume};
     }
     return result;
   }
 
   // Returns the gases in the order of a mesh, with the volumes of the mesh.
   // \pre The mesh has the components of the bookkeeping.
-  template <class Mesh> std::vector<Gas_body_3> bodies_of(const Mesh& mesh) const {
-    std::vector<Gas_body_3> result;
-    for (const auto& part : mesh.gases) {
-      result.push_back(m_bodies.at(part.component));
-      result.back().volume = part.volume;
+  template <class Mesh> std::vector<Gas_component_3> components_of(const Mesh& mesh) const {
+    std::vector<Gas_component_3> result;
+    for (const auto& component : mesh.gases) {
+      result.push_back(m_components.at(component.component));
+      result.back().volume = component.volume;
     }
     return result;
   }
@@ -56,46 +56,46 @@ public:
   // Replaces the components after changes of the mesh. `now` contains the present components, as
   // `measure()` returns them. Components that merged have the mean of their pressures, weighted by
   // volumes, which preserves energy. Components that split have the same pressure.
-  void follow(const Liquid_bookkeeping_3::Lineage& lineage, Bodies now) {
-    const std::size_t size = Liquid_bookkeeping_3::size_of(m_bodies, now, lineage);
+  void update(const Liquid_bookkeeping_3::Lineage& lineage, Components now) {
+    const std::size_t size = Liquid_bookkeeping_3::size_of(m_components, now, lineage);
     Number_groups groups(2 * size); // of previous and present components
     for (const auto& [before, after] : lineage)
       groups.join(before, size + after);
 
     struct Group
     {
-      unsigned parts = 0, parts_now = 0;
+      unsigned number = 0, number_now = 0;
       double energy = 0, volume = 0, volume_now = 0; // energy: pressure times volume
       std::array<double, 2> reference = {};          // pressure and volume
     };
     std::map<std::size_t, Group> owned;
-    for (const auto& [part, body] : m_bodies) {
-      Group& group = owned[groups.of(part)];
-      ++group.parts;
-      group.reference = {body.reference_pressure, body.reference_volume};
-      group.energy += body.pressure() * body.volume;
-      group.volume += body.volume;
+    for (const auto& [number, component] : m_components) {
+      Group& group = owned[groups.of(number)];
+      ++group.number;
+      group.reference = {component.reference_pressure, component.reference_volume};
+      group.energy += component.pressure() * component.volume;
+      group.volume += component.volume;
     }
-    for (const auto& [part, body] : now) {
-      Group& group = owned[groups.of(size + part)];
-      ++group.parts_now;
-      group.volume_now += body.volume;
+    for (const auto& [number, component] : now) {
+      Group& group = owned[groups.of(size + number)];
+      ++group.number_now;
+      group.volume_now += component.volume;
     }
-    for (auto& [part, body] : now) {
-      const Group& group = owned[groups.of(size + part)];
-      if (group.parts == 1 && group.parts_now == 1) {
-        body.reference_pressure = group.reference[0];
-        body.reference_volume = group.reference[1];
-      } else if (group.parts > 0) {
-        body.reference_pressure = group.energy / group.volume;
-        body.reference_volume = body.volume * (group.volume / group.volume_now);
+    for (auto& [number, component] : now) {
+      const Group& group = owned[groups.of(size + number)];
+      if (group.number == 1 && group.number_now == 1) {
+        component.reference_pressure = group.reference[0];
+        component.reference_volume = group.reference[1];
+      } else if (group.number > 0) {
+        component.reference_pressure = group.energy / group.volume;
+        component.reference_volume = component.volume * (group.volume / group.volume_now);
       }
     }
-    m_bodies.swap(now);
+    m_components.swap(now);
   }
 
 private:
-  Bodies m_bodies;
+  Components m_components;
 };
 
 } // namespace internal

@@ -17,15 +17,15 @@ namespace Deformable_simplicial_complexes {
 
 // Performs a time step, see `advance()`. The state before the step is restored after any exception.
 template <class Complex, class Solver>
-auto Incompressible_fluid<Complex, Solver>::advance_with(const Options& chosen, double dt)
-    -> Report {
+auto Incompressible_fluid<Complex, Solver>::advance(double dt, const Options& options) -> Report {
+  options.check();
   require_step(dt);
   if (!(m_time + dt > m_time))
-    throw Error("the step of time is too short to change the time");
+    throw Error("the time step is too short to change the time: use a longer one");
   const Snapshot start(m_complex, *this);
   try {
     const auto begin = Clock::now();
-    Report report = advance_in_parts(chosen, dt, start);
+    Report report = advance_in_parts(options, dt, start);
     ++m_steps;
     m_damped_steps -= m_damped_steps > 0;
     if (!report.deformation.events.empty())
@@ -33,7 +33,7 @@ auto Incompressible_fluid<Complex, Solver>::advance_with(const Options& chosen, 
     report.seconds_of_mesh = seconds_since(begin) - report.seconds_of_solver;
     return report;
   } catch (...) {
-    start.put_back(m_complex, *this);
+    start.restore(m_complex, *this);
     throw;
   }
 }
@@ -53,7 +53,7 @@ auto Incompressible_fluid<Complex, Solver>::advance_in_parts(const Options& chos
     const auto failure = attempt(plan, begin, dt, chosen, report);
     done.seconds_of_solver = report.seconds_of_solver;
     if (failure) {
-      last->put_back(m_complex, *this);
+      last->restore(m_complex, *this);
       done.repetitions.push_back(*failure);
       if (!plan.fail(failure->cause))
         throw Fluid_step_error(internal::message_of(*failure, m_steps + 1), m_steps + 1, *failure);
@@ -86,7 +86,7 @@ auto Incompressible_fluid<Complex, Solver>::attempt(const internal::Step_plan_3&
   if (m_damped_steps > 0)
     chosen.implicitness = (std::max)(chosen.implicitness, implicitness_after_change);
   if (plan.mesh() == Treatment::preserved)
-    chosen.preserve_mesh();
+    chosen.deformation.preserve_mesh();
   // The flow begins after the first adaptation, so the energy check does not include this
   // adaptation.
   const bool is_new = m_steps == 0;
@@ -108,7 +108,7 @@ auto Incompressible_fluid<Complex, Solver>::attempt(const internal::Step_plan_3&
       adapt(chosen, plan.mesh(), report);
     }
     if (!m_knows_accelerations)
-      make_admissible(length, chosen.number_of_threads, report);
+      make_admissible(length, chosen.deformation.number_of_threads, report);
     step(length, begin + plan.end() * dt, chosen, std::numeric_limits<double>::infinity(), report,
          &judge);
     if (!judge.failure)

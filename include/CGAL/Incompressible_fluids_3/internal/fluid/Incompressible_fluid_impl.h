@@ -16,10 +16,10 @@ namespace Deformable_simplicial_complexes {
 
 // Moves the liquids to an equilibrium of forces, see `relax()`.
 template <class Complex, class Solver>
-double Incompressible_fluid<Complex, Solver>::relax_with(Options chosen, double dt,
-                                                         unsigned steps) {
-  static constexpr double rest = 1e-14;     // relative to the velocity of the first step
-  static constexpr double longest_way = .3; // in edges: forces change over an edge
+double Incompressible_fluid<Complex, Solver>::relax(double dt, unsigned steps, Options chosen) {
+  static constexpr double rest = 1e-14;              // relative to the velocity of the first step
+  static constexpr double longest_displacement = .3; // in edges: forces change over an edge
+  chosen.check();
   chosen.implicitness = 1;
   require_step(dt);
   Report report;
@@ -37,7 +37,7 @@ double Incompressible_fluid<Complex, Solver>::relax_with(Options chosen, double 
     const std::vector<std::size_t> before = stamps_of_interface();
     const Eigen::VectorXd from = coordinates_of_interface();
     report = {};
-    step(dt, m_time, chosen, longest_way, report, nullptr);
+    step(dt, m_time, chosen, longest_displacement, report, nullptr);
     stop(this);
     velocity = report.greatest_velocity;
     first = k == 0 ? velocity : first;
@@ -83,11 +83,11 @@ Eigen::VectorXd Incompressible_fluid<Complex, Solver>::coordinates_of_interface(
 }
 
 // Performs a time step that ends at the time `end`. If this is the present time, solids do not
-// move. Displacements are scaled down to `longest_way`, in edges. The judge can be null. If it
-// finds a failure before the mesh is changed, the function returns at once.
+// move. Displacements are scaled down to `longest_displacement`, in edges. The judge can be null.
+// If it finds a failure before the mesh is changed, the function returns at once.
 template <class Complex, class Solver>
 void Incompressible_fluid<Complex, Solver>::step(double dt, double end, const Options& chosen,
-                                                 double longest_way, Report& report,
+                                                 double longest_displacement, Report& report,
                                                  Energy_judge* judge) {
   const Flow flow(*this, m_properties);
   report.dt = dt;
@@ -100,16 +100,18 @@ void Incompressible_fluid<Complex, Solver>::step(double dt, double end, const Op
     return;
   }
   const auto begin_of_solver = Clock::now();
-  Step step(flow.mesh, m_properties, m_solids, m_complex, m_solver, {dt, chosen.implicitness},
-            m_time, end, flow.positions, flow.velocities, flow.accelerations,
-            m_gas_ledger.bodies_of(flow.mesh), end > m_time ? m_source : typename Step::Source(),
-            chosen.number_of_threads);
+  Step step(m_complex, flow,
+            {m_properties, m_solids, m_gases.components_of(flow.mesh),
+             end > m_time ? m_source : typename Step::Source()},
+            {m_time, end, {dt, chosen.implicitness}}, m_solver,
+            chosen.deformation.number_of_threads);
   step.solve(m_knows_accelerations);
   report.seconds_of_solver += seconds_since(begin_of_solver);
-  own_gains(flow, step, dt, report);
+  add_source_volumes(flow, step, dt, report);
   m_time = end;
   const Vectors after = step.final_velocities(),
-                destinations = shortened(step.destinations(), flow, longest_way, step.contacts());
+                destinations =
+                    shortened(step.destinations(), flow, longest_displacement, step.contacts());
   store(flow, after, step.pressures(), dt);
   report.moved = flow.balance(*this, destinations, after, m_time);
   if (judge) {
@@ -118,49 +120,50 @@ void Incompressible_fluid<Complex, Solver>::step(double dt, double end, const Op
     judge->budget->supply(step.work_of_walls() + step.work_of_sources(judge->budget->level()));
     // The volumes of gases are not restored yet, so their energies are not exact.
     if (m_properties.gases().empty())
-      judge->look(report, report.moved);
+      judge->check(report, report.moved);
     if (judge->failure)
       return;
   }
-  note_momenta(flow, [&](const internal::Masses_3& masses) { return step.final_momentum(masses); });
+  record_momenta(flow,
+                 [&](const internal::Masses_3& masses) { return step.final_momentum(masses); });
   auto events = std::move(report.deformation.events); // the events of the adaptation
   report.deformation = move(flow, step.contacts(), destinations, chosen);
   events.insert(events.end(), report.deformation.events.begin(), report.deformation.events.end());
   report.deformation.events = std::move(events);
-  const Flow last = settle(chosen, report);
+  const Flow last = restore_components(chosen, report);
   report.after = last.balance(*this, last.positions, last.velocities, m_time);
   m_motion.keep(last.mesh.vertices);
   report.depth_in_solids = last.depth_in_solids(*this);
   describe(step, flow, report);
   if (judge)
-    judge->look(report, energies_with_gases_of(report));
+    judge->check(report, energies_with_gases_of(report));
 }
 
 // Adds the volumes from sources to the volumes to be preserved.
 template <class Complex, class Solver>
-void Incompressible_fluid<Complex, Solver>::own_gains(const Flow& flow, const Step& step, double dt,
-                                                      Report& report) {
-  Ledger::Volumes owned = m_ledger.volumes();
+void Incompressible_fluid<Complex, Solver>::add_source_volumes(const Flow& flow, const Step& step,
+                                                               double dt, Report& report) {
+  Liquid_bookkeeping::Volumes volumes = m_liquids.volumes();
   for (std::size_t k = 0; k < step.gains().size(); ++k) {
     report.gained_volume += dt * step.gains()[k];
-    owned.at(flow.mesh.cells[k].component) += dt * step.gains()[k];
+    volumes.at(flow.mesh.cells[k].component) += dt * step.gains()[k];
   }
-  m_ledger.set_volumes(owned);
+  m_liquids.set_volumes(volumes);
 }
 
 // Returns destinations outside of walls, after scaling all displacements so that none is longer
-// than `longest_way`, in edges.
+// than `longest_displacement`, in edges.
 template <class Complex, class Solver>
 auto Incompressible_fluid<Complex, Solver>::shortened(Vectors destinations, const Flow& flow,
-                                                      double longest_way,
+                                                      double longest_displacement,
                                                       const Contacts& contacts) const -> Vectors {
-  double part = 1;
+  double fraction = 1;
   for (std::size_t v = 0; v < destinations.size(); ++v)
-    part = (std::min)(part, longest_way * edge_at(flow.mesh.vertices[v]) /
-                                (destinations[v] - flow.positions[v]).norm());
-  for (std::size_t v = 0; v < destinations.size() && part < 1; ++v)
-    destinations[v] = flow.positions[v] + part * (destinations[v] - flow.positions[v]);
-  contacts.put_out(destinations, m_time);
+    fraction = (std::min)(fraction, longest_displacement * edge_at(flow.mesh.vertices[v]) /
+                                        (destinations[v] - flow.positions[v]).norm());
+  for (std::size_t v = 0; v < destinations.size() && fraction < 1; ++v)
+    destinations[v] = flow.positions[v] + fraction * (destinations[v] - flow.positions[v]);
+  contacts.project_out_of_solids(destinations, m_time);
   return destinations;
 }
 
@@ -172,7 +175,7 @@ void Incompressible_fluid<Complex, Solver>::describe(const Step& step, const Flo
   report.iterations += step.iterations();
   report.residual = (std::max)(report.residual, step.residual());
   report.flat_cells = (std::max)(report.flat_cells, step.number_of_flat_cells());
-  report.contacts = step.contacts().number_of_held();
+  report.contacts = step.contacts().number_of_constrained();
   report.contacts_settled = step.is_settled();
   const Vectors forces = step.contacts().forces(step.forces_on_vertices());
   std::transform(forces.begin(), forces.end(), report.forces_on_solids.begin(), vector);
@@ -209,9 +212,8 @@ void Incompressible_fluid<Complex, Solver>::make_admissible(double dt, unsigned 
   if (std::all_of(flow.velocities.begin(), flow.velocities.end(),
                   [](const Eigen::Vector3d& v) { return v.isZero(0); }))
     return;
-  Step step(flow.mesh, inviscid, m_solids, m_complex, m_solver, {dt, 1}, m_time, m_time + dt,
-            flow.positions, flow.velocities, flow.accelerations, m_gas_ledger.bodies_of(flow.mesh),
-            {}, number_of_threads);
+  Step step(m_complex, flow, {inviscid, m_solids, m_gases.components_of(flow.mesh), {}},
+            {m_time, m_time + dt, {dt, 1}}, m_solver, number_of_threads);
   const auto begin = Clock::now();
   step.solve(true);
   report.seconds_of_solver += seconds_since(begin);
@@ -220,14 +222,14 @@ void Incompressible_fluid<Complex, Solver>::make_admissible(double dt, unsigned 
   const Vectors& velocities = step.solved_velocities();
   for (std::size_t v = 0; v < velocities.size(); ++v)
     m_motion.set(flow.mesh.vertices[v], velocities[v], Eigen::Vector3d::Zero());
-  note_momenta(flow,
-               [&](const internal::Masses_3& masses) { return step.pushed_momentum(masses); });
+  record_momenta(flow,
+                 [&](const internal::Masses_3& masses) { return step.pushed_momentum(masses); });
   Flow projected(*this, m_properties);
   restore_momenta(projected);
 }
 
 template <class Complex, class Solver>
-double Incompressible_fluid<Complex, Solver>::largest_step(double part) const {
+double Incompressible_fluid<Complex, Solver>::largest_step(double fraction) const {
   double result = std::numeric_limits<double>::infinity();
   for (Vertex_handle v : m_complex.finite_vertices()) {
     const auto motion = m_motion.at(v->time_stamp());
@@ -237,7 +239,7 @@ double Incompressible_fluid<Complex, Solver>::largest_step(double part) const {
         velocity += square(motion(axis));
         acceleration += square(motion(3 + axis));
       }
-    const double length = part * edge_at(v);
+    const double length = fraction * edge_at(v);
     // Solves length = velocity t + acceleration t^2 / 2 for t.
     if (velocity > 0 || acceleration > 0)
       result = (std::min)(result, 2 * length /
@@ -259,10 +261,10 @@ auto Incompressible_fluid<Complex, Solver>::state() const -> State {
     result.motion.emplace_back();
     std::copy(value.data(), value.data() + value.size(), result.motion.back().begin());
   }
-  result.volumes.assign(m_ledger.volumes().begin(), m_ledger.volumes().end());
-  for (const auto& [part, body] : m_gas_ledger.bodies())
-    result.gases.emplace_back(
-        part, std::array<double, 2>{body.reference_pressure, body.reference_volume});
+  result.volumes.assign(m_liquids.volumes().begin(), m_liquids.volumes().end());
+  for (const auto& [component, gas] : m_gases.components())
+    result.gases.emplace_back(component,
+                              std::array<double, 2>{gas.reference_pressure, gas.reference_volume});
   return result;
 }
 
@@ -273,16 +275,16 @@ void Incompressible_fluid<Complex, Solver>::restore(const State& state) {
   const auto present = flow.volumes();
   bool fits = state.motion.size() == vertices.size() && state.volumes.size() == present.size() &&
               std::isfinite(state.time);
-  const Ledger::Volumes volumes(state.volumes.begin(), state.volumes.end());
+  const Liquid_bookkeeping::Volumes volumes(state.volumes.begin(), state.volumes.end());
   fits = fits && volumes.size() == present.size(); // no component occurs twice
-  for (const auto& [part, volume] : volumes)
-    fits = fits && present.count(part) > 0 && volume > 0 && std::isfinite(volume);
+  for (const auto& [component, volume] : volumes)
+    fits = fits && present.count(component) > 0 && volume > 0 && std::isfinite(volume);
   auto gases = Gas_bookkeeping::measure(flow.mesh, m_properties);
-  const std::map<Ledger::Part, std::array<double, 2>> references(state.gases.begin(),
-                                                                 state.gases.end());
+  const std::map<Liquid_bookkeeping::Number, std::array<double, 2>> references(state.gases.begin(),
+                                                                               state.gases.end());
   fits = fits && state.gases.size() == gases.size() && references.size() == gases.size();
-  for (const auto& [part, reference] : references) {
-    const auto found = gases.find(part);
+  for (const auto& [component, reference] : references) {
+    const auto found = gases.find(component);
     if (found != gases.end() && reference[0] >= 0 && reference[1] > 0 &&
         std::isfinite(reference[0] * reference[1])) {
       found->second.reference_pressure = reference[0];
@@ -294,14 +296,14 @@ void Incompressible_fluid<Complex, Solver>::restore(const State& state) {
     fits =
         fits && std::all_of(value.begin(), value.end(), [](double x) { return std::isfinite(x); });
   if (!fits)
-    throw Error("the state of the fluid does not fit the complex: restore the complex that it was "
-                "taken with first");
+    throw Error("the state of the fluid does not match the complex: first restore the complex with "
+                "which the state was saved");
   internal::Fluid_motion_3 motion;
   for (std::size_t v = 0; v < vertices.size(); ++v)
     motion.put(vertices[v]->time_stamp(), internal::Fluid_motion_3::Value(state.motion[v].data()));
   m_motion = std::move(motion);
-  m_ledger.set_volumes(volumes);
-  m_gas_ledger.set_bodies(gases);
+  m_liquids.set_volumes(volumes);
+  m_gases.set_components(gases);
   m_complex.take_component_lineage();
   m_time = state.time;
   m_steps = state.steps;
@@ -309,29 +311,19 @@ void Incompressible_fluid<Complex, Solver>::restore(const State& state) {
   m_knows_accelerations = state.knows_accelerations;
 }
 
-// Returns the options of a step.
-// \throws Error if a named parameter is out of its range
+// Returns the options that named parameters give.
 template <class Complex, class Solver>
 template <class NamedParameters>
 auto Incompressible_fluid<Complex, Solver>::options(const NamedParameters& np) const -> Options {
   namespace tags = internal_np;
-  using Defaults = defaults::Adaptive_advection<3>;
-  const Options result = {
-      internal::deformation_options(m_complex, np),
-      number_parameter(np, tags::implicitness, defaults::implicitness),
-      number_parameter(np, tags::interface_tolerance, Defaults::interface_tolerance),
-      count_parameter(np, tags::adaptation_interval, "adaptation_interval",
-                      Defaults::adaptation_interval),
-      count_parameter(np, tags::number_of_threads, "number_of_threads",
-                      defaults::number_of_threads)};
-  if (!(result.implicitness >= .5 && result.implicitness <= 1))
-    throw Error("the implicitness is out of range: use 0.5 to 1");
-  if (!(result.interface_tolerance >= 0))
-    throw Error("the tolerance of the interface is out of range: use 0 or more");
+  Options result;
+  read_parameters(m_complex, np, result.deformation);
+  replace_value(np, tags::implicitness, result.implicitness);
+  replace_value(np, tags::interface_tolerance, result.interface_tolerance);
+  replace_count(np, tags::adaptation_interval, "adaptation_interval", result.adaptation_interval);
   return result;
 }
 
-// Stores the velocities, accelerations and pressures at the end of a step.
 template <class Complex, class Solver>
 void Incompressible_fluid<Complex, Solver>::store(const Flow& flow, const Vectors& velocities,
                                                   const std::vector<double>& pressures, double dt) {

@@ -27,19 +27,21 @@ void Incompressible_fluid<Complex, Solver>::adapt(const Options& chosen,
     return;
   require_interface_edge(m_complex);
   const Flow flow(*this, m_properties);
-  note_momenta(flow, [&](const internal::Masses_3& masses) {
+  record_momenta(flow, [&](const internal::Masses_3& masses) {
     return internal::momentum(flow.mesh, masses, flow.positions, flow.velocities);
   });
   using Treatment = internal::Mesh_treatment_3;
   Improvement_report& result = report.adaptation;
-  change_followed([&](const auto& visitor) {
+  change_mesh([&](Any_visitor<Complex>* visitor) {
     if (treatment != Treatment::improved)
       result = result + adapt_lengths(chosen.interface_tolerance, visitor);
+    Mesh_improvement_options<Complex> improvement;
+    improvement.quality_threshold = quality;
+    improvement.visitor = visitor;
     if (m_steps == 0 || treatment != Treatment::chosen)
-      result =
-          result + improve_mesh(m_complex, parameters::quality_threshold(quality).visitor(visitor));
+      result = result + improve_mesh(m_complex, improvement);
   });
-  settle(chosen, report);
+  restore_components(chosen, report);
 }
 
 // Remeshes the interface if too many of its edges are too long or too short. Splits and collapses
@@ -47,34 +49,34 @@ void Incompressible_fluid<Complex, Solver>::adapt(const Options& chosen,
 // as long as those of the interface. Later, only edges that the flow has stretched or compressed a
 // lot are changed.
 template <class Complex, class Solver>
-template <class Visitor>
-Improvement_report Incompressible_fluid<Complex, Solver>::adapt_lengths(double tolerance,
-                                                                        const Visitor& visitor) {
+Improvement_report
+Incompressible_fluid<Complex, Solver>::adapt_lengths(double tolerance,
+                                                     Any_visitor<Complex>* visitor) {
   // In mean edge lengths of the initial interface. An edge that is split later has halves that are
   // longer than the bound for collapses.
   static constexpr double longest_of_new = 1.7, longest = 2.5, shortest = .3;
   using Defaults = defaults::Adaptive_advection<3>;
   const Improvement_report result = keep_interface_fit(
       m_complex, {tolerance, Defaults::feature_angle}, [](const auto&) { return true; }, visitor);
-  const double edge = m_complex.mean_interface_edge();
-  const auto is_liquid = [this](typename Complex::Cell_handle c) {
+  const bool is_new = m_steps == 0;
+  Detail_options<Complex> detail;
+  detail.sizing_field = [edge = m_complex.mean_interface_edge()](const auto&) { return edge; };
+  detail.where = [this](typename Complex::Cell_handle c) {
     return m_properties.liquid(c->label()) != nullptr;
   };
-  const bool is_new = m_steps == 0;
-  return result + control_detail(m_complex, parameters::sizing_field(
-                                                [edge](const Approximate_point&) { return edge; })
-                                                .where(is_liquid)
-                                                .split_length(is_new ? longest_of_new : longest)
-                                                .collapse_length(is_new ? 0. : shortest)
-                                                .visitor(visitor));
+  detail.split_length = is_new ? longest_of_new : longest;
+  detail.collapse_length = is_new ? 0. : shortest;
+  detail.visitor = visitor;
+  return result + control_detail(m_complex, detail);
 }
 
 // Restores the volumes and momenta of connected components after changes of the mesh. Returns the
 // present flow.
 template <class Complex, class Solver>
-auto Incompressible_fluid<Complex, Solver>::settle(const Options& chosen, Report& report) -> Flow {
+auto Incompressible_fluid<Complex, Solver>::restore_components(const Options& chosen,
+                                                               Report& report) -> Flow {
   Flow result(*this, m_properties);
-  report.lost_volume += follow_parts(result);
+  report.lost_volume += update_components(result);
   restore_volumes(result, chosen, report);
   report.greatest_correction = (std::max)(report.greatest_correction, restore_momenta(result));
   return result;
@@ -87,31 +89,32 @@ Deformation_report<Complex>
 Incompressible_fluid<Complex, Solver>::move(const Flow& flow, const Contacts& contacts,
                                             const Vectors& destinations, const Options& chosen) {
   const Mesh& mesh = flow.mesh;
-  const Part_interface parts(m_complex, m_properties, flow.volumes());
+  const Liquid_interface interface_(m_complex, m_properties, flow.volumes());
   const Vertex_numbers number(m_complex, mesh.vertices);
-  const auto from = parts.snapshot().positions(m_complex);
+  const auto from = interface_.snapshot().positions(m_complex);
   auto to = from;
-  std::vector<char> is_held(to.size(), false);
+  std::vector<char> is_constrained(to.size(), false);
   for (std::size_t k = 0; k < to.size(); ++k)
-    if (const std::size_t i = number(parts.snapshot().vertices[k]); i < mesh.vertices.size()) {
+    if (const std::size_t i = number(interface_.snapshot().vertices[k]); i < mesh.vertices.size()) {
       to[k] = point(destinations[i]);
-      is_held[k] = contacts.is_held(i);
+      is_constrained[k] = contacts.is_constrained(i);
     }
-  parts.restore(
-      m_ledger.volumes(), from, [&](std::size_t v) { return is_held[v] != 0; }, to);
+  interface_.restore(
+      m_liquids.volumes(), from, [&](std::size_t v) { return is_constrained[v] != 0; }, to);
 
   std::unordered_map<std::size_t, Approximate_point> inside; // destinations by time stamp
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
     if (!mesh.is_on_interface[i])
       inside.emplace(mesh.vertices[i]->time_stamp(), point(destinations[i]));
-  const auto inner_flow = [&inside](Vertex_handle v) {
+  Deformation_options<Complex> options = chosen.deformation;
+  options.flow = [&inside](Vertex_handle v) {
     static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     const auto found = inside.find(v->time_stamp());
     return found != inside.end() ? found->second : Approximate_point(unknown, unknown, unknown);
   };
-  return change_followed([&](const auto& visitor) {
-    return deform_interface_to(m_complex, parts.snapshot(), to,
-                               chosen.parameters().flow(inner_flow).visitor(visitor));
+  return change_mesh([&](Any_visitor<Complex>* visitor) {
+    options.visitor = visitor;
+    return deform_interface_to(m_complex, interface_.snapshot(), to, options);
   });
 }
 
@@ -119,12 +122,13 @@ Incompressible_fluid<Complex, Solver>::move(const Flow& flow, const Contacts& co
 // function throws, the bookkeeping of components is updated nevertheless.
 template <class Complex, class Solver>
 template <class Change>
-auto Incompressible_fluid<Complex, Solver>::change_followed(const Change& change) {
+auto Incompressible_fluid<Complex, Solver>::change_mesh(const Change& change) {
   Carrier carried = carrier();
+  Visitor_adaptor<Complex, Carrier> visitor(carried);
   try {
-    return change(std::ref(carried));
+    return change(&visitor);
   } catch (...) {
-    follow_parts(Flow(*this, m_properties));
+    update_components(Flow(*this, m_properties));
     throw;
   }
 }
@@ -137,7 +141,7 @@ void Incompressible_fluid<Complex, Solver>::restore_volumes(Flow& flow, const Op
   static constexpr double rounding = 1e-14;
   static constexpr int rounds = 3;
   for (int k = 0; k <= rounds; ++k) {
-    report.volume_error = m_ledger.error(flow.volumes());
+    report.volume_error = m_liquids.error(flow.volumes());
     if (k == 0)
       report.volume_correction = (std::max)(report.volume_correction, report.volume_error);
     if (k == rounds || (report.volume_error <= rounding && !(flow.depth_in_solids(*this) > 0)))
@@ -160,45 +164,43 @@ auto Incompressible_fluid<Complex, Solver>::move_interface(const Flow& flow,
   std::unordered_map<std::size_t, std::size_t> number; // in the mesh, by time stamp
   for (std::size_t v = 0; v < positions.size(); ++v)
     number.emplace(mesh.vertices[v]->time_stamp(), v);
-  const Part_interface parts(m_complex, m_properties, flow.volumes());
-  const auto& vertices = parts.snapshot().vertices;
+  const Liquid_interface interface_(m_complex, m_properties, flow.volumes());
+  const auto& vertices = interface_.snapshot().vertices;
   for (std::size_t k = 0; k < vertices.size(); ++k)
     if (const auto found = number.find(vertices[k]->time_stamp()); found != number.end())
       positions[found->second] = coordinates.segment<3>(3 * Eigen::Index(k));
-  contacts.put_out(positions, m_time);
+  contacts.project_out_of_solids(positions, m_time);
 
   std::vector<Approximate_point> to;
-  std::vector<char> is_held(vertices.size(), false);
+  std::vector<char> is_constrained(vertices.size(), false);
   for (std::size_t k = 0; k < vertices.size(); ++k) {
     const auto found = number.find(vertices[k]->time_stamp());
     to.push_back(found != number.end() ? point(positions[found->second])
                                        : m_complex.position(vertices[k]));
-    is_held[k] = found != number.end() && contacts.touches(found->second);
+    is_constrained[k] = found != number.end() && contacts.touches(found->second);
   }
-  parts.restore(
-      m_ledger.volumes(), parts.snapshot().positions(m_complex),
-      [&](std::size_t v) { return is_held[v] != 0; }, to);
-  const auto deformation = change_followed([&](const auto& visitor) {
-    return deform_interface_to(m_complex, parts.snapshot(), to,
-                               chosen.parameters()
-                                   .quality_threshold(0.)
-                                   .relabeling_threshold(0.)
-                                   .minimum_angle(0.)
-                                   .minimum_facet_angle(0.)
-                                   .visitor(visitor));
+  interface_.restore(
+      m_liquids.volumes(), interface_.snapshot().positions(m_complex),
+      [&](std::size_t v) { return is_constrained[v] != 0; }, to);
+  Deformation_options<Complex> options = chosen.deformation;
+  options.preserve_mesh();
+  options.flow = nullptr;
+  const auto deformation = change_mesh([&](Any_visitor<Complex>* visitor) {
+    options.visitor = visitor;
+    return deform_interface_to(m_complex, interface_.snapshot(), to, options);
   });
   auto& events = report.deformation.events;
   events.insert(events.end(), deformation.events.begin(), deformation.events.end());
   Flow result(*this, m_properties);
-  report.lost_volume += follow_parts(result);
+  report.lost_volume += update_components(result);
   return result;
 }
 
 // Stores the momenta of connected components. Components that touch have a common momentum.
 template <class Complex, class Solver>
 template <class MomentumOf>
-void Incompressible_fluid<Complex, Solver>::note_momenta(const Flow& flow,
-                                                         const MomentumOf& momentum_of) {
+void Incompressible_fluid<Complex, Solver>::record_momenta(const Flow& flow,
+                                                           const MomentumOf& momentum_of) {
   std::size_t size = 0;
   for (const auto& cell : flow.mesh.cells)
     size = (std::max)(size, std::size_t(cell.component) + 1);
@@ -206,23 +208,25 @@ void Incompressible_fluid<Complex, Solver>::note_momenta(const Flow& flow,
   for (const auto& cell : flow.mesh.cells)
     for (auto v : cell.vertices)
       touching.join(size + v, cell.component);
-  std::vector<std::size_t> set_of_part;
-  for (std::size_t part = 0; part < size; ++part)
-    set_of_part.push_back(touching.of(part));
+  std::vector<std::size_t> set_of_component;
+  for (std::size_t component = 0; component < size; ++component)
+    set_of_component.push_back(touching.of(component));
   std::vector<internal::Momentum_3> momenta;
-  for (const auto& masses : internal::masses_of_sets(
-           flow.mesh, flow.positions, size, [&](std::uint32_t part) { return set_of_part[part]; }))
+  for (const auto& masses :
+       internal::masses_of_sets(flow.mesh, flow.positions, size, [&](std::uint32_t component) {
+         return set_of_component[component];
+       }))
     momenta.push_back(momentum_of(masses));
-  m_ledger.set_momenta(std::move(momenta), set_of_part);
+  m_liquids.set_momenta(std::move(momenta), set_of_component);
 }
 
 // Updates the bookkeeping of components after changes of the mesh. Returns the volume of components
 // that vanished.
 template <class Complex, class Solver>
-double Incompressible_fluid<Complex, Solver>::follow_parts(const Flow& now) {
+double Incompressible_fluid<Complex, Solver>::update_components(const Flow& now) {
   const auto lineage = m_complex.take_component_lineage();
-  m_gas_ledger.follow(lineage, Gas_bookkeeping::measure(now.mesh, m_properties));
-  return m_ledger.follow(lineage, now.volumes());
+  m_gases.update(lineage, Gas_bookkeeping::measure(now.mesh, m_properties));
+  return m_liquids.update(lineage, now.volumes());
 }
 
 // Restores the momenta of connected components by rigid motions. Returns the greatest change of a
@@ -230,32 +234,32 @@ double Incompressible_fluid<Complex, Solver>::follow_parts(const Flow& now) {
 template <class Complex, class Solver>
 double Incompressible_fluid<Complex, Solver>::restore_momenta(Flow& flow) {
   // Components that touch now share vertices, so they are corrected together.
-  internal::Number_groups sets(m_ledger.momenta().size());
+  internal::Number_groups sets(m_liquids.momenta().size());
   std::vector<std::size_t> set_of_vertex(flow.positions.size(), sets.size());
   for (const auto& cell : flow.mesh.cells)
     for (auto v : cell.vertices) {
-      const std::size_t set = m_ledger.set_of(cell.component);
+      const std::size_t set = m_liquids.set_of(cell.component);
       if (set_of_vertex[v] < sets.size())
         sets.join(set, set_of_vertex[v]);
       set_of_vertex[v] = set;
     }
-  std::vector<internal::Momentum_3> wanted(sets.size());
+  std::vector<internal::Momentum_3> target(sets.size());
   for (std::size_t k = 0; k < sets.size(); ++k) {
-    wanted[sets.of(k)].linear += m_ledger.momenta()[k].linear;
-    wanted[sets.of(k)].angular += m_ledger.momenta()[k].angular;
+    target[sets.of(k)].linear += m_liquids.momenta()[k].linear;
+    target[sets.of(k)].angular += m_liquids.momenta()[k].angular;
   }
-  const auto bodies =
-      internal::masses_of_sets(flow.mesh, flow.positions, wanted.size(),
-                               [&](std::uint32_t part) { return sets.of(m_ledger.set_of(part)); });
+  const auto masses = internal::masses_of_sets(
+      flow.mesh, flow.positions, target.size(),
+      [&](std::uint32_t component) { return sets.of(m_liquids.set_of(component)); });
   double result = 0;
   Vectors velocities = flow.velocities;
-  for (std::size_t k = 0; k < bodies.size(); ++k) {
+  for (std::size_t k = 0; k < masses.size(); ++k) {
     internal::Momentum_3 missing =
-        internal::momentum(flow.mesh, bodies[k], flow.positions, flow.velocities);
-    missing.linear = wanted[k].linear - missing.linear;
-    missing.angular = wanted[k].angular - missing.angular;
-    const auto correction = internal::rigid_velocity(flow.mesh, bodies[k], flow.positions, missing);
-    for (const auto& [v, mass] : bodies[k].of_vertices)
+        internal::momentum(flow.mesh, masses[k], flow.positions, flow.velocities);
+    missing.linear = target[k].linear - missing.linear;
+    missing.angular = target[k].angular - missing.angular;
+    const auto correction = internal::rigid_velocity(flow.mesh, masses[k], flow.positions, missing);
+    for (const auto& [v, mass] : masses[k].of_vertices)
       velocities[v] = flow.velocities[v] + correction.at(flow.positions[v]);
   }
   flow.mesh.keep_on_sides(velocities);

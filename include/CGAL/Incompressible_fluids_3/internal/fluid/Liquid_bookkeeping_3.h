@@ -30,10 +30,10 @@ namespace internal {
 class Liquid_bookkeeping_3
 {
 public:
-  using Part = std::uint32_t;
-  using Volumes = std::map<Part, double>;
-  using Lineage = std::vector<std::pair<Part, Part>>; // pairs of previous and present components
-                                                      // with common cells
+  using Number = std::uint32_t;
+  using Volumes = std::map<Number, double>;
+  using Lineage = std::vector<std::pair<Number, Number>>; // pairs of previous and present
+                                                          // components with common cells
 
   // Returns the volumes of the connected components of a mesh.
   template <class Mesh> static Volumes measure(const Mesh& mesh, const Vectors_3& positions) {
@@ -53,25 +53,26 @@ public:
   // Returns the greatest error of a volume, relative to the volume to be preserved.
   double error(const Volumes& present) const {
     double result = 0;
-    for (const auto& [part, volume] : m_volumes)
-      result = (std::max)(result, std::abs(present.at(part) - volume) / volume);
+    for (const auto& [component, volume] : m_volumes)
+      result = (std::max)(result, std::abs(present.at(component) - volume) / volume);
     return result;
   }
 
   // Sets the momenta of all sets, and the set of each component by its number.
-  void set_momenta(std::vector<Momentum_3> momenta, const std::vector<std::size_t>& set_of_part) {
-    m_set_of_part.clear();
-    for (const auto& [part, volume] : m_volumes)
-      m_set_of_part[part] = set_of_part[part];
+  void set_momenta(std::vector<Momentum_3> momenta,
+                   const std::vector<std::size_t>& set_of_component) {
+    m_set_of_component.clear();
+    for (const auto& [component, volume] : m_volumes)
+      m_set_of_component[component] = set_of_component[component];
     m_momenta = std::move(momenta);
   }
   const std::vector<Momentum_3>& momenta() const { return m_momenta; } // by set
-  std::size_t set_of(Part part) const { return m_set_of_part.at(part); }
+  std::size_t set_of(Number component) const { return m_set_of_component.at(component); }
 
   // Replaces the components after changes of the mesh. `present` contains the measured volumes of
   // the present components. The volumes to be preserved and the momenta are transferred by the
   // lineage. Returns the volume of components that vanished.
-  double follow(const Lineage& lineage, const Volumes& present) {
+  double update(const Lineage& lineage, const Volumes& present) {
     // Groups unite previous and present components. Sets also unite the previous sets of momenta.
     const std::size_t size = size_of(m_volumes, present, lineage);
     Number_groups groups(2 * size), sets(2 * size + m_momenta.size());
@@ -79,17 +80,17 @@ public:
       groups.join(then, size + now);
       sets.join(then, size + now);
     }
-    for (const auto& [part, set] : m_set_of_part)
-      sets.join(part, 2 * size + set);
+    for (const auto& [component, set] : m_set_of_component)
+      sets.join(component, 2 * size + set);
 
     std::vector<double> owned(2 * size, 0), found(2 * size, 0);
-    for (const auto& [part, volume] : m_volumes)
-      owned[groups.of(part)] += volume;
-    for (const auto& [part, volume] : present)
-      found[groups.of(size + part)] += volume;
+    for (const auto& [component, volume] : m_volumes)
+      owned[groups.of(component)] += volume;
+    for (const auto& [component, volume] : present)
+      found[groups.of(size + component)] += volume;
     double lost = 0;
-    for (const auto& [part, volume] : m_volumes)
-      lost += found[groups.of(part)] > 0 ? 0 : volume;
+    for (const auto& [component, volume] : m_volumes)
+      lost += found[groups.of(component)] > 0 ? 0 : volume;
     std::vector<Momentum_3> momenta(sets.size());
     for (std::size_t set = 0; set < m_momenta.size(); ++set) {
       Momentum_3& sum = momenta[sets.of(2 * size + set)];
@@ -97,23 +98,24 @@ public:
       sum.angular += m_momenta[set].angular;
     }
     m_volumes.clear();
-    m_set_of_part.clear();
-    for (const auto& [part, volume] : present) {
-      const std::size_t group = groups.of(size + part);
-      m_volumes[part] = owned[group] > 0 ? volume / found[group] * owned[group] : volume;
-      m_set_of_part[part] = sets.of(size + part);
+    m_set_of_component.clear();
+    for (const auto& [component, volume] : present) {
+      const std::size_t group = groups.of(size + component);
+      m_volumes[component] = owned[group] > 0 ? volume / found[group] * owned[group] : volume;
+      m_set_of_component[component] = sets.of(size + component);
     }
     m_momenta.swap(momenta);
     return lost;
   }
 
   // Returns a number greater than the numbers of all previous and present components.
-  template <class By_part>
-  static std::size_t size_of(const By_part& then, const By_part& now, const Lineage& lineage) {
-    Part result = 0;
-    for (const By_part* parts : {&then, &now})
-      if (!parts->empty())
-        result = (std::max)(result, parts->rbegin()->first);
+  template <class By_component>
+  static std::size_t size_of(const By_component& then, const By_component& now,
+                             const Lineage& lineage) {
+    Number result = 0;
+    for (const By_component* components : {&then, &now})
+      if (!components->empty())
+        result = (std::max)(result, components->rbegin()->first);
     for (const auto& [a, b] : lineage)
       result = (std::max)({result, a, b});
     return std::size_t(result) + 1;
@@ -121,7 +123,7 @@ public:
 
 private:
   Volumes m_volumes;
-  std::map<Part, std::size_t> m_set_of_part;
+  std::map<Number, std::size_t> m_set_of_component;
   std::vector<Momentum_3> m_momenta;
 };
 

@@ -37,13 +37,13 @@ public:
   Liquid_interface_3(const Complex& complex, const Fluid_properties_3& properties,
                      const Volumes& present)
       : m_snapshot(complex), m_present(present) {
-    const auto part = [&](typename Complex::Cell_handle c) {
-      return properties.liquid(c->label()) ? int(c->component()) : void_part;
+    const auto component = [&](typename Complex::Cell_handle c) {
+      return properties.liquid(c->label()) ? int(c->component()) : void_component;
     };
     const auto facets = complex.interface_facets();
     for (std::size_t i = 0; i < facets.size(); ++i) {
-      m_snapshot.triangles[i].behind = part(facets[i].first);
-      m_snapshot.triangles[i].in_front = part(facets[i].first->neighbor(facets[i].second));
+      m_snapshot.triangles[i].behind = component(facets[i].first);
+      m_snapshot.triangles[i].in_front = component(facets[i].first->neighbor(facets[i].second));
     }
   }
 
@@ -51,16 +51,17 @@ public:
 
   // Moves destinations of vertices along normals so that the connected components have the wanted
   // volumes. For each component, the correction is equally long at all vertices. Vertices with
-  // `is_held(v)` are not moved.
-  template <class IsHeld>
-  void restore(const Volumes& wanted, const Points& from, const IsHeld& is_held, Points& to) const {
+  // `is_constrained(v)` are not moved.
+  template <class IsConstrained>
+  void restore(const Volumes& target, const Points& from, const IsConstrained& is_constrained,
+               Points& to) const {
     const Volume_changer<Complex> changer(m_snapshot);
     const auto swept = changer.changes(from, to);
     std::map<int, double> missing;
-    for (const auto& [part, volume] : wanted) {
-      const auto change = swept.find(int(part));
-      missing[int(part)] =
-          volume - m_present.at(part) - (change == swept.end() ? 0 : change->second);
+    for (const auto& [component, volume] : target) {
+      const auto change = swept.find(int(component));
+      missing[int(component)] =
+          volume - m_present.at(component) - (change == swept.end() ? 0 : change->second);
     }
     auto directions = changer.gradients(missing, to);
     std::vector<double> areas(to.size(), 0); // by vertex: a third of the area of the facets around
@@ -73,13 +74,14 @@ public:
     }
     for (std::size_t v = 0; v < to.size(); ++v)
       for (auto& [row, direction] : directions[v])
-        direction = is_held(v) || !(areas[v] > 0) ? typename Complex::Approximate_vector(0, 0, 0)
-                                                  : direction / areas[v];
+        direction = is_constrained(v) || !(areas[v] > 0)
+                        ? typename Complex::Approximate_vector(0, 0, 0)
+                        : direction / areas[v];
     changer.change_by(missing, directions, to);
   }
 
 private:
-  static constexpr int void_part = -1;
+  static constexpr int void_component = -1;
 
   Snapshot m_snapshot; // its labels are numbers of components
   Volumes m_present;

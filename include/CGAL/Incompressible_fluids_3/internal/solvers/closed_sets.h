@@ -26,7 +26,7 @@ inline std::vector<Saddle_point_system::Closed_set> closed_sets(const Saddle_poi
   using Vector = Saddle_point_system::Vector;
   using Closed_set = Saddle_point_system::Closed_set;
   const Eigen::Index n = system.nodal.rows(), m = system.c.rows();
-  if (system.held.empty())
+  if (system.constrained.empty())
     return {};
   // The forces of a constant pressure 1 on vertices, before and after the projection.
   const Vector pushes = system.b.transpose() * Vector::Ones(m);

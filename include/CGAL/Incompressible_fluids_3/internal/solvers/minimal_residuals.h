@@ -56,6 +56,163 @@ double sum_of_blocks(const For_each_index& for_each, Eigen::Index n, const Funct
   return std::accumulate(parts.begin(), parts.end(), 0.);
 }
 
+// The method of minimal residuals, see `minimal_residuals()`.
+template <class Multiply, class Precondition> class Minimal_residual_method
+{
+public:
+  using Vector = Eigen::VectorXd;
+
+  Minimal_residual_method(const For_each_index& for_each, const Multiply& multiply,
+                          const Precondition& precondition, const Vector& right, double tolerance)
+      : m_for_each(for_each), m_multiply(multiply), m_precondition(precondition), m_right(right),
+        m_least_bound((std::max)(tolerance, rounding)), m_size(right.size()), m_r(m_size),
+        m_r_before(m_size), m_z(m_size), m_q(m_size), m_next(m_size), m_w(m_size),
+        m_w_before(m_size) {
+    precondition(right, m_z);
+    const double square = dot(right, m_z);
+    if (!std::isfinite(square))
+      throw Convergence_error("the equations of the flow are not finite: the time step may be too "
+                              "short or too long, or cells may be flat",
+                              infinite, m_least_bound);
+    m_unit = unit_of(square);
+    m_norm_of_right = norm(square);
+    m_bound = tolerance * m_norm_of_right;
+  }
+
+  // Improves the solution until its true residual is below the bound. Returns the number of
+  // iterations.
+  unsigned solve(Vector& x) {
+    if (m_norm_of_right == 0) {
+      x.setZero();
+      return 0;
+    }
+    for (double last = infinite;;) {
+      const double residual = restart(x);
+      if (residual <= m_bound)
+        return m_iterations;
+      if (residual > less * last) {
+        if (residual <= m_least_bound * m_norm_of_right)
+          return m_iterations;
+        throw Convergence_error(
+            "the iterative solver of the equations of the flow does not converge: the residual "
+            "stagnates; cells may be too flat, or the time step may be too long",
+            residual / m_norm_of_right, m_least_bound);
+      }
+      last = residual;
+      iterate(residual, x);
+    }
+  }
+
+private:
+  static constexpr double infinite = std::numeric_limits<double>::infinity();
+  static constexpr double rounding = 1e-9; // relative to the right side
+  // The recurrence is used up to this residual, relative to the residual at the last restart.
+  static constexpr double trusted = 1e-5;
+  // The method stagnates if a restart does not reduce the true residual by this factor.
+  static constexpr double less = .5;
+  static constexpr unsigned most = 3000; // iterations
+
+  double dot(const Vector& a, const Vector& b) const {
+    return sum_of_blocks(m_for_each, m_size, [&](Eigen::Index begin, Eigen::Index size) {
+      return a.segment(begin, size).dot(b.segment(begin, size));
+    });
+  }
+
+  double norm(double square) const { return std::sqrt((std::max)(0., square / m_unit)); }
+
+  // Computes the true residual vector, and returns its norm.
+  double restart(const Vector& x) {
+    m_multiply(x, m_next);
+    m_r = m_right - m_next;
+    m_precondition(m_r, m_z);
+    const double square = dot(m_r, m_z);
+    if (!std::isfinite(square))
+      throw_no_solution();
+    return norm(square);
+  }
+
+  // Iterates until the residual of the recurrence is small enough. The names are those of Paige and
+  // Saunders. The vectors r are the Lanczos vectors, not normalized.
+  void iterate(double beta, Vector& x) {
+    const double enough = (std::max)(m_bound, trusted * beta);
+    double beta_before = 1, eta = beta;
+    double cosine = -1, sine = 0, epsilon = 0, delta_bar = 0;
+    m_r_before.setZero();
+    m_w.setZero();
+    m_w_before.setZero();
+    while (!(std::abs(eta) <= enough)) { // the negation also ends the loop for NaN
+      Progress_scope::check();
+      if (++m_iterations > most)
+        throw Convergence_error("the iterative solver of the equations of the flow does not "
+                                "converge: cells may be too flat, or the time step may be too long",
+                                std::abs(eta) / m_norm_of_right, m_least_bound);
+      const double back = beta / beta_before;
+      const double alpha = next_lanczos_vector(beta, back);
+      beta_before = beta;
+      const double square = dot(m_r, m_z);
+      if (std::isnan(square))
+        throw_no_solution();
+      beta = norm(square);
+      const double epsilon_before = epsilon, delta = cosine * delta_bar + sine * alpha,
+                   gamma_bar = sine * delta_bar - cosine * alpha;
+      epsilon = sine * beta;
+      delta_bar = -cosine * beta;
+      const double gamma = std::hypot(gamma_bar, beta);
+      cosine = gamma_bar / gamma;
+      sine = beta / gamma;
+      update_solution(epsilon_before, delta, gamma, cosine * eta, x);
+      eta *= sine;
+      if (!(beta > 0))
+        break;
+    }
+  }
+
+  // Replaces the Lanczos vectors, and returns alpha.
+  double next_lanczos_vector(double beta, double back) {
+    m_q = m_z / (m_unit * beta);
+    m_multiply(m_q, m_next);
+    const double alpha =
+        sum_of_blocks(m_for_each, m_size, [&](Eigen::Index begin, Eigen::Index size) {
+          auto part = m_next.segment(begin, size);
+          part -= back * m_r_before.segment(begin, size);
+          return m_q.segment(begin, size).dot(part);
+        });
+    m_r_before.swap(m_r);
+    for_each_block(m_for_each, m_size, [&](Eigen::Index begin, Eigen::Index size) {
+      m_r.segment(begin, size) =
+          m_next.segment(begin, size) - alpha / beta * m_r_before.segment(begin, size);
+    });
+    m_precondition(m_r, m_z);
+    return alpha;
+  }
+
+  void update_solution(double epsilon, double delta, double gamma, double phi, Vector& x) {
+    m_w_before.swap(m_w);
+    for_each_block(m_for_each, m_size, [&](Eigen::Index begin, Eigen::Index size) {
+      auto part = m_w.segment(begin, size);
+      part = (m_q.segment(begin, size) - epsilon * part - delta * m_w_before.segment(begin, size)) /
+             gamma;
+      x.segment(begin, size) += phi * part;
+    });
+  }
+
+  [[noreturn]] void throw_no_solution() const {
+    throw Convergence_error("the equations of the flow have no finite solution: cells may be too "
+                            "flat",
+                            infinite, m_least_bound);
+  }
+
+  const For_each_index& m_for_each;
+  const Multiply& m_multiply;
+  const Precondition& m_precondition;
+  const Vector& m_right;
+  double m_least_bound;
+  Eigen::Index m_size;
+  Vector m_r, m_r_before, m_z, m_q, m_next, m_w, m_w_before;
+  double m_unit, m_norm_of_right, m_bound;
+  unsigned m_iterations = 0;
+};
+
 // Solves a symmetric system by the method of minimal residuals (C. C. Paige and M. A. Saunders,
 // "Solution of sparse indefinite systems of linear equations", SIAM J. Numer. Anal. 12, 1975).
 // Returns the number of iterations. The vector x is the initial guess and then the solution.
@@ -73,111 +230,9 @@ template <class Multiply, class Precondition>
 unsigned minimal_residuals(const For_each_index& for_each, const Multiply& multiply,
                            const Precondition& precondition, const Eigen::VectorXd& right,
                            double tolerance, Eigen::VectorXd& x) {
-  using Vector = Eigen::VectorXd;
-  static constexpr unsigned most = 3000;
-  static constexpr double trusted =
-      1e-5; // bound of the recurrence, relative to the residual at the last restart
-  static constexpr double less = .5; // than the last true residual, otherwise the method stagnates
-  static constexpr double rounding = 1e-9; // relative to the right side
-  const Eigen::Index n = right.size();
-  const auto dot = [&](const Vector& a, const Vector& b) {
-    return sum_of_blocks(for_each, n, [&](Eigen::Index begin, Eigen::Index size) {
-      return a.segment(begin, size).dot(b.segment(begin, size));
-    });
-  };
-  Vector z(n), q(n), next(n), w(n), w_before(n);
-  precondition(right, z);
-  const double square_of_right = dot(right, z), unit = unit_of(square_of_right);
-  const auto norm = [&](double square) { return std::sqrt((std::max)(0., square / unit)); };
-  const double size = norm(square_of_right), bound = tolerance * size,
-               least_bound = (std::max)(tolerance, rounding);
-  static constexpr double infinite = std::numeric_limits<double>::infinity();
-  if (!std::isfinite(square_of_right))
-    throw Convergence_error("the equations of the flow are not finite: the time step may be too "
-                            "short or too long for numbers, or cells flat",
-                            infinite, least_bound);
-  if (size == 0) {
-    x.setZero();
-    return 0;
-  }
-  Vector r(n), r_before(n);
-  unsigned k = 0;
-  for (double last = infinite;;) {
-    multiply(x, next);
-    r = right - next;
-    precondition(r, z);
-    const double square_of_residual = dot(r, z);
-    if (!std::isfinite(square_of_residual))
-      throw Convergence_error("the equations of the flow have no finite solution: cells may be too "
-                              "flat",
-                              infinite, least_bound);
-    double beta = norm(square_of_residual), beta_before = 1, eta = beta;
-    if (beta <= bound)
-      return k;
-    if (beta > less * last) {
-      if (beta <= least_bound * size)
-        return k;
-      throw Convergence_error("the equations of the flow cannot be solved by iterations: the "
-                              "residual stagnates; cells may be too flat, or the time step too "
-                              "long",
-                              beta / size, least_bound);
-    }
-    last = beta;
-    const double enough = (std::max)(bound, trusted * beta);
-    double cosine = -1, sine = 0, epsilon = 0, delta_bar = 0;
-    r_before.setZero();
-    w.setZero();
-    w_before.setZero();
-    // The names are those of Paige and Saunders. The vectors r are the Lanczos vectors, not
-    // normalized.
-    while (!(std::abs(eta) <= enough)) { // the negation also ends the loop for NaN
-      Progress_scope::check();
-      if (++k > most)
-        throw Convergence_error("the equations of the flow cannot be solved by iterations: cells "
-                                "may be too flat, or the time step too long",
-                                std::abs(eta) / size, least_bound);
-      q = z / (unit * beta);
-      multiply(q, next);
-      const double back = beta / beta_before;
-      const double alpha = sum_of_blocks(for_each, n, [&](Eigen::Index begin, Eigen::Index size) {
-        auto part = next.segment(begin, size);
-        part -= back * r_before.segment(begin, size);
-        return q.segment(begin, size).dot(part);
-      });
-      r_before.swap(r);
-      for_each_block(for_each, n, [&](Eigen::Index begin, Eigen::Index size) {
-        r.segment(begin, size) =
-            next.segment(begin, size) - alpha / beta * r_before.segment(begin, size);
-      });
-      precondition(r, z);
-      beta_before = beta;
-      const double square = dot(r, z);
-      if (std::isnan(square))
-        throw Convergence_error(
-            "the equations of the flow have no finite solution: cells may be too flat", infinite,
-            least_bound);
-      beta = norm(square);
-      const double epsilon_before = epsilon, delta = cosine * delta_bar + sine * alpha,
-                   gamma_bar = sine * delta_bar - cosine * alpha;
-      epsilon = sine * beta;
-      delta_bar = -cosine * beta;
-      const double gamma = std::hypot(gamma_bar, beta);
-      cosine = gamma_bar / gamma;
-      sine = beta / gamma;
-      const double phi = cosine * eta;
-      eta *= sine;
-      w_before.swap(w);
-      for_each_block(for_each, n, [&](Eigen::Index begin, Eigen::Index size) {
-        auto part = w.segment(begin, size);
-        part = (q.segment(begin, size) - epsilon_before * part -
-                delta * w_before.segment(begin, size)) /
-               gamma;
-        x.segment(begin, size) += phi * part;
-      });
-      if (!(beta > 0))
-        break;
-    }
-  }
+  return Minimal_residual_method<Multiply, Precondition>(for_each, multiply, precondition, right,
+                                                         tolerance)
+      .solve(x);
 }
 
 } // namespace internal

@@ -38,7 +38,7 @@ inline Eigen::SparseMatrix<double> pressure_matrix(const For_each_index& for_eac
   using Index = Eigen::SparseMatrix<double>::StorageIndex;
   const Eigen::Index n = system.nodal.rows(), m = system.c.rows();
   std::vector<const Eigen::Matrix3d*> projections(std::size_t(n), nullptr);
-  for (const auto& h : system.held)
+  for (const auto& h : system.constrained)
     projections[std::size_t(h.vertex)] = &h.projection;
 
   Eigen::SparseMatrix<double> result(m, m);

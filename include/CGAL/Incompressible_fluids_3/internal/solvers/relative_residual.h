@@ -38,7 +38,7 @@ public:
   explicit Residual_norm(const System& system)
       : m_velocities(system.nodal.diagonal().cwiseInverse()), m_pressures(system.c.diagonal()) {
     std::vector<const Eigen::Matrix3d*> projections(std::size_t(system.nodal.rows()), nullptr);
-    for (const auto& h : system.held)
+    for (const auto& h : system.constrained)
       projections[std::size_t(h.vertex)] = &h.projection;
     for (Eigen::Index p = 0; p < system.b.rows(); ++p)
       for (System::Matrix::InnerIterator i(system.b, p); i;) {

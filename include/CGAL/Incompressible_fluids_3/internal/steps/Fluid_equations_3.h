@@ -99,9 +99,9 @@ public:
   // `tension_of(f)` is the surface tension of facet f, or its energy of wetting per unit of area.
   // `gas_pressures` are the pressures of gases on facets.
   template <class TensionOf>
-  void assemble(const Vectors_3& half_way, const TensionOf& tension_of,
+  void assemble(const Vectors_3& midpoint_positions, const TensionOf& tension_of,
                 const std::vector<double>& gas_pressures) {
-    m_for_each(m_terms.size(), [&](std::size_t k) { m_terms[k] = terms(k, half_way); });
+    m_for_each(m_terms.size(), [&](std::size_t k) { m_terms[k] = terms(k, midpoint_positions); });
     using Scalar = Eigen::Matrix<double, 1, 1>;
     m_rows_of_vertices.sum<1, 1>(
         m_for_each, m_vertices,
@@ -149,9 +149,9 @@ public:
     m_forces = m_pushes = Vector::Zero(3 * Eigen::Index(m_masses.size()));
     for (std::size_t f = 0; f < m_mesh.facets.size(); ++f) {
       const auto& facet = m_mesh.facets[f];
-      add_facet(facet, half_way, tension_of(f));
+      add_facet(facet, midpoint_positions, tension_of(f));
       if (facet.gas != Mesh::no_gas)
-        add_push(facet, half_way, gas_pressures[facet.gas]);
+        add_push(facet, midpoint_positions, gas_pressures[facet.gas]);
     }
   }
 
@@ -162,7 +162,7 @@ public:
         std::count_if(m_terms.begin(), m_terms.end(), [](const Terms& t) { return t.is_flat; }));
   }
 
-  // Returns the system without constraints. The caller sets `held` and `closed`.
+  // Returns the system without constraints. The caller sets `constrained` and `closed`.
   const System& system() const { return m_system; }
 
   // Returns the forces of gases on vertices.
@@ -255,15 +255,15 @@ private:
 
   // Returns the contributions of a cell. Gradients are those at the midpoint, or those at the
   // beginning if the predicted cell is flat.
-  Terms terms(std::size_t k, const Vectors_3& half_way) const {
+  Terms terms(std::size_t k, const Vectors_3& midpoint_positions) const {
     // The time in which the stabilization smooths pressures, as a fraction of the step.
     static constexpr double part = .05;
     static constexpr double viscous = 12; // factor of Hughes and others, for h^2 / viscosity
     static constexpr double flat = .1;    // relative to the volume at the beginning
     const auto& cell = m_mesh.cells[k];
-    const Element moved = element(cell, half_way);
-    const bool uses_moved =
-        moved.measure() > flat * m_elements[k].measure() && has_gradients(moved, cell, half_way);
+    const Element moved = element(cell, midpoint_positions);
+    const bool uses_moved = moved.measure() > flat * m_elements[k].measure() &&
+                            has_gradients(moved, cell, midpoint_positions);
     const Element& e = uses_moved ? moved : m_elements[k];
     Terms result;
     result.inertia = Mesh::part_at_middle / 4 * rate(quarter_mass(k));
@@ -287,9 +287,11 @@ private:
   }
 
   // Adds the force of a gas on a facet.
-  void add_push(const typename Mesh::Facet& facet, const Vectors_3& half_way, double pressure) {
+  void add_push(const typename Mesh::Facet& facet, const Vectors_3& midpoint_positions,
+                double pressure) {
     const auto& v = facet.vertices;
-    const Eigen::Vector3d a = half_way[v[1]] - half_way[v[0]], b = half_way[v[2]] - half_way[v[0]];
+    const Eigen::Vector3d a = midpoint_positions[v[1]] - midpoint_positions[v[0]],
+                          b = midpoint_positions[v[2]] - midpoint_positions[v[0]];
     const Eigen::Vector3d share = (facet.is_gas_in_front ? -1 : 1) * pressure / 6 * a.cross(b);
     for (auto corner : v)
       at(m_pushes, corner) += share;
@@ -297,18 +299,19 @@ private:
 
   // Adds the surface tension of a facet. Negative tensions of wetted walls would make the matrix
   // indefinite, so they are explicit forces at the midpoint.
-  void add_facet(const typename Mesh::Facet& facet, const Vectors_3& half_way, double tension) {
+  void add_facet(const typename Mesh::Facet& facet, const Vectors_3& midpoint_positions,
+                 double tension) {
     if (tension == 0)
       return;
     std::array<typename Complex::Approximate_point, 3> corners;
     for (std::size_t i = 0; i < 3; ++i)
-      corners[i] = point(half_way[facet.vertices[i]]);
+      corners[i] = point(midpoint_positions[facet.vertices[i]]);
     const Facet_tension<3> cotangents(corners);
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t v = facet.vertices[i], w = facet.vertices[(i + 1) % 3];
       const double weight = tension * cotangents.weights[i],
                    implicit = tension > 0 ? m_step.theta * m_step.dt * weight : 0;
-      const Vectors_3& from = tension > 0 ? m_positions : half_way;
+      const Vectors_3& from = tension > 0 ? m_positions : midpoint_positions;
       const Eigen::Vector3d pull = weight * (from[w] - from[v]);
       at(m_forces, v) += pull;
       at(m_forces, w) -= pull;

@@ -63,7 +63,7 @@ template <class Complex> struct Fluid_mesh_3
   static constexpr Index no_gas = Index(-1);
 
   // A connected component of a gas.
-  struct Gas_part
+  struct Gas_component
   {
     std::uint32_t component;
     int label;
@@ -73,7 +73,7 @@ template <class Complex> struct Fluid_mesh_3
   std::vector<Vertex_handle> vertices; // along the x axis, so neighbors are near in memory
   std::vector<Cell> cells;             // by their first vertices
   std::vector<Facet> facets;           // in the order of `interface_facets()`
-  std::vector<Gas_part> gases;         // by component
+  std::vector<Gas_component> gases;    // by component
   std::vector<Index> vertex_of_pressure;
   std::vector<char> is_on_interface; // by vertex
   // Coordinates of the sides of the domain, in the order of `Boundary_class`. They are infinite
@@ -175,21 +175,22 @@ private:
   }
 
   void add_gases(const Complex& complex, const Fluid_properties_3& properties) {
-    std::map<std::uint32_t, Gas_part> parts;
+    std::map<std::uint32_t, Gas_component> components;
     for (auto c : complex.cells())
       if (properties.gas(c->label())) {
-        const auto part = parts.emplace(c->component(), Gas_part{c->component(), c->label(), 0.});
-        part.first->second.volume += complex.measure(c);
+        const auto component =
+            components.emplace(c->component(), Gas_component{c->component(), c->label(), 0.});
+        component.first->second.volume += complex.measure(c);
       }
-    for (const auto& part : parts)
-      gases.push_back(part.second);
+    for (const auto& component : components)
+      gases.push_back(component.second);
   }
 
   // Returns the index of the gas of a cell, or `no_gas`.
   Index gas_of(Cell_handle c) const {
     const auto found =
         std::lower_bound(gases.begin(), gases.end(), c->component(),
-                         [](const Gas_part& a, std::uint32_t b) { return a.component < b; });
+                         [](const Gas_component& a, std::uint32_t b) { return a.component < b; });
     return found != gases.end() && found->component == c->component() ? Index(found - gases.begin())
                                                                       : no_gas;
   }

@@ -17,6 +17,7 @@
 #include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_equations_3.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_mesh_3.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Gas_components_3.h>
+#include <CGAL/Incompressible_fluids_3/internal/steps/Liquid_flow_3.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Roughness_damper_3.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Vertex_constraints_3.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Wall_contacts_3.h>
@@ -48,23 +49,36 @@ public:
 
   using Source = std::function<double(const Any_solid_3::Point&, double)>;
 
-  // Takes the positions, velocities and accelerations of the vertices of the mesh, and the gases,
-  // at the beginning of the step. Solids do not move if `begin` and `end` are equal.
-  Fluid_step_3(const Mesh& mesh, const Fluid_properties_3& properties,
-               const typename Contacts::Solids& solids, const Complex& complex, Solver& solver,
-               const typename Equations::Step& step, double begin, double end,
-               const Vectors_3& positions, const Vectors_3& velocities,
-               const Vectors_3& accelerations, const std::vector<Gas_body_3>& gases,
-               const Source& source, unsigned number_of_threads)
-      : m_mesh(mesh), m_properties(properties), m_solver(solver),
-        m_number_of_threads(number_of_threads), m_for_each(number_of_threads), m_step(step),
-        m_begin(begin), m_end(end), m_positions(positions), m_before(velocities),
-        m_accelerations(accelerations), m_gases(gases), m_source(source),
-        m_equations(m_for_each, mesh, properties, step, positions),
-        m_contacts(mesh, solids, complex, positions, begin) {
-    for (std::size_t v = 0; v < positions.size(); ++v)
-      m_velocities.push_back(velocities[v] + step.theta * step.dt * accelerations[v]);
-    m_pressures = Vector::Zero(Eigen::Index(mesh.vertex_of_pressure.size()));
+  // What acts on the liquids.
+  struct Loads
+  {
+    const Fluid_properties_3& properties;
+    const typename Contacts::Solids& solids;
+    std::vector<Gas_component_3> gases; // at the beginning of the step
+    Source source;                      // empty without sources
+  };
+
+  // The time step. Its length can differ from end - begin: solids do not move if these are equal.
+  struct Interval
+  {
+    double begin, end;
+    typename Equations::Step step;
+  };
+
+  // Prepares the step that begins with the given flow. The complex, the flow and the solver must
+  // outlive the object.
+  Fluid_step_3(const Complex& complex, const Liquid_flow_3<Complex>& flow, const Loads& loads,
+               const Interval& interval, Solver& solver, unsigned number_of_threads)
+      : m_mesh(flow.mesh), m_properties(loads.properties), m_solver(solver),
+        m_number_of_threads(number_of_threads), m_for_each(number_of_threads),
+        m_step(interval.step), m_begin(interval.begin), m_end(interval.end),
+        m_positions(flow.positions), m_before(flow.velocities), m_accelerations(flow.accelerations),
+        m_gases(loads.gases), m_source(loads.source),
+        m_equations(m_for_each, m_mesh, m_properties, m_step, m_positions),
+        m_contacts(m_mesh, loads.solids, complex, m_positions, m_begin) {
+    for (std::size_t v = 0; v < m_positions.size(); ++v)
+      m_velocities.push_back(m_before[v] + m_step.theta * m_step.dt * m_accelerations[v]);
+    m_pressures = Vector::Zero(Eigen::Index(m_mesh.vertex_of_pressure.size()));
   }
 
   // Solves the equations of the step. If the accelerations of the previous step are not known, they
@@ -122,7 +136,7 @@ public:
     for (std::size_t k = 0; k < m_gains.size(); ++k)
       power += m_mesh.cells[k].liquid->density * m_gains[k] *
                (m_mesh.middle(k, m_velocities).squaredNorm() / 2 -
-                gravity.dot(m_mesh.middle(k, m_half_way) - level));
+                gravity.dot(m_mesh.middle(k, m_midpoint_positions) - level));
     // Relative to the power: the stabilization also affects sources.
     static constexpr double error = .25;
     return m_step.dt * (power + error * std::abs(power));
@@ -170,7 +184,7 @@ public:
       const Vector& pushes = m_equations.pushes();
       const Eigen::Vector3d push = m_step.dt * share * pushes.segment<3>(3 * Eigen::Index(v));
       result.linear += push;
-      result.angular += m_half_way[v].cross(push);
+      result.angular += m_midpoint_positions[v].cross(push);
     }
     // New liquid has the velocity of the liquid around it.
     for (std::size_t i = 0; i < masses.of_middles.size() && !m_gains.empty(); ++i) {
@@ -178,7 +192,7 @@ public:
       const Eigen::Vector3d brought =
           m_step.dt * m_mesh.cells[k].liquid->density * m_gains[k] * m_mesh.middle(k, m_velocities);
       result.linear += brought;
-      result.angular += m_mesh.middle(k, m_half_way).cross(brought);
+      result.angular += m_mesh.middle(k, m_midpoint_positions).cross(brought);
     }
     return result;
   }
@@ -231,15 +245,14 @@ private:
   // \throws Convergence_error if the residual is above its bound
   void check_residual() {
     System system = m_equations.system();
-    system.held = m_constraints.held();
+    system.constrained = m_constraints.constrained();
     system.closed = m_closed;
     const Solution& last = m_last_solution;
     m_residual = relative_residual(system, last.f, last.s, last.v, last.p);
     if (!(m_residual <= largest_residual))
-      throw Convergence_error(
-          "the solution of the equations of the flow is not accurate: cells may "
-          "be too flat, or the time step too long",
-          m_residual, largest_residual);
+      throw Convergence_error("the solution of the equations of the flow is not accurate: cells "
+                              "may be too flat, or the time step may be too long",
+                              m_residual, largest_residual);
   }
 
   // Computes the destinations and the velocities at the end of the step, with damping and contacts.
@@ -257,7 +270,7 @@ private:
     for (std::size_t v = 0; v < m_final_velocities.size(); ++v)
       if (!m_final_velocities[v].allFinite() || !m_velocities[v].allFinite())
         throw Convergence_error("the equations of the flow have no finite solution: the time step "
-                                "may be too short or too long for numbers, or cells flat",
+                                "may be too short or too long, or cells may be flat",
                                 std::numeric_limits<double>::infinity(), largest_residual);
   }
 
@@ -272,23 +285,25 @@ private:
   // Assembles the equations for the geometry that the present velocities predict.
   void assemble() {
     m_contacts.predict(at_time(m_step.dt), m_end, m_step.dt, m_end > m_begin);
-    m_half_way = at_time(m_step.dt / 2);
-    const std::vector<double> volumes = volumes_of_gases(m_mesh, m_gases, m_positions, m_half_way);
+    m_midpoint_positions = at_time(m_step.dt / 2);
+    const std::vector<double> volumes =
+        volumes_of_gases(m_mesh, m_gases, m_positions, m_midpoint_positions);
     std::vector<double> pressures;
     for (std::size_t k = 0; k < m_gases.size(); ++k)
       pressures.push_back(m_gases[k].pressure(volumes[k]));
     m_equations.assemble(
-        m_half_way, [&](std::size_t f) { return m_contacts.tension(m_mesh.facets[f]); }, pressures);
+        m_midpoint_positions, [&](std::size_t f) { return m_contacts.tension(m_mesh.facets[f]); },
+        pressures);
     m_gains.clear();
     if (m_source)
       for (std::size_t k = 0; k < m_mesh.cells.size(); ++k) {
-        const Eigen::Vector3d middle = m_mesh.middle(k, m_half_way);
+        const Eigen::Vector3d middle = m_mesh.middle(k, m_midpoint_positions);
         const double divergence =
             m_source({middle.x(), middle.y(), middle.z()}, (m_begin + m_end) / 2);
         if (!(std::abs(divergence) * m_step.dt < 1))
-          throw Error("a source is not finite, or brings or drains more in the step than what is "
-                      "there: use shorter steps");
-        m_gains.push_back(divergence * volume(m_mesh.cells[k], m_half_way));
+          throw Error("the divergence of a source is not finite, or its product with the time step "
+                      "is 1 or more: use a shorter time step");
+        m_gains.push_back(divergence * volume(m_mesh.cells[k], m_midpoint_positions));
       }
     m_is_assembled = false;
   }
@@ -347,7 +362,7 @@ private:
     m_contacts.constrain(m_constraints);
     m_constraints.close();
     System system = m_equations.system();
-    system.held = m_constraints.held();
+    system.constrained = m_constraints.constrained();
     system.closed = m_closed = closed_sets(system);
     if (m_is_factorized)
       m_solver.update(std::move(system));
@@ -378,11 +393,11 @@ private:
   double m_begin, m_end; // times
   Vectors_3 m_positions, m_before, m_accelerations, m_velocities, m_unstopped_velocities,
       m_final_velocities;
-  std::vector<Gas_body_3> m_gases;
+  std::vector<Gas_component_3> m_gases;
   Source m_source;
   Vectors_3 m_destinations;
-  Vectors_3 m_half_way;        // positions at which the equations were assembled
-  std::vector<double> m_gains; // volume per unit of time, by cell
+  Vectors_3 m_midpoint_positions; // positions at which the equations were assembled
+  std::vector<double> m_gains;    // volume per unit of time, by cell
   Vector m_pressures, m_reactions;
   Equations m_equations;
   Contacts m_contacts;

@@ -26,7 +26,7 @@ namespace internal {
 // A connected component of a gas. The product of its pressure and the power volume^exponent is
 // constant. Powers are computed from ratios of volumes only, so that the unit of length has no
 // effect.
-struct Gas_body_3
+struct Gas_component_3
 {
   Gas gas;
   double volume;
@@ -49,23 +49,24 @@ struct Gas_body_3
 // Returns the volumes of gases after the vertices of liquids have moved from some positions to
 // others. A volume is at least a tenth of its present value.
 template <class Mesh>
-std::vector<double> volumes_of_gases(const Mesh& mesh, const std::vector<Gas_body_3>& gases,
+std::vector<double> volumes_of_gases(const Mesh& mesh, const std::vector<Gas_component_3>& gases,
                                      const Vectors_3& from, const Vectors_3& to) {
   std::vector<double> result;
-  for (const Gas_body_3& gas : gases)
+  for (const Gas_component_3& gas : gases)
     result.push_back(gas.volume);
   for (const auto& facet : mesh.facets)
     if (facet.gas != Mesh::no_gas) {
       // The area at the midpoint, multiplied by the mean displacement, is the swept volume up to
       // terms of third order.
       std::array<Eigen::Vector3d, 3> middle;
-      Eigen::Vector3d way = Eigen::Vector3d::Zero();
+      Eigen::Vector3d displacement = Eigen::Vector3d::Zero();
       for (std::size_t i = 0; i < 3; ++i) {
         const auto v = facet.vertices[i];
         middle[i] = (from[v] + to[v]) / 2;
-        way += (to[v] - from[v]) / 3;
+        displacement += (to[v] - from[v]) / 3;
       }
-      const double swept = (middle[1] - middle[0]).cross(middle[2] - middle[0]).dot(way) / 2;
+      const double swept =
+          (middle[1] - middle[0]).cross(middle[2] - middle[0]).dot(displacement) / 2;
       result[facet.gas] -= facet.is_gas_in_front ? swept : -swept;
     }
   static constexpr double least = .1; // of the present volume: the least volume of a prediction

@@ -64,14 +64,14 @@ public:
       for (std::size_t i = 0; i < 4; ++i)
         for (std::size_t j = 0; j < i; ++j) {
           const auto v = cell.vertices[i], w = cell.vertices[j];
-          const Eigen::Vector3d way = part.corner(j) - part.corner(i);
+          const Eigen::Vector3d edge = part.corner(j) - part.corner(i);
           const Eigen::Vector3d excess =
               velocities[w] - velocities[v] -
-              (gradients[cell.pressures[i]] + gradients[cell.pressures[j]]) / 2 * way;
+              (gradients[cell.pressures[i]] + gradients[cell.pressures[j]]) / 2 * edge;
           // Each edge has a twelfth of the mass of the cell, so that the edges at a vertex together
           // have the mass of the vertex.
           const Eigen::Vector3d exchanged =
-              exchange(excess.norm(), way.norm(), part.tension, cell.liquid->density, time) *
+              exchange(excess.norm(), edge.norm(), part.tension, cell.liquid->density, time) *
               cell.liquid->density * part.volume / 12 * excess;
           momenta[v] += exchanged;
           momenta[w] -= exchanged;

@@ -42,7 +42,7 @@ public:
     // Two directions can be the same, for example where two walls touch.
     static constexpr double parallel = 1e-6;
     m_prescribed = Eigen::VectorXd::Zero(3 * Eigen::Index(m_known.size()));
-    m_held.clear();
+    m_constrained.clear();
     for (std::size_t v = 0; v < m_known.size(); ++v) {
       if (m_known[v].empty())
         continue;
@@ -59,17 +59,19 @@ public:
       const Eigen::MatrixXd known = base.leftCols(qr.rank()), free = base.rightCols(3 - qr.rank());
       m_prescribed.segment<3>(3 * Eigen::Index(v)) =
           known * (directions.transpose() * known).colPivHouseholderQr().solve(velocities);
-      m_held.push_back({Eigen::Index(v), free * free.transpose()});
+      m_constrained.push_back({Eigen::Index(v), free * free.transpose()});
     }
   }
 
   const Eigen::VectorXd& prescribed() const { return m_prescribed; }
-  const std::vector<Saddle_point_system::Held_velocity>& held() const { return m_held; }
+  const std::vector<Saddle_point_system::Constrained_velocity>& constrained() const {
+    return m_constrained;
+  }
 
 private:
   std::vector<std::vector<Known>> m_known;
   Eigen::VectorXd m_prescribed;
-  std::vector<Saddle_point_system::Held_velocity> m_held;
+  std::vector<Saddle_point_system::Constrained_velocity> m_constrained;
 };
 
 } // namespace internal

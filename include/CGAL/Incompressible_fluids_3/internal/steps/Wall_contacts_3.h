@@ -148,13 +148,13 @@ public:
   }
 
   // Moves vertices out of walls, and constrained vertices onto their walls.
-  void put_out(Vectors_3& positions, double time) const {
+  void project_out_of_solids(Vectors_3& positions, double time) const {
     static constexpr int rounds = 4; // several rounds are necessary where walls meet
     for (int k = 0; k < rounds; ++k)
       for (std::size_t v = 0; v < positions.size(); ++v)
         for_each_wall(v, positions[v], time,
                       [&](std::size_t solid, std::size_t wall, const Wall_3& w) {
-                        if (w.distance < 0 || is_held(v, solid, wall))
+                        if (w.distance < 0 || is_constrained(v, solid, wall))
                           positions[v] -= w.distance * eigen_vector(w.normal);
                       });
   }
@@ -183,7 +183,7 @@ public:
 
   bool touches(std::size_t v) const { return !m_touched[v].empty(); }
 
-  bool is_held(std::size_t v) const {
+  bool is_constrained(std::size_t v) const {
     const auto first =
         std::lower_bound(m_contacts.begin(), m_contacts.end(), v,
                          [](const Contact& c, std::size_t w) { return c.vertex < w; });
@@ -194,10 +194,10 @@ public:
   }
 
   // Returns the number of constrained vertices.
-  std::size_t number_of_held() const {
+  std::size_t number_of_constrained() const {
     std::size_t result = 0;
     for (std::size_t v = 0; v < m_positions.size(); ++v)
-      result += is_held(v);
+      result += is_constrained(v);
     return result;
   }
 
@@ -299,7 +299,7 @@ private:
            m_touched[v].end();
   }
 
-  bool is_held(std::size_t v, std::size_t solid, std::size_t wall) const {
+  bool is_constrained(std::size_t v, std::size_t solid, std::size_t wall) const {
     const auto place = std::make_tuple(v, solid, wall);
     const auto c = std::lower_bound(m_contacts.begin(), m_contacts.end(), place,
                                     [](const Contact& a, const auto& b) { return a.place() < b; });

@@ -46,8 +46,9 @@ velocities_at(const Interface& interface_,
   } else {
     velocity(interface_, positions, t, result);
     if (result.size() != positions.size())
-      throw Invalid_destination_error(
-          "a velocity must be given for each vertex of the interface, no more and no fewer", {});
+      throw Invalid_destination_error("the number of velocities differs from the number of "
+                                      "interface vertices: give one velocity for each vertex",
+                                      {});
   }
   require_finite(result, "a velocity");
   return result;
@@ -93,8 +94,8 @@ integrate_adaptively(const Interface& interface_,
   auto stepper = odeint::make_controlled(tolerance, 0., odeint::runge_kutta_dopri5<State>());
   const double end = t + dt;
   if (end == t && dt != 0)
-    throw Error("a step is too short for the time it begins at: use longer ones, or count the time "
-                "from a later moment");
+    throw Error("the time step is too short to change the time: use a longer time step, or "
+                "subtract a constant from the time");
   // Adding a short substep to a large time may leave the time unchanged.
   const auto is_long_enough = [&](double step) {
     return std::abs(step) >= smallest_adaptive_part * std::abs(dt) && t + step != t;
@@ -104,8 +105,8 @@ integrate_adaptively(const Interface& interface_,
     if (is_last)
       step = end - t;
     else if (!is_long_enough(step))
-      throw Error("the velocities change too fast to be integrated to the tolerance; use a larger "
-                  "one, or shorter steps");
+      throw Error("the velocities change too fast for the integration tolerance: use a larger "
+                  "tolerance, or a shorter time step");
     try {
       if (stepper.try_step(derivative, state, t, step) == odeint::success && is_last)
         break;
@@ -234,8 +235,9 @@ find_destinations(const Interface& interface_,
     std::vector<Point> result;
     velocity(interface_, start, t, dt, result);
     if (result.size() != start.size())
-      throw Invalid_destination_error(
-          "a destination must be given for each vertex of the interface, no more and no fewer", {});
+      throw Invalid_destination_error("the number of destinations differs from the number of "
+                                      "interface vertices: give one destination for each vertex",
+                                      {});
     return result;
   } else if (scheme == Integration_scheme::adaptive) {
     return integrate_adaptively(interface_, start, velocity, t, dt, tolerance);

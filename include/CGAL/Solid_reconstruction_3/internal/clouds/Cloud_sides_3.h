@@ -284,11 +284,12 @@ private:
     const double volume = a * across;
     const bool is_flat = volume * volume <=
                          flat * flat * a.squared_length() * b.squared_length() * c.squared_length();
-    const Vector way = (a.squared_length() * across + b.squared_length() * cross_product(c, a) +
-                        c.squared_length() * cross_product(a, b)) /
-                       (2 * volume);
-    const double squared = way.squared_length();
-    return is_flat || !std::isfinite(squared) ? Ball{p, 0} : Ball{p + way, squared};
+    const Vector to_center =
+        (a.squared_length() * across + b.squared_length() * cross_product(c, a) +
+         c.squared_length() * cross_product(a, b)) /
+        (2 * volume);
+    const double squared = to_center.squared_length();
+    return is_flat || !std::isfinite(squared) ? Ball{p, 0} : Ball{p + to_center, squared};
   }
 
   void join_outside(Signed_union_find& sides) const {

@@ -171,7 +171,7 @@ private:
     if (!wrong.empty())
       throw Invalid_points_error(Reason::not_finite,
                                  "the coordinates of point " + std::to_string(wrong.front()) +
-                                     " are not finite: leave it out",
+                                     " are not finite: remove the point",
                                  wrong);
   }
 
@@ -180,9 +180,9 @@ private:
     static constexpr double thinnest = 1e-9; // of the extent
     if (m_points.size() < least)
       throw Invalid_points_error(
-          Reason::too_few, m_outliers == 0
-                               ? "there are fewer than four different points: they bound no solid"
-                               : "fewer than four points are near others: they bound no solid");
+          Reason::too_few,
+          m_outliers == 0 ? "there are fewer than four different points: they bound no solid"
+                          : "fewer than four points are near other points: they bound no solid");
     static constexpr double smallest = 1e-30, largest = 1e30; // extents that complexes support
     Bbox_3 box;
     for (const Point& p : m_points)

@@ -53,7 +53,7 @@ public:
     }
     if (!m_sides->encloses_anything())
       throw Invalid_points_error(Invalid_points_error::Reason::open,
-                                 "the points enclose nothing: they bound no solid");
+                                 "the points do not enclose a volume: they bound no solid");
     m_holes = std::make_unique<Cloud_holes_3>(m_sides->boundary(m_cloud.reaches()));
     if (!accepts_sheets)
       require_solid();
@@ -153,9 +153,10 @@ private:
     throw Invalid_points_error(
         Invalid_points_error::Reason::sheet,
         "the points sample an open sheet: " + percent(m_holes->share()) +
-            " % of the boundary of what they enclose has no points, and at most " + percent(most) +
-            " % are closed; add points of the missing sides, or ask for the sheet (keep_open, "
-            "--open)");
+            " % of the boundary of the enclosed volume has no points, and at most " +
+            percent(most) +
+            " % can be closed; add points on the missing sides, or reconstruct the sheet "
+            "(keep_open, --open)");
   }
 
   void find_sides() {

@@ -34,9 +34,9 @@ public:
   using Point = Sampled_surface_3::Point;
   using Vector = Sampled_surface_3::Vector;
 
-  std::vector<Vector> ways;     // displacements of the vertices
-  std::vector<char> is_free;    // whether a facet is free
-  std::vector<char> is_at_free; // whether a vertex belongs to a free facet
+  std::vector<Vector> displacements; // displacements of the vertices
+  std::vector<char> is_free;         // whether a facet is free
+  std::vector<char> is_at_free;      // whether a vertex belongs to a free facet
 
   template <class Facets>
   Cloud_approach_3(const Sampled_surface_3& surface, const Facets& facets,
@@ -77,13 +77,13 @@ public:
           c.add_push(angle, -step * normal);
       }
     }
-    ways.resize(positions.size());
+    displacements.resize(positions.size());
     for_each(positions.size(), [&](std::size_t v) {
       Progress_scope::check();
-      ways[v] = corners[v].way();
+      displacements[v] = corners[v].displacement();
       if (is_at_free[v] != 0 && !surface.is_inside(positions[v]))
-        for (int i = 0; i < halvings && surface.is_inside(positions[v] + ways[v]); ++i)
-          ways[v] = i + 1 < halvings ? ways[v] / 2 : Vector(0, 0, 0);
+        for (int i = 0; i < halvings && surface.is_inside(positions[v] + displacements[v]); ++i)
+          displacements[v] = i + 1 < halvings ? displacements[v] / 2 : Vector(0, 0, 0);
     });
   }
 
@@ -104,13 +104,13 @@ private:
       sum += angle * height * n;
       plane_angle += angle;
     }
-    void add_push(double angle, const Vector& way) {
-      push += angle * Eigen::Vector3d(way.x(), way.y(), way.z());
+    void add_push(double angle, const Vector& vector) {
+      push += angle * Eigen::Vector3d(vector.x(), vector.y(), vector.z());
       push_angle += angle;
     }
     // Returns the displacement to the intersection of the planes. In directions that the planes do
     // not determine, it is the displacement of the free facets.
-    Vector way() const {
+    Vector displacement() const {
       static constexpr double least_eigenvalue = .1; // of the largest eigenvalue
       static constexpr double farthest = .4;         // in edges
       Eigen::Vector3d result = Eigen::Vector3d::Zero();

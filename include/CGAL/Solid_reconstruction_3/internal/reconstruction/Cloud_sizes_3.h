@@ -77,12 +77,12 @@ public:
         edge = (std::max)(edge, std::sqrt((t[k] - t[k + 1]).squared_length()));
       // The distances of points from a facet grow with the square of its edges.
       const double part = planes[f].is_near ? std::sqrt(m_bound / planes[f].residual) : half;
-      const double wanted = (std::max)(planes[f].has_crease ? m_crease_floor : m_smooth_floor,
+      const double target = (std::max)(planes[f].has_crease ? m_crease_floor : m_smooth_floor,
                                        (std::max)(least, part) * edge);
       for (std::size_t i : planes[f].points)
-        ask(i, wanted);
+        ask(i, target);
       if (planes[f].points.empty())
-        ask(m_surface.cloud().nearest(CGAL::centroid(t)), wanted);
+        ask(m_surface.cloud().nearest(CGAL::centroid(t)), target);
     }
   }
 

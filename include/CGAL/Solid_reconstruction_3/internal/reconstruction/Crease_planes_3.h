@@ -48,10 +48,10 @@ public:
     if (planes.size() < 2 || lies_on_face(p, planes))
       return NULL_VECTOR;
     for (std::size_t number = (std::min)(planes.size(), std::size_t(3)); number > 0; --number) {
-      const auto way =
+      const auto displacement =
           to_intersection(p, planes, number, longest[number - 1] * m_surface.cloud().spacing());
-      if (way)
-        return *way;
+      if (displacement)
+        return *displacement;
     }
     return NULL_VECTOR;
   }
@@ -81,7 +81,7 @@ private:
     static constexpr unsigned around = 32; // enough for three planes
     static constexpr double explained = .8;
     std::vector<std::size_t> left = m_surface.cloud().nearest(p, around);
-    const double wanted = explained * double(left.size());
+    const double required = explained * double(left.size());
     double number = 0;
     std::vector<Plane> result;
     while (left.size() >= least) {
@@ -98,7 +98,7 @@ private:
     refit(result);
     for (const Plane& plane : result)
       number += double(plane.points.size());
-    if (number < wanted)
+    if (number < required)
       result.clear();
     return result;
   }
@@ -214,15 +214,16 @@ private:
       for (std::size_t i = 0; i < planes.size(); ++i)
         if (is_chosen[i] != 0)
           chosen.push_back(&planes[i]);
-      const auto way = to_intersection(p, chosen);
-      if (!way || !(way->squared_length() < bound * bound))
+      const auto displacement = to_intersection(p, chosen);
+      if (!displacement || !(displacement->squared_length() < bound * bound))
         continue;
       if (std::all_of(chosen.begin(), chosen.end(), [&](const Plane* face) {
-            return has_points_at(p + *way, *face, planes, gap) &&
-                   sure * deviation(*face, p + *way) < std::sqrt(way->squared_length());
+            return has_points_at(p + *displacement, *face, planes, gap) &&
+                   sure * deviation(*face, p + *displacement) <
+                       std::sqrt(displacement->squared_length());
           })) {
-        bound = std::sqrt(way->squared_length());
-        result = way;
+        bound = std::sqrt(displacement->squared_length());
+        result = displacement;
       }
     } while (std::prev_permutation(is_chosen.begin(), is_chosen.end()));
     return result;

@@ -54,7 +54,7 @@ public:
       m_entries.emplace_back(i, i, stiffness);
   }
 
-  std::vector<Vector> ways() const {
+  std::vector<Vector> displacements() const {
     static constexpr double tolerance = 1e-4; // relative residual; the next step reduces it further
     Eigen::SparseMatrix<double> matrix(m_right.size(), m_right.size());
     matrix.setFromTriplets(m_entries.begin(), m_entries.end());
@@ -71,7 +71,7 @@ public:
 
   // Returns the displacements to the mean of their neighbors of vertices that have few points and
   // are far from all points. Such vertices close holes, or are the tips of fins over sharp edges.
-  std::vector<Vector> ways_of_loose() const {
+  std::vector<Vector> displacements_of_loose() const {
     std::vector<Vector> result = m_to_middle;
     for (std::size_t v = 0; v < result.size(); ++v)
       if (m_is_far[v] == 0)
@@ -109,17 +109,17 @@ private:
       const std::size_t f = triangles.nearest(i);
       const auto& t = triangles[f];
       const Point& foot = triangles.foot(i);
-      const Vector way = cloud.points()[i] - foot;
+      const Vector to_point = cloud.points()[i] - foot;
       const double reach = reach_of_points * cloud.reach(i),
                    twice_area = cross_product(t[1] - t[0], t[2] - t[0]) * normals[f];
-      if (!(twice_area > 0) || way.squared_length() > reach * reach ||
+      if (!(twice_area > 0) || to_point.squared_length() > reach * reach ||
           (surface.is_oriented(i) && surface.normal(i) * normals[f] < 0))
         continue;
       double b[3]; // barycentric coordinates of the foot
       for (int k = 0; k < 3; ++k)
         b[k] = cross_product(t[k + 1] - foot, t[k + 2] - foot) * normals[f] / twice_area;
       for (int k = 0; k < 3; ++k) {
-        sums[f].heights[k] += b[k] * (way * normals[f]);
+        sums[f].heights[k] += b[k] * (to_point * normals[f]);
         for (int l = 0; l < 3; ++l)
           sums[f].squares[k][l] += b[k] * b[l];
       }

@@ -63,14 +63,16 @@ public:
 
   // Performs steps until the interface comes to rest, or until the observer returns `false`. It
   // must be called only once.
-  template <class Observer>
-  Reconstruction_report_3<Complex> run(unsigned steps, Observer& observer) {
-    bool goes_on = observer(std::as_const(m_complex), m_report.number_of_steps);
+  // The observer can be empty.
+  Reconstruction_report_3<Complex>
+  run(unsigned steps, const std::function<bool(const Complex&, std::size_t)>& observer) {
+    bool goes_on = !observer || observer(m_complex, m_report.number_of_steps);
     while (goes_on && !m_report.is_complete && m_report.number_of_steps < steps) {
       m_report.is_complete = !advance();
       if (m_report.is_complete)
         finish();
-      goes_on = observer(std::as_const(m_complex), ++m_report.number_of_steps);
+      ++m_report.number_of_steps;
+      goes_on = !observer || observer(m_complex, m_report.number_of_steps);
     }
     m_complex.measure_interface_edges();
     m_complex.take_component_events();
@@ -90,18 +92,18 @@ private:
     const Front front(m_complex, m_surface);
     const Cloud_planes_3 planes(m_surface, front.triangles);
     Cloud_approach_3 approach(m_surface, front.facets(), front.positions, front.triangles, planes);
-    std::vector<Vector>& ways = approach.ways;
-    calm(front.snapshot, ways);
+    std::vector<Vector>& displacements = approach.displacements;
+    calm(front.snapshot, displacements);
     const auto free = std::count(approach.is_free.begin(), approach.is_free.end(), 1);
     const bool fits = double(free) < many * double(front.triangles.size());
     if (fits) {
-      const std::vector<Vector> best = fit(front).ways();
-      for (std::size_t v = 0; v < ways.size(); ++v)
+      const std::vector<Vector> best = fit(front).displacements();
+      for (std::size_t v = 0; v < displacements.size(); ++v)
         if (approach.is_at_free[v] == 0)
-          ways[v] = best[v];
+          displacements[v] = best[v];
     }
-    refine(front, planes, ways, fits);
-    deform(front.snapshot, front.positions, ways);
+    refine(front, planes, displacements, fits);
+    deform(front.snapshot, front.positions, displacements);
     improve();
     if (m_report.number_of_steps % steps_to_coarsen == 0)
       control_detail(m_complex);
@@ -119,7 +121,8 @@ private:
     for (int i = 0; i < fits + rounds; ++i) {
       const Front front(m_complex, m_surface);
       const auto best = fit(front);
-      deform(front.snapshot, front.positions, i < fits ? best.ways() : best.ways_of_loose());
+      deform(front.snapshot, front.positions,
+             i < fits ? best.displacements() : best.displacements_of_loose());
     }
     sharpen();
   }
@@ -140,17 +143,18 @@ private:
     for (int i = 0; i < rounds; ++i) {
       const Snapshot front(m_complex);
       const std::vector<Point> positions = cloud_points(front.positions(m_complex));
-      std::vector<Vector> ways(positions.size());
-      m_surface.cloud().for_each()(ways.size(), [&](std::size_t v) {
+      std::vector<Vector> displacements(positions.size());
+      m_surface.cloud().for_each()(displacements.size(), [&](std::size_t v) {
         Progress_scope::check();
         const auto found = destinations.find(front.vertices[v]);
-        ways[v] = found == destinations.end() ? planes.to_crease(positions[v])
-                                              : found->second - positions[v];
+        displacements[v] = found == destinations.end() ? planes.to_crease(positions[v])
+                                                       : found->second - positions[v];
       });
-      const bool moves = std::any_of(ways.begin(), ways.end(),
-                                     [](const Vector& way) { return way != NULL_VECTOR; });
+      const bool moves =
+          std::any_of(displacements.begin(), displacements.end(),
+                      [](const Vector& displacement) { return displacement != NULL_VECTOR; });
       if (moves)
-        deform(front, positions, ways, smallest_angle);
+        deform(front, positions, displacements, smallest_angle);
       const Snapshot moved(m_complex);
       const auto splits = edges_across_creases(
           planes, moved.facets(), cloud_points(moved.positions(m_complex)),
@@ -192,7 +196,7 @@ private:
       if (positions.empty())
         throw Invalid_points_error(
             Invalid_points_error::Reason::open,
-            "nothing is left of the solid: it is too thin for the distances of its points");
+            "no solid remains: it is too thin for the distances of its points");
     }
 
     const auto& facets() const { return snapshot.facets(); }
@@ -205,62 +209,66 @@ private:
   // The displacement that the facets gave to a vertex in the last step.
   struct Motion
   {
-    Vector way;
+    Vector displacement;
     double part; // part of the displacement that was used
   };
 
   // Halves the displacement of a vertex whose direction is reversed. Short displacements become
   // null.
-  void calm(const Snapshot& front, std::vector<Vector>& ways) {
+  void calm(const Snapshot& front, std::vector<Vector>& displacements) {
     static constexpr double half = .5, more = 1.2;
     static constexpr double rest = .01; // in spacings
     std::map<std::size_t, Motion> motions;
-    for (std::size_t v = 0; v < ways.size(); ++v) {
+    for (std::size_t v = 0; v < displacements.size(); ++v) {
       const std::size_t time_stamp = front.vertices[v]->time_stamp();
       const auto last = m_motions.find(time_stamp);
-      Motion motion{ways[v], 1};
+      Motion motion{displacements[v], 1};
       if (last != m_motions.end())
-        motion.part = last->second.way * ways[v] < 0 ? half * last->second.part
-                                                     : (std::min)(1., more * last->second.part);
-      ways[v] = motion.part * ways[v];
-      if (std::sqrt(ways[v].squared_length()) < rest * m_surface.cloud().spacing())
-        ways[v] = NULL_VECTOR;
+        motion.part = last->second.displacement * displacements[v] < 0
+                          ? half * last->second.part
+                          : (std::min)(1., more * last->second.part);
+      displacements[v] = motion.part * displacements[v];
+      if (std::sqrt(displacements[v].squared_length()) < rest * m_surface.cloud().spacing())
+        displacements[v] = NULL_VECTOR;
       motions[time_stamp] = motion;
     }
     m_motions.swap(motions);
   }
 
-  void refine(const Front& front, const Cloud_planes_3& planes, const std::vector<Vector>& ways,
-              bool fits) {
+  void refine(const Front& front, const Cloud_planes_3& planes,
+              const std::vector<Vector>& displacements, bool fits) {
     static constexpr double rest = .1; // in edges
     std::vector<char> rests;
     for (std::size_t f = 0; f < front.triangles.size(); ++f) {
-      double edge = 0, way = 0; // squared lengths
+      double edge = 0, displacement = 0; // squared lengths
       for (int k = 0; k < 3; ++k) {
         const auto& t = front.triangles[f];
         edge = (std::max)(edge, (t[k] - t[k + 1]).squared_length());
-        way = (std::max)(way, ways[front.facets()[f].vertices[std::size_t(k)]].squared_length());
+        displacement =
+            (std::max)(displacement,
+                       displacements[front.facets()[f].vertices[std::size_t(k)]].squared_length());
       }
-      rests.push_back(way <= rest * rest * edge);
+      rests.push_back(displacement <= rest * rest * edge);
     }
     m_sizes.refine(front.triangles, planes, rests, fits);
   }
 
   void deform(const Snapshot& front, const std::vector<Point>& positions,
-              const std::vector<Vector>& ways, double minimum_angle = defaults::minimum_angle) {
+              const std::vector<Vector>& displacements,
+              double minimum_angle = defaults::minimum_angle) {
     std::vector<typename Complex::Approximate_point> destinations;
-    for (std::size_t v = 0; v < ways.size(); ++v) {
-      const Point q = positions[v] + ways[v];
+    for (std::size_t v = 0; v < displacements.size(); ++v) {
+      const Point q = positions[v] + displacements[v];
       destinations.emplace_back(q.x(), q.y(), q.z());
     }
     static constexpr unsigned passes = 3; // remaining displacements follow in the next step
+    Deformation_options<Complex> options;
+    options.manifold_interface = true;
+    options.maximum_number_of_passes = passes;
+    options.number_of_threads = m_threads;
+    options.minimum_angle = options.minimum_facet_angle = minimum_angle;
     const Deformation_report<Complex> report =
-        deform_interface_to(m_complex, front, destinations,
-                            parameters::manifold_interface(true)
-                                .maximum_number_of_passes(passes)
-                                .number_of_threads(m_threads)
-                                .minimum_angle(minimum_angle)
-                                .minimum_facet_angle(minimum_angle));
+        deform_interface_to(m_complex, front, destinations, options);
     m_report.changes =
         m_report.changes + Improvement_report{report.split, report.collapsed, report.flipped,
                                               report.smoothed, report.inserted};
@@ -272,11 +280,12 @@ private:
   void improve() {
     static constexpr double longest = 1.5, shortest = .4; // in target edge lengths
     static constexpr double crease = 40;                  // in degrees
-    m_report.changes =
-        m_report.changes + improve_interface(m_complex, parameters::sizing_field(std::cref(m_sizes))
-                                                            .interface_split_length(longest)
-                                                            .interface_collapse_length(shortest)
-                                                            .feature_angle(crease));
+    Interface_improvement_options<Complex> options;
+    options.sizing_field = std::cref(m_sizes);
+    options.interface_split_length = longest;
+    options.interface_collapse_length = shortest;
+    options.feature_angle = crease;
+    m_report.changes = m_report.changes + improve_interface(m_complex, options);
   }
 
   // Returns whether the distances of points have stopped decreasing, or are much smaller than the

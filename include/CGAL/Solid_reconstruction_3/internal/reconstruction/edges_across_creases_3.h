@@ -68,9 +68,9 @@ edges_across_creases(const Crease_planes_3& planes, const Facets& facets,
     Crease_split_3& c = candidates[i];
     if (squared_length(c.edge) < shortest * shortest)
       return;
-    const auto way = planes.to_crease(c.destination);
-    c.destination = c.destination + way;
-    c.squared_distance = way.squared_length();
+    const auto displacement = planes.to_crease(c.destination);
+    c.destination = c.destination + displacement;
+    c.squared_distance = displacement.squared_length();
   });
   std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
     return a.squared_distance > b.squared_distance;

@@ -5,23 +5,18 @@
 // The function templates that the component Compiled instantiates for each default complex,
 // CGAL_DSC_COMPILED_COMPLEX. No include guard: compiled_2.h and compiled_3.h include this list.
 
-CGAL_DSC_INSTANTIATION template void improve_new_mesh(CGAL_DSC_COMPILED_COMPLEX&,
-                                                      const New_mesh_options&);
+CGAL_DSC_INSTANTIATION template void
+improve_new_mesh(CGAL_DSC_COMPILED_COMPLEX&,
+                 const Construction_options<CGAL_DSC_COMPILED_COMPLEX::dimension>&);
 CGAL_DSC_INSTANTIATION template Improvement_report
-run_detail_control(CGAL_DSC_COMPILED_COMPLEX&, const Detail_thresholds&,
-                   const Edge_unit<CGAL_DSC_COMPILED_COMPLEX>&,
-                   const Edge_unit<CGAL_DSC_COMPILED_COMPLEX>&, unsigned,
-                   const std::function<bool(CGAL_DSC_COMPILED_COMPLEX::Cell_handle)>&,
-                   Any_visitor<CGAL_DSC_COMPILED_COMPLEX>&);
+run_detail_control(CGAL_DSC_COMPILED_COMPLEX&, const Detail_options<CGAL_DSC_COMPILED_COMPLEX>&);
 CGAL_DSC_INSTANTIATION template Improvement_report
-remesh_interface(CGAL_DSC_COMPILED_COMPLEX&, const Interface_thresholds&,
-                 const Edge_unit<CGAL_DSC_COMPILED_COMPLEX>&, unsigned,
-                 Any_visitor<CGAL_DSC_COMPILED_COMPLEX>&);
+remesh_interface(CGAL_DSC_COMPILED_COMPLEX&,
+                 const Interface_improvement_options<CGAL_DSC_COMPILED_COMPLEX>&);
 CGAL_DSC_INSTANTIATION template Improvement_report
-improve_whole_mesh(CGAL_DSC_COMPILED_COMPLEX&, const Mesh_improvement_options&,
-                   Any_visitor<CGAL_DSC_COMPILED_COMPLEX>&);
+improve_whole_mesh(CGAL_DSC_COMPILED_COMPLEX&,
+                   const Mesh_improvement_options<CGAL_DSC_COMPILED_COMPLEX>&);
 CGAL_DSC_INSTANTIATION template Deformation_report<CGAL_DSC_COMPILED_COMPLEX>
 deform(CGAL_DSC_COMPILED_COMPLEX&, const std::vector<CGAL_DSC_COMPILED_COMPLEX::Vertex_handle>&,
-       const std::vector<CGAL_DSC_COMPILED_COMPLEX::Point>&,
-       const Deformation_options<CGAL_DSC_COMPILED_COMPLEX>&, unsigned, unsigned,
-       Any_visitor<CGAL_DSC_COMPILED_COMPLEX>&, const std::function<bool(unsigned)>&);
+       const std::vector<CGAL_DSC_COMPILED_COMPLEX::Approximate_point>&,
+       const Deformation_options<CGAL_DSC_COMPILED_COMPLEX>&);

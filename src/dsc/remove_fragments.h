@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef DSC_REMOVE_CRUMBS_H
-#define DSC_REMOVE_CRUMBS_H
+#ifndef DSC_REMOVE_FRAGMENTS_H
+#define DSC_REMOVE_FRAGMENTS_H
 
 #include "label_components.h"
 
@@ -27,9 +27,9 @@ template <class Complex> struct Component_cells
 /// if there are several.
 template <class Complex>
 typename Complex::Label label_around(const Complex& complex,
-                                     const Component_cells<Complex>& crumb) {
+                                     const Component_cells<Complex>& fragment) {
   std::map<typename Complex::Label, std::size_t> facets;
-  for (const auto c : crumb.cells)
+  for (const auto c : fragment.cells)
     for (int i = 0; i < Complex::corners; ++i)
       if (const auto n = c->neighbor(i);
           !complex.triangulation().is_infinite(n) && n->label() != c->label())
@@ -37,18 +37,18 @@ typename Complex::Label label_around(const Complex& complex,
   const auto most =
       std::max_element(facets.begin(), facets.end(),
                        [](const auto& a, const auto& b) { return a.second < b.second; });
-  return most == facets.end() ? crumb.cells.front()->label() : most->first;
+  return most == facets.end() ? fragment.cells.front()->label() : most->first;
 }
 
 } // namespace internal
 
-/// Relabels crumbs with the label around them. Crumbs are the smallest components of a label in
-/// excess of the expected number, if their total volume is a small fraction of the volume of the
+/// Relabels fragments with the label around them. Fragments are the smallest components of a label
+/// in excess of the expected number, if their total volume is a small fraction of the volume of the
 /// label. They arise from cells at sharp edges, because cells are labelled by their barycenters
 /// only.
-/// \return the number of crumbs
+/// \return the number of fragments
 template <class Complex>
-std::size_t remove_crumbs(Complex& complex, const Component_ranges& expected) {
+std::size_t remove_fragments(Complex& complex, const Component_ranges& expected) {
   static constexpr double small = .01; // relative to the volume of the label
   using Cells = internal::Component_cells<Complex>;
   std::map<std::uint32_t, Cells> components;
@@ -61,32 +61,32 @@ std::size_t remove_crumbs(Complex& complex, const Component_ranges& expected) {
   std::map<typename Complex::Label, std::vector<const Cells*>> of_label;
   for (const auto& component : components)
     of_label[component.second.cells.front()->label()].push_back(&component.second);
-  std::vector<std::pair<const Cells*, typename Complex::Label>> crumbs;
-  for (auto& [label, parts] : of_label) {
+  std::vector<std::pair<const Cells*, typename Complex::Label>> fragments;
+  for (auto& [label, found] : of_label) {
     const auto range = expected.find(label);
-    if (range == expected.end() || parts.size() <= range->second.most)
+    if (range == expected.end() || found.size() <= range->second.most)
       continue;
-    std::stable_sort(parts.begin(), parts.end(),
+    std::stable_sort(found.begin(), found.end(),
                      [](const Cells* a, const Cells* b) { return a->volume > b->volume; });
-    double volume = 0, volume_of_crumbs = 0;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      volume += parts[i]->volume;
-      volume_of_crumbs += i < range->second.most ? 0 : parts[i]->volume;
+    double volume = 0, volume_of_fragments = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      volume += found[i]->volume;
+      volume_of_fragments += i < range->second.most ? 0 : found[i]->volume;
     }
-    if (volume_of_crumbs <= small * volume)
-      for (std::size_t i = range->second.most; i < parts.size(); ++i)
-        crumbs.emplace_back(parts[i], internal::label_around(complex, *parts[i]));
+    if (volume_of_fragments <= small * volume)
+      for (std::size_t i = range->second.most; i < found.size(); ++i)
+        fragments.emplace_back(found[i], internal::label_around(complex, *found[i]));
   }
-  for (const auto& [crumb, label] : crumbs)
-    for (const auto c : crumb->cells)
+  for (const auto& [fragment, label] : fragments)
+    for (const auto c : fragment->cells)
       complex.relabel(c, label);
-  if (!crumbs.empty()) {
+  if (!fragments.empty()) {
     complex.measure_interface_edges();
     complex.take_component_events();
   }
-  return crumbs.size();
+  return fragments.size();
 }
 
 } // namespace dsc
 
-#endif // DSC_REMOVE_CRUMBS_H
+#endif // DSC_REMOVE_FRAGMENTS_H

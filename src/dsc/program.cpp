@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "program.h"
+
 #include "command_line.h"
-#include "commands/commands.h"
 #include "errors.h"
 #include "interrupt.h"
 
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <functional>
 #include <iostream>
 #include <new>
 #include <string>
@@ -38,26 +40,10 @@ bool flush_output() {
   return std::cout.good() && std::ferror(stdout) == 0;
 }
 
-/// Adds the commands, in the order of the help.
-void add_commands(CLI::App& app, int& exit_code) {
-  dsc::add_info(app, exit_code);
-  dsc::add_rotate(app, exit_code);
-  dsc::add_offset(app, exit_code);
-  dsc::add_enright(app, exit_code);
-  dsc::add_vortex(app, exit_code);
-  dsc::add_advect(app, exit_code);
-  dsc::add_mean_curvature(app, exit_code);
-  dsc::add_zalesak(app, exit_code);
-  dsc::add_convert(app, exit_code);
-  dsc::add_improve(app, exit_code);
-  dsc::add_cut_locus(app, exit_code);
-  dsc::add_reconstruct(app, exit_code);
-  dsc::add_fluid(app, exit_code);
-}
-
 } // namespace
 
-int main(int argc, char** argv) {
+int dsc::run_program(int argc, char** argv,
+                     const std::function<void(CLI::App&, int&)>& add_commands) {
   dsc::catch_signals();
   CGAL::set_error_handler(print_nothing);
   CGAL::set_warning_handler(print_nothing);
@@ -68,20 +54,19 @@ int main(int argc, char** argv) {
     add_commands(app, exit_code);
     dsc::run_command_line(app, argc, argv);
     if (!flush_output())
-      return fail("cannot write to standard output; check that its disk has space left and that "
-                  "its reader is there",
+      return fail("cannot write to standard output; check that the disk is not full and that the "
+                  "program that reads the output is running",
                   bad_input);
     return exit_code;
   } catch (const dsc::Usage_error& error) {
     return fail(error.what(), bad_usage);
   } catch (const CGAL::Deformable_simplicial_complexes::Interrupted_error&) {
-    return fail("interrupted; nothing is written", stopped);
+    return fail("interrupted; no result was written", stopped);
   } catch (const std::bad_alloc&) {
-    return fail("there is not enough memory; choose fewer --triangles or a smaller mesh",
-                bad_input);
+    return fail("not enough memory; choose fewer --triangles or a smaller mesh", bad_input);
   } catch (const std::exception& error) {
     return fail(error.what(), bad_input);
   } catch (...) {
-    return fail("something unknown went wrong; check the input", bad_input);
+    return fail("unknown error; check the input", bad_input);
   }
 }

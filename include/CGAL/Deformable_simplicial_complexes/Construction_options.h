@@ -1,0 +1,102 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Deformable_simplicial_complexes, written for CGAL
+// (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_CONSTRUCTION_OPTIONS_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_CONSTRUCTION_OPTIONS_H
+
+#include <CGAL/license/Deformable_simplicial_complexes.h>
+
+#include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
+
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Bbox_3.h>
+
+#include <optional>
+#include <type_traits>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Options of the functions that make a complex, such as `make_deformable_simplicial_complex_3()`. The
+named parameters of these functions have the same names, and their documentation describes the
+effects.
+
+\tparam dimension dimension of the complex, 2 or 3
+*/
+template <int dimension> struct Construction_options
+{
+  using Box = std::conditional_t<dimension == 2, Bbox_2, Bbox_3>; ///< a box
+
+  /// The domain. If empty, a box around the input.
+  std::optional<Box> enclosing_box;
+  /// Whether the coordinates of the complex are normalized, in space.
+  bool normalize = false;
+  /// Number of pieces that each edge of the box is divided into, in [1, 1000], in space.
+  unsigned box_subdivision = 4;
+  /// Whether the mesh is improved at the end.
+  bool improve = true;
+  /// Only cells of lower quality are improved, in [0, 1].
+  double quality_threshold = defaults::Quality_threshold::of_new_mesh;
+  /// Largest number of rounds of improvement.
+  unsigned number_of_iterations = defaults::Number_of_iterations::over_mesh;
+
+  /// Throws an exception unless all values are in their ranges.
+  /// \throws Error if a value is out of its range
+  void check() const {
+    require_quality(quality_threshold);
+    if (box_subdivision < 1 || box_subdivision > 1000)
+      throw Error("the subdivision of the enclosing box is out of range: use 1 to 1000");
+  }
+};
+
+namespace internal {
+
+inline Bbox_2 box_of(const Bbox_2& given) { return given; }
+inline Bbox_3 box_of(const Bbox_3& given) { return given; }
+template <class Box> auto box_of(const Box& given) { return given.bbox(); }
+
+} // namespace internal
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Returns the options that named parameters give, or checks and returns given options.
+
+\tparam dimension dimension of the complex, 2 or 3
+\param np named parameters, or a `Construction_options<dimension>`
+\throws Error if a value is out of its range
+*/
+template <int dimension, class NamedParameters>
+Construction_options<dimension> construction_options(const NamedParameters& np) {
+  Construction_options<dimension> result;
+  if constexpr (std::is_same<NamedParameters, Construction_options<dimension>>::value)
+    result = np;
+  else {
+    namespace tags = internal_np;
+    if constexpr (is_given<NamedParameters, tags::enclosing_box_t>)
+      result.enclosing_box = internal::box_of(parameter(np, tags::enclosing_box));
+    replace_value(np, tags::normalize, result.normalize);
+    replace_count(np, tags::box_subdivision, "box_subdivision", result.box_subdivision);
+    replace_value(np, tags::improve, result.improve);
+    replace_value(np, tags::quality_threshold, result.quality_threshold);
+    replace_count(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
+                  result.number_of_iterations);
+  }
+  result.check();
+  return result;
+}
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_CONSTRUCTION_OPTIONS_H

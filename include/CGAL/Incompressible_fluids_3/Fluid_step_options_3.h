@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Incompressible_fluids_3, written for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_STEP_OPTIONS_3_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_STEP_OPTIONS_3_H
+
+#include <CGAL/license/Incompressible_fluids_3.h>
+
+#include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
+#include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgIncompressibleFluids3Ref
+
+Options of the time steps of `Incompressible_fluid`. The named parameters of
+`Incompressible_fluid::advance()` have the same names.
+
+\tparam Complex an instance of `Deformable_simplicial_complex_3`
+*/
+template <class Complex> struct Fluid_step_options_3
+{
+  /// Options of the deformations. The fluid has its own flow and visitor, so these two are not
+  /// used.
+  Deformation_options<Complex> deformation;
+  /// The time in the step at which forces act, in steps, in [0.5, 1].
+  double implicitness = defaults::implicitness;
+  /// Largest distance of an edge of the interface to a smooth surface, in mean edges of the initial
+  /// interface, at least 0. With 0, the interface is not remeshed before steps.
+  double interface_tolerance = defaults::Adaptive_advection<3>::interface_tolerance;
+  /// Number of steps between two adaptations of the mesh. With 0, the mesh is never adapted.
+  unsigned adaptation_interval = defaults::Adaptive_advection<3>::adaptation_interval;
+
+  /// Throws an exception unless all values are in their ranges.
+  /// \throws Error if a value is out of its range
+  void check() const {
+    deformation.check();
+    if (!(implicitness >= .5 && implicitness <= 1))
+      throw Error("the implicitness is out of range: use 0.5 to 1");
+    if (!(interface_tolerance >= 0))
+      throw Error("the tolerance of the interface is out of range: use 0 or more");
+  }
+};
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_STEP_OPTIONS_3_H

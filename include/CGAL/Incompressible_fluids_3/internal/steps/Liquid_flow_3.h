@@ -1,0 +1,28 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Incompressible_fluids_3, written for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_LIQUID_FLOW_3_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_LIQUID_FLOW_3_H
+
+#include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_mesh_3.h>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The mesh of the liquids, and the positions and the motion of its vertices.
+template <class Complex> struct Liquid_flow_3
+{
+  Fluid_mesh_3<Complex> mesh;
+  Vectors_3 positions, velocities, accelerations;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_LIQUID_FLOW_3_H

@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DSC_DOMAIN_BOX_H
+#define DSC_DOMAIN_BOX_H
+
+#include <CGAL/Deformable_simplicial_complexes/Construction_options.h>
+
+#include <CGAL/Bbox_3.h>
+
+#include <array>
+#include <optional>
+
+namespace dsc {
+
+/// Returns the box with given least and greatest coordinates.
+inline CGAL::Bbox_3 box(const std::array<double, 6>& d) {
+  return {d[0], d[1], d[2], d[3], d[4], d[5]};
+}
+
+/// Returns the options of a complex with normalized coordinates, in a given or the default domain.
+inline CGAL::Deformable_simplicial_complexes::Construction_options<3>
+normalized(const std::optional<std::array<double, 6>>& domain) {
+  CGAL::Deformable_simplicial_complexes::Construction_options<3> result;
+  result.normalize = true;
+  if (domain)
+    result.enclosing_box = box(*domain);
+  return result;
+}
+
+} // namespace dsc
+
+#endif // DSC_DOMAIN_BOX_H
