@@ -250,9 +250,7 @@ public:
   neither adapted nor improved before an attempt.
 
   \param dt the length of the time step, greater than 0
-  \param np named parameters: `number_of_threads`, `quality_threshold`, `minimum_angle`,
-         `minimum_facet_angle`, `relabeling_threshold`, `topology_control`, `manifold_interface` and
-         `collision_order` of `deform_interface()`, and
+  \param np named parameters: those of `deform_interface()`, except `flow` and `visitor`, and
 
   \cgalNamedParamsBegin
     \cgalParamNBegin{implicitness}

@@ -9,9 +9,7 @@
 #include "tracked_complex_3.h"
 
 #include <CGAL/Incompressible_fluid_3.h>
-#if __has_include(<CGAL/Incompressible_fluids_3/compiled_3.h>) // if the component Compiled is used
 #include <CGAL/Incompressible_fluids_3/compiled_3.h>
-#endif
 
 #include <memory>
 #include <string>

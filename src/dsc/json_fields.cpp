@@ -82,7 +82,7 @@ bool Json_fields::flag(const std::string& field, bool otherwise) const {
 std::string Json_fields::text(const std::string& field) const {
   const Json& json = any(field);
   if (!json.is_string())
-    refuse(field, "must be a text in quotes");
+    refuse(field, "must be a string in quotes");
   return json.get<std::string>();
 }
 

@@ -49,7 +49,7 @@ Repairs for_each(std::vector<Surface>& surfaces, const std::vector<std::string>&
     } catch (const Invalid_surface_error& error) {
       const bool has_hole = error.reason() == Invalid_surface_error::Reason::open;
       throw Input_error(names[i] + " cannot be repaired: " + error.what() +
-                        (has_hole ? "; or increase --largest-hole" : ""));
+                        (has_hole ? "; increase --largest-hole" : ""));
     } catch (const Error& error) {
       throw Input_error(names[i] + " cannot be repaired: " + error.what());
     }

@@ -84,8 +84,6 @@ void Report::add(const Run_position& position, const Step_outcome& outcome,
 }
 
 void Report::write() {
-  if (m_path.empty())
-    return;
   write_json(m_path, m_json);
   // Limits the frequency of writing, so that many short steps do not rewrite a long file each time.
   m_next_write = std::chrono::steady_clock::now() + std::chrono::seconds(1);

@@ -18,7 +18,7 @@
 namespace dsc {
 
 /// The report of all steps, as one JSON object in a file. The file is replaced atomically, so that
-/// it is complete whenever the program ends. Without a file name, nothing is written.
+/// it is complete whenever the program ends.
 class Report
 {
 public:

@@ -102,12 +102,14 @@ struct Flat_cells
 {
   unsigned steps = 0;
   std::size_t most = 0;
-  double quality = 1; ///< worst quality of any cell
+  double quality = 1; ///< worst quality of a cell
 
-  void add(const Step_outcome& outcome, const Statistics& statistics) {
-    steps += outcome.flat_cells > 0;
+  void add(const Step_outcome& outcome, const Tracked_complex& complex) {
+    if (outcome.flat_cells == 0)
+      return;
+    ++steps;
     most = std::max(most, outcome.flat_cells);
-    quality = std::min(quality, statistics.min_quality);
+    quality = std::min(quality, complex.worst_quality());
   }
 };
 
@@ -196,8 +198,7 @@ private:
   Run_position m_position;
   double m_time_step = 0;
   std::optional<Start_distance> m_from_start;
-  std::optional<Report> m_report;
-  Statistics m_statistics;
+  std::optional<Report> m_report; // if requested
   unsigned m_done = 0;
   std::size_t m_unfinished = 0, m_stopped_at_boundary = 0;
   double m_seconds = 0;
@@ -236,9 +237,10 @@ void Run::start() {
     throw Input_error("the time step is too small to advance the time " +
                       Json(m_position.time).dump() + " of the run; choose a larger --dt");
   m_from_start = start_distance(m_options, m_position);
-  m_report.emplace(m_options, m_position.start, repairs, m_complex->sweep_seconds());
-  m_statistics = m_complex->statistics();
-  m_report->add(m_position, Step_outcome(), m_statistics);
+  if (!m_options.output.report.empty()) {
+    m_report.emplace(m_options, m_position.start, repairs, m_complex->sweep_seconds());
+    m_report->add(m_position, Step_outcome(), m_complex->statistics());
+  }
   write_files();
 }
 
@@ -253,16 +255,16 @@ void Run::advance() {
   if (m_from_start && is_whole_period(time, m_time_step, period(m_options.step.motion)))
     outcome.distance_to_start =
         m_from_start->of(m_complex->interface_points(), m_complex->mean_edge());
-  m_statistics = m_complex->statistics();
   m_complex->forget();
   ++m_done;
   ++m_position.step;
   m_position.time = time;
   m_unfinished += outcome.unfinished_vertices;
   m_stopped_at_boundary += outcome.stopped_at_boundary;
-  m_flat_cells.add(outcome, m_statistics);
+  m_flat_cells.add(outcome, *m_complex);
   m_seconds += outcome.seconds;
-  m_report->add(m_position, outcome, m_statistics);
+  if (m_report) // statistics take long
+    m_report->add(m_position, outcome, m_complex->statistics());
   if (m_position.step % m_options.output.every == 0)
     write_files();
 }
@@ -283,7 +285,8 @@ void Run::do_steps() {
     progress.clear();
     m_complex->go_back();
     write_files();
-    m_report->write();
+    if (m_report)
+      m_report->write();
     throw;
   }
   progress.clear();
@@ -303,13 +306,14 @@ int Run::finish() {
   const bool stopped = interrupted();
   if (stopped)
     report_interruption();
-  m_report->write();
+  if (m_report)
+    m_report->write();
   if (!m_options.output.picture.empty())
     m_complex->write(m_options.output.picture);
   if (!m_options.output.quiet) {
     print_boundary(m_stopped_at_boundary);
     print_flat_cells(m_flat_cells);
-    print_summary(m_position, m_statistics, m_unfinished, m_seconds);
+    print_summary(m_position, m_complex->statistics(), m_unfinished, m_seconds);
   }
   return stopped ? exit_code_of_interrupt : 0;
 }

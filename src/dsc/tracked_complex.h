@@ -49,7 +49,11 @@ public:
   virtual void forget() = 0;
   virtual void go_back() = 0; ///< to the stored complex, if any
 
+  /// Returns the statistics. Some passes over all cells, so call it for output only.
   virtual Statistics statistics() const = 0;
+
+  /// Returns the lowest quality of a cell.
+  virtual double worst_quality() const = 0;
 
   /// Returns the vertices of the interface in input coordinates; with z = 0 in the plane.
   virtual std::vector<Surface_point> interface_points() const = 0;

@@ -161,10 +161,15 @@ Statistics Tracked_complex_2::statistics() const {
     statistics.labels.push_back({label, complex.number_of_cells(label), complex.area(label), length,
                                  complex.number_of_components(label), euler_characteristic});
   add_angles(complex, statistics);
-  statistics.min_quality = 1;
-  for (const Complex::Cell_handle c : complex.finite_cells())
-    statistics.min_quality = std::min(statistics.min_quality, complex.quality(c));
+  statistics.min_quality = worst_quality();
   return statistics;
+}
+
+double Tracked_complex_2::worst_quality() const {
+  double result = 1;
+  for (const Complex::Cell_handle c : complex.finite_cells())
+    result = std::min(result, complex.quality(c));
+  return result;
 }
 
 std::vector<Surface_point> Tracked_complex_2::interface_points() const {

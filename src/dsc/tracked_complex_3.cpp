@@ -109,10 +109,15 @@ Statistics Tracked_complex_3::statistics() const {
         {label, complex.number_of_cells(label), complex.volume(label) * scale * scale * scale,
          area * scale * scale, complex.number_of_components(label), euler_characteristic});
   add_dihedral_angles(complex, statistics);
-  statistics.min_quality = 1;
-  for (const Complex::Cell_handle c : complex.triangulation().finite_cell_handles())
-    statistics.min_quality = std::min(statistics.min_quality, complex.quality(c));
+  statistics.min_quality = worst_quality();
   return statistics;
+}
+
+double Tracked_complex_3::worst_quality() const {
+  double result = 1;
+  for (const Complex::Cell_handle c : complex.triangulation().finite_cell_handles())
+    result = std::min(result, complex.quality(c));
+  return result;
 }
 
 double Tracked_complex_3::sweep_seconds() const {

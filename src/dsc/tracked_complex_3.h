@@ -50,6 +50,7 @@ public:
   void forget() override { m_kept.reset(); }
   void go_back() override;
   Statistics statistics() const override;
+  double worst_quality() const override;
   std::vector<Surface_point> interface_points() const override;
   double mean_edge() const override;
   double sweep_seconds() const override;

@@ -62,7 +62,8 @@ template <class Complex> struct Deformation_options
   std::function<Approximate_point(Vertex_handle)> flow;
   /// Number of threads if linked with TBB. The result does not depend on it.
   unsigned number_of_threads = defaults::number_of_threads;
-  /// Visitor of the changes, which must outlive the deformation; none if null.
+  /// Visitor of the changes, such as a `Visitor_adaptor`; it must outlive the deformation. None if
+  /// null.
   Any_visitor<Complex>* visitor = nullptr;
 
   /// Throws an exception unless all values are in their ranges.
@@ -74,13 +75,13 @@ template <class Complex> struct Deformation_options
     require_angle(minimum_facet_angle, 30, "minimum facet angle");
   }
 
-  /// Forbids all changes of topology.
+  /// Forbids all changes of topology, and relabeling.
   void forbid_topology_changes() {
     topology_control = [](const Complex&, Cell_handle, Label) { return false; };
     relabeling_threshold = 0;
   }
 
-  /// Turns off all remeshing that is not necessary for the motion.
+  /// Turns off relabeling, and all remeshing that is not necessary for the motion.
   void preserve_mesh() {
     quality_threshold = relabeling_threshold = minimum_angle = minimum_facet_angle = 0;
   }

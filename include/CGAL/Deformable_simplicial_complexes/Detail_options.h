@@ -52,7 +52,7 @@ template <class Complex> struct Detail_options
   double interface_collapse_length = defaults::Interface_collapse_length::in_shortest_edges;
   /// Largest number of rounds.
   unsigned number_of_iterations = defaults::Number_of_iterations::over_mesh;
-  /// Visitor of the changes, which must outlive the call; none if null.
+  /// Visitor of the changes, such as a `Visitor_adaptor`; it must outlive the call. None if null.
   Any_visitor<Complex>* visitor = nullptr;
 
   /// Throws an exception unless all values are in their ranges.

@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -162,7 +163,7 @@ public:
   /// `improve_interface()`. Vertices are not smoothed, and the cells are not optimized; the next
   /// deformation does this.
   /// \param complex the complex
-  /// \param visitor visitor of the changes; none if null
+  /// \param visitor visitor of the changes, such as a `Visitor_adaptor`; none if null
   /// \return the numbers of operations
   /// \pre The complex has not changed since the snapshot.
   /// \throws Error if `improve_interface()` throws it, for example if `options.feature_angle` is
@@ -214,7 +215,8 @@ over the cells.
 \param is_stretching function object that takes the `Interface_snapshot` and returns whether the
        time step changes lengths, for example by `is_stretched()`; called only if the interface is
        worn
-\param visitor visitor of the changes; none if null
+\param visitor visitor of the changes, such as a `Visitor_adaptor` of a model of
+       `DeformationVisitor`; none if null
 \return the numbers of operations
 \pre `complex.mean_interface_edge()` is positive if there is an interface, see
      `require_interface_edge()`.
@@ -224,7 +226,7 @@ over the cells.
 template <class Complex, class IsStretching>
 Improvement_report keep_interface_fit(Complex& complex, const Adaptation_options& options,
                                       const IsStretching& is_stretching,
-                                      Any_visitor<Complex>* visitor) {
+                                      std::common_type_t<Any_visitor<Complex>*> visitor = nullptr) {
   if (!(options.tolerance > 0))
     return {};
   const Interface_snapshot<Complex> interface_(complex);

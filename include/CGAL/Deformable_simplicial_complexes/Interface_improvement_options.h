@@ -45,9 +45,9 @@ template <class Complex> struct Interface_improvement_options
   /// Bound on the volume that an operation sweeps, in cubes of the target edge length, in the plane
   /// in squares; at least 0.
   double swept_volume = defaults::swept_volume;
-  /// Edges between normals with a smaller angle can be flipped, in [0, 90].
+  /// Edges can be flipped if the normals of their facets differ by less, in [0, 90].
   double flip_angle = defaults::flip_angle;
-  /// Edges between normals with a larger angle are sharp, in [0, 180].
+  /// Edges are sharp if the normals of their facets differ by more, in [0, 180].
   double feature_angle = defaults::feature_angle;
   /// Facets with a smaller angle are removed, in [0, 30].
   double minimum_facet_angle = defaults::Minimum_facet_angle::of_interface;
@@ -57,7 +57,7 @@ template <class Complex> struct Interface_improvement_options
   bool curved_splits = false;
   /// Whether junctions of more than three phases are split, in the plane.
   bool split_junctions = false;
-  /// Visitor of the changes, which must outlive the call; none if null.
+  /// Visitor of the changes, such as a `Visitor_adaptor`; it must outlive the call. None if null.
   Any_visitor<Complex>* visitor = nullptr;
 
   /// Throws an exception unless all values are in their ranges.

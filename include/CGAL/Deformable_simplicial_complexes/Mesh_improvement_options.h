@@ -41,7 +41,7 @@ template <class Complex> struct Mesh_improvement_options
   bool smooth_interface = false;
   /// Number of threads if `aggressive` and linked with TBB. The result does not depend on it.
   unsigned number_of_threads = defaults::number_of_threads;
-  /// Visitor of the changes, which must outlive the call; none if null.
+  /// Visitor of the changes, such as a `Visitor_adaptor`; it must outlive the call. None if null.
   Any_visitor<Complex>* visitor = nullptr;
 
   /// Returns the threshold, or its default value.

@@ -171,7 +171,7 @@ of `vertices(surface)` and `faces(surface)`.
 
 \param surface a closed mesh
 \param tetrahedralizer tetrahedralizer that fills the box
-\param np named parameters of the overload above, and CGAL's `vertex_point_map`
+\param np named parameters of the overload above, and CGAL's `vertex_point_map`; no struct
 
 \throws Error if a face is not a triangle; otherwise as above
 */

@@ -49,7 +49,7 @@ template <class Complex> struct Degeneracy_options
   typename Edge_unit<Complex>::Sizing_field sizing_field;
   /// Largest number of rounds.
   unsigned number_of_iterations = defaults::Number_of_iterations::over_mesh;
-  /// Visitor of the changes, which must outlive the call; none if null.
+  /// Visitor of the changes, such as a `Visitor_adaptor`; it must outlive the call. None if null.
   Any_visitor<Complex>* visitor = nullptr;
 
   /// Throws an exception unless all values are in their ranges.

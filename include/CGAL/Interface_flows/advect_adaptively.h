@@ -62,7 +62,7 @@ template <class Complex> struct Adaptive_advection_options
   double interface_tolerance;
   /// Number of steps from one adaptation to the next, at least 1.
   unsigned adaptation_interval;
-  /// Edges between normals with a larger angle are sharp, in degrees, in [0, 180].
+  /// Edges are sharp if the normals of their facets differ by more, in degrees, in [0, 180].
   double feature_angle;
 
   /// Constructs options with default values.
@@ -100,7 +100,8 @@ private:
 /*!
 \ingroup PkgInterfaceFlowsRef
 
-Does the same as `advect_adaptively()` with named parameters.
+Does the same as `advect_adaptively()` with named parameters. If the velocity contracts the
+interface, construct the options with `contracts`.
 
 \throws Error as that function does, see also `Adaptive_advection_options::check()`
 */
@@ -217,8 +218,8 @@ the last three parameters below.
 \cgalNamedParamsEnd
 
 \return the report of `advect_interface()`. Its numbers of operations include the adaptation.
-\throws Error if one of the first three parameters is out of its range, or if there is an interface
-        and `dsc.mean_interface_edge()` is 0. The complex is then unchanged.
+\throws Error if a parameter is out of its range, or if there is an interface and
+        `dsc.mean_interface_edge()` is 0. The complex is then unchanged.
 \throws Invalid_destination_error, Error as `advect_interface()`. The interface has then not moved,
         but it may have been adapted.
 

@@ -76,11 +76,12 @@ template <class Complex> struct Reconstruction_options_3
 namespace internal {
 
 // Implements `reconstruct_point_set_3()`.
-template <class Complex>
-Complex reconstruct(const Collected_points& points,
+template <class Complex, class PointRange, class NamedParameters>
+Complex reconstruct(const PointRange& range, const NamedParameters& maps,
                     const Reconstruction_options_3<Complex>& options) {
   options.check();
   const Progress_phase phase("reconstructing a surface");
+  const Collected_points points = collect_points(range, maps);
   const Sampled_surface_3 surface(points.points, points.normals, options.keep_open,
                                   options.number_of_threads);
   const Cloud_shell_3 shell(surface);
@@ -105,8 +106,7 @@ Does the same as `reconstruct_point_set_3()` with named parameters and default m
 template <class Complex, class PointRange>
 Complex reconstruct_point_set_3(const PointRange& points,
                                 const Reconstruction_options_3<Complex>& options) {
-  return internal::reconstruct(internal::collect_points(points, parameters::default_values()),
-                               options);
+  return internal::reconstruct(points, parameters::default_values(), options);
 }
 
 /*!
@@ -218,7 +218,7 @@ Complex reconstruct_point_set_3(const PointRange& points,
   replace_value(np, tags::observer, options.observer);
   if constexpr (is_given<NP, tags::report_t>)
     options.report = &parameter(np, tags::report).get();
-  return internal::reconstruct(internal::collect_points(points, np), options);
+  return internal::reconstruct(points, np, options);
 }
 
 } // namespace Deformable_simplicial_complexes

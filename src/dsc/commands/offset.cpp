@@ -34,7 +34,7 @@ void add_offset(CLI::App& app, int& exit_code) {
                       "interface edge of the input; required for a new run");
   command->add_flag(
       "--move-faces", options->moves_faces,
-      "Move flat faces as a whole: convex edges become round, concave edges stay sharp");
+      "Move flat faces as a whole: edges that the motion opens become round, others stay sharp");
   command->callback([command, options, &exit_code] {
     Run_options run = begin_run_options(*command, options->run);
     run.step.motion =

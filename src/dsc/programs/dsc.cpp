@@ -44,6 +44,8 @@ bool is_other_program(const char* name) {
 [[noreturn]] void execute(const std::string& command, char** argv) {
   std::error_code error;
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (error)
+    throw dsc::Usage_error("cannot find the folder of this program: " + error.message());
   const std::filesystem::path program = self.parent_path() / ("dsc-" + command);
   execv(program.c_str(), argv);
   throw dsc::Usage_error("cannot execute " + program.string() + ", which contains the command '" +

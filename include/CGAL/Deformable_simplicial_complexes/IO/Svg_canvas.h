@@ -38,9 +38,10 @@ public:
   /// Constructs a canvas.
   /// \param window the visible part of the plane; `all` if it is `Bbox_2()`
   /// \param all the extent of the drawing
-  /// \param width the width of the picture, in pixels
+  /// \param width the width of the picture, positive and at most 1e6 pixels
   /// \param periods the periods of the torus; 0 in directions without a period
-  /// \throws Error if the window or the width is out of range
+  /// \throws Error if the width is out of range, or if the window is empty, higher than 1e6 pixels, or
+  ///         larger than 100 periods
   Svg_canvas(const Bbox_2& window, const Bbox_2& all, double width,
              const std::array<double, 2>& periods)
       : m_window(window == Bbox_2() ? all : window), m_width(width), m_periods(periods) {
@@ -57,7 +58,9 @@ public:
                     "sides of at most a million pixels and a hundred periods");
   }
 
-  /// Writes the beginning of the file, with a white background.
+  /// Writes the beginning of the file, with a white background. The caller writes the elements
+  /// `path` and the end tag of `svg`.
+  /// \pre The locale of the stream is the classic one.
   void begin(std::ostream& out) const {
     const double height = m_scale * (m_window.ymax() - m_window.ymin());
     out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << m_width << "\" height=\""
@@ -66,7 +69,9 @@ public:
         << "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
   }
 
-  /// Appends the visible images of a polygon with given corners, or of a segment, to a path.
+  /// Appends the visible images of a polygon with given corners, or of a segment, to the data of a
+  /// path.
+  /// \pre The coordinates are finite.
   template <class Point, std::size_t n>
   void add(const std::array<Point, n>& corners, std::string& path) const {
     std::array<int, 2> first, last;

@@ -115,7 +115,7 @@ private:
         text << ", " << array.components << " components";
       else if (!array.values.empty()) {
         const auto [least, largest] = std::minmax_element(array.values.begin(), array.values.end());
-        text << (may_be_labels(array) ? ", integers" : ", not labels") << " from " << *least
+        text << (may_be_labels(array) ? ", integers" : ", not labels, values") << " from " << *least
              << " to " << *largest;
       }
       text << ')';

@@ -34,9 +34,9 @@ public:
   void add(Vertex_handle v, const Point& destination) {
     if (v->point() == destination)
       return;
-    m_open.push_back(m_displacements.size());
+    m_open.push_back(m_items.size());
     m_unfinished.push_back(v);
-    m_displacements.push_back({v, v->time_stamp(), m_complex.position(v), destination, true});
+    m_items.push_back({v, v->time_stamp(), m_complex.position(v), destination, true});
   }
 
   // Returns the vertices that have not reached their destinations, by increasing time stamp.
@@ -48,13 +48,13 @@ public:
   std::size_t update() {
     std::size_t vanished = 0, kept = 0;
     for (std::size_t k = 0; k < m_open.size(); ++k) {
-      Displacement& displacement = m_displacements[m_open[k]];
-      const bool is_alive = m_complex.is_alive(displacement.vertex, displacement.time_stamp),
-                 has_arrived = is_alive && displacement.vertex->point() == displacement.destination;
-      displacement.is_open = is_alive && !has_arrived && displacement.vertex->is_interface();
-      if (displacement.is_open) {
+      Item& item = m_items[m_open[k]];
+      const bool is_alive = m_complex.is_alive(item.vertex, item.time_stamp),
+                 has_arrived = is_alive && item.vertex->point() == item.destination;
+      item.is_open = is_alive && !has_arrived && item.vertex->is_interface();
+      if (item.is_open) {
         m_open[kept] = m_open[k];
-        m_unfinished[kept] = displacement.vertex;
+        m_unfinished[kept] = item.vertex;
         ++kept;
       } else if (!has_arrived) {
         ++vanished;
@@ -67,8 +67,8 @@ public:
 
   // Returns whether v has a destination that it has not reached yet.
   bool has(Vertex_handle v) const {
-    const Displacement* displacement = find(v);
-    return displacement && displacement->is_open;
+    const Item* item = find(v);
+    return item && item->is_open;
   }
 
   // Returns the destination of v.
@@ -80,15 +80,14 @@ public:
 
   // Returns the destination of v, or its current position if it has none.
   Position final_position(Vertex_handle v) const {
-    const Displacement* displacement = find(v);
-    return displacement && displacement->is_open ? m_complex.approximate(displacement->destination)
-                                                 : m_complex.position(v);
+    const Item* item = find(v);
+    return item && item->is_open ? m_complex.approximate(item->destination) : m_complex.position(v);
   }
 
   // Returns the position of v before the deformation.
   Position position_before(Vertex_handle v) const {
-    const Displacement* displacement = find(v);
-    return displacement ? displacement->before : m_complex.position(v);
+    const Item* item = find(v);
+    return item ? item->before : m_complex.position(v);
   }
 
   // Returns whether v had a destination different from its initial position.
@@ -97,19 +96,18 @@ public:
   // Returns the vertices with had(v) that are still on the interface.
   std::vector<Vertex_handle> moved() const {
     std::vector<Vertex_handle> result;
-    for (const Displacement& displacement : m_displacements)
-      if (m_complex.is_alive(displacement.vertex, displacement.time_stamp) &&
-          displacement.vertex->is_interface())
-        result.push_back(displacement.vertex);
+    for (const Item& item : m_items)
+      if (m_complex.is_alive(item.vertex, item.time_stamp) && item.vertex->is_interface())
+        result.push_back(item.vertex);
     return result;
   }
 
   // Return the destination and the remaining distance of the k-th unfinished vertex.
-  const Point& destination(std::size_t k) const { return m_displacements[m_open[k]].destination; }
+  const Point& destination(std::size_t k) const { return m_items[m_open[k]].destination; }
   double remaining_distance(std::size_t k) const {
-    const Displacement& displacement = m_displacements[m_open[k]];
-    return Complex::Space::length(m_complex.displacement(
-        displacement.vertex, m_complex.approximate(displacement.destination)));
+    const Item& item = m_items[m_open[k]];
+    return Complex::Space::length(
+        m_complex.displacement(item.vertex, m_complex.approximate(item.destination)));
   }
 
   // Returns the sum of the remaining distances of all unfinished vertices.
@@ -133,7 +131,7 @@ public:
   }
 
 private:
-  struct Displacement
+  struct Item
   {
     Vertex_handle vertex;
     std::size_t time_stamp; // the vertex may have been removed
@@ -142,19 +140,17 @@ private:
     bool is_open;
   };
 
-  const Displacement* find(Vertex_handle v) const {
-    const auto it =
-        std::lower_bound(m_displacements.begin(), m_displacements.end(), v->time_stamp(),
-                         [](const Displacement& displacement, std::size_t time_stamp) {
-                           return displacement.time_stamp < time_stamp;
-                         });
-    return it != m_displacements.end() && it->time_stamp == v->time_stamp() ? &*it : nullptr;
+  const Item* find(Vertex_handle v) const {
+    const auto it = std::lower_bound(
+        m_items.begin(), m_items.end(), v->time_stamp(),
+        [](const Item& item, std::size_t time_stamp) { return item.time_stamp < time_stamp; });
+    return it != m_items.end() && it->time_stamp == v->time_stamp() ? &*it : nullptr;
   }
 
   const Complex& m_complex;
-  std::vector<Displacement> m_displacements; // sorted by time stamp
-  std::vector<std::size_t> m_open;           // indices of unfinished entries of `m_displacements`
-  std::vector<Vertex_handle> m_unfinished;   // vertices of these entries
+  std::vector<Item> m_items;               // sorted by time stamp
+  std::vector<std::size_t> m_open;         // indices of unfinished entries of `m_items`
+  std::vector<Vertex_handle> m_unfinished; // vertices of these entries
 };
 
 } // namespace internal

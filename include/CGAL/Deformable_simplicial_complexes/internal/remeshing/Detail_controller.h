@@ -18,6 +18,7 @@
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_split.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_operations.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Failed_collapses.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 
 #include <algorithm>
@@ -74,6 +75,7 @@ private:
     if (a == b || !propose_edge_split(m_complex, c, a, b, .5, m_cavity))
       return false;
     commit_split(m_complex, m_cavity, c->vertex(a), c->vertex(b), m_visitor, m_report);
+    m_failed_collapses.update(m_cavity.created());
     return true;
   }
 
@@ -86,10 +88,16 @@ private:
   }
 
   bool collapse(Cell_handle c, int i, int j) {
-    if (!propose_edge_collapse(m_complex, c, i, j, m_options.collapse_quality, m_cavity) ||
-        makes_long_edge())
+    const Vertex_handle removed = c->vertex(i), kept = c->vertex(j);
+    if (m_failed_collapses.contains(removed, kept))
       return false;
+    if (!propose_edge_collapse(m_complex, c, i, j, m_options.collapse_quality, m_cavity) ||
+        makes_long_edge()) {
+      m_failed_collapses.add(removed, kept);
+      return false;
+    }
     commit_proposal(m_complex, m_cavity, m_visitor, m_report);
+    m_failed_collapses.update(m_cavity.created());
     return true;
   }
 
@@ -148,6 +156,7 @@ private:
   Edge_unit<Complex> m_unit;       // of edge lengths
   Edge_unit<Complex> m_short_unit; // of interface edges to be collapsed
   Cavity<Complex> m_cavity;
+  Failed_collapses<Complex> m_failed_collapses;
   Improvement_report m_report;
 };
 

@@ -55,7 +55,7 @@ template <class Number> std::string why_no_number(std::string_view word) {
           *real > static_cast<double>((Limits::max)()))
         return "should be an integer from " + std::to_string((Limits::min)()) + " to " +
                std::to_string((Limits::max)()) + "; correct it";
-      return "should be an integer without a decimal point and an exponent; correct it";
+      return "should be an integer without a decimal point or an exponent; correct it";
     }
     return "is too large for a 32-bit number; correct it";
   }

@@ -64,29 +64,29 @@ public:
 
     struct Group
     {
-      unsigned number = 0, number_now = 0;
+      unsigned components = 0, components_now = 0;
       double energy = 0, volume = 0, volume_now = 0; // energy: pressure times volume
       std::array<double, 2> reference = {};          // pressure and volume
     };
     std::map<std::size_t, Group> owned;
     for (const auto& [number, component] : m_components) {
       Group& group = owned[groups.of(number)];
-      ++group.number;
+      ++group.components;
       group.reference = {component.reference_pressure, component.reference_volume};
       group.energy += component.pressure() * component.volume;
       group.volume += component.volume;
     }
     for (const auto& [number, component] : now) {
       Group& group = owned[groups.of(size + number)];
-      ++group.number_now;
+      ++group.components_now;
       group.volume_now += component.volume;
     }
     for (auto& [number, component] : now) {
       const Group& group = owned[groups.of(size + number)];
-      if (group.number == 1 && group.number_now == 1) {
+      if (group.components == 1 && group.components_now == 1) {
         component.reference_pressure = group.reference[0];
         component.reference_volume = group.reference[1];
-      } else if (group.number > 0) {
+      } else if (group.components > 0) {
         component.reference_pressure = group.energy / group.volume;
         component.reference_volume = component.volume * (group.volume / group.volume_now);
       }

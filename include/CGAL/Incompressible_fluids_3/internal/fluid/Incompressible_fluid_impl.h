@@ -324,6 +324,7 @@ auto Incompressible_fluid<Complex, Solver>::options(const NamedParameters& np) c
   return result;
 }
 
+// Stores the velocities, accelerations and pressures at the end of a step.
 template <class Complex, class Solver>
 void Incompressible_fluid<Complex, Solver>::store(const Flow& flow, const Vectors& velocities,
                                                   const std::vector<double>& pressures, double dt) {

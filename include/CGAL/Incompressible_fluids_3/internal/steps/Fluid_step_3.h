@@ -65,8 +65,8 @@ public:
     typename Equations::Step step;
   };
 
-  // Prepares the step that begins with the given flow. The complex, the flow and the solver must
-  // outlive the object.
+  // Prepares the step that begins with the given flow. The complex, the flow, the solver, the
+  // properties and the solids must outlive the object.
   Fluid_step_3(const Complex& complex, const Liquid_flow_3<Complex>& flow, const Loads& loads,
                const Interval& interval, Solver& solver, unsigned number_of_threads)
       : m_mesh(flow.mesh), m_properties(loads.properties), m_solver(solver),
@@ -301,8 +301,8 @@ private:
         const double divergence =
             m_source({middle.x(), middle.y(), middle.z()}, (m_begin + m_end) / 2);
         if (!(std::abs(divergence) * m_step.dt < 1))
-          throw Error("the divergence of a source is not finite, or its product with the time step "
-                      "is 1 or more: use a shorter time step");
+          throw Error("the divergence of a source is not finite, or the absolute value of its "
+                      "product with the time step is 1 or more: use a shorter time step");
         m_gains.push_back(divergence * volume(m_mesh.cells[k], m_midpoint_positions));
       }
     m_is_assembled = false;

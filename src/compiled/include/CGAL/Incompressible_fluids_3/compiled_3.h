@@ -10,7 +10,7 @@
 /// with the default complex, and the declarations of
 /// `<CGAL/Deformable_simplicial_complexes/compiled_3.h>`. A source file that includes this header
 /// uses the compiled code and does not instantiate these templates again.
-/// \pre The program links with `Deformable_simplicial_complex::Compiled`.
+/// \pre The program links with `Deformable_simplicial_complex::Compiled_fluids`.
 
 #include <CGAL/Deformable_simplicial_complexes/compiled_3.h>
 #include <CGAL/Incompressible_fluid_3.h>
