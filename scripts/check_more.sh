@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Runs the checks that take too long for scripts/test.sh: all headers alone, the thread sanitizer, the
-# other sanitizers, Clang, CGAL 6, more damaged files, and random deformations.
-# Usage: scripts/check_more.sh [headers] [threads] [sanitizers] [clang] [cgal_6] [fuzz] [abuse]
+# Runs the checks that take too long for scripts/test.sh: the benchmarks, all headers alone, the thread
+# sanitizer, the other sanitizers, Clang, CGAL 6, more damaged files, and random deformations.
+# Usage: scripts/check_more.sh [benchmarks] [headers] [threads] [sanitizers] [clang] [cgal_6] [fuzz] [abuse]
 # Runs all parts by default. Prints a line for each part; its full output is in build-more/PART.log.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 parts=("$@")
-[ ${#parts[@]} -gt 0 ] || parts=(headers threads sanitizers clang cgal_6 fuzz abuse)
+[ ${#parts[@]} -gt 0 ] || parts=(benchmarks headers threads sanitizers clang cgal_6 fuzz abuse)
 jobs=$(nproc)
 work=build-more
 mkdir -p "$work"
@@ -25,6 +25,14 @@ build_and_test() { # FOLDER OPTION...
   configure "$@"
   cmake --build "$work/$1" --parallel "$jobs"
   ctest --test-dir "$work/$1" --output-on-failure --no-tests=error --parallel "$jobs"
+}
+
+# Only parses the benchmarks; scripts/test.sh leaves them out.
+check_benchmarks() {
+  cmake -S . -B "$work/benchmarks" -G Ninja -DCMAKE_BUILD_TYPE=Release -DDSC_BUILD_TESTS=OFF \
+    -DDSC_BUILD_PROGRAM=OFF -DDSC_BUILD_EXAMPLES=OFF -DDSC_SHARE_COMPILATION=ON \
+    -DDSC_ONLY_PARSE_BENCHMARKS=ON
+  cmake --build "$work/benchmarks" --parallel "$jobs" --target parsed_benchmarks
 }
 
 check_headers() {
