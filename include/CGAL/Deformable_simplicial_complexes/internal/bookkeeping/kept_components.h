@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 // Tests for changes of connected components of labels after a change of a few cells. These tests
@@ -155,6 +156,7 @@ public:
   bool are_kept_by(const std::vector<Cell_handle>& created) const {
     const Cell_groups<Complex> groups(m_complex, created);
     std::vector<bool> has_end(groups.size(), false);
+    std::vector<End> new_ends;
     for (Cell_handle c : created)
       for (int i = 0; i < Complex::corners; ++i) {
         const Cell_handle n = c->neighbor(i);
@@ -162,25 +164,52 @@ public:
           continue;
         if (n->component() != c->component())
           return false;
-        if (!groups.has(n))
+        if (!groups.has(n)) {
           has_end[groups.group_of(c)] = true;
+          new_ends.emplace_back(n, groups.group_of(c));
+        }
       }
+    if (!std::all_of(has_end.begin(), has_end.end(), [](bool has) { return has; }))
+      return false;
+    std::sort(new_ends.begin(), new_ends.end());
+    return std::all_of(m_ends.begin(), m_ends.end(), [&](const std::vector<Cell_handle>& ends) {
+      return !ends.empty() &&
+             (are_at_one_group(ends, new_ends) || are_connected_near(ends, created));
+    });
+  }
+
+private:
+  // A neighbor, and the group of new cells next to it.
+  using End = std::pair<Cell_handle, std::size_t>;
+
+  // Returns whether one group of new cells is next to all given neighbors. This is sufficient for
+  // their connection, and is the usual case. `new_ends` is sorted.
+  static bool are_at_one_group(const std::vector<Cell_handle>& ends,
+                               const std::vector<End>& new_ends) {
+    const auto group_of = [&](Cell_handle c) {
+      const auto it = std::lower_bound(new_ends.begin(), new_ends.end(), End(c, 0));
+      return it != new_ends.end() && it->first == c ? it->second : Cell_groups<Complex>::none;
+    };
+    const std::size_t group = group_of(ends.front());
+    return group != Cell_groups<Complex>::none &&
+           std::all_of(ends.begin(), ends.end(),
+                       [&](Cell_handle c) { return group_of(c) == group; });
+  }
+
+  // Returns whether neighbors are connected through cells that share a vertex with the new cells.
+  bool are_connected_near(const std::vector<Cell_handle>& ends,
+                          const std::vector<Cell_handle>& created) const {
     std::vector<typename Complex::Vertex_handle> vertices;
     for (Cell_handle c : created)
       for (int i = 0; i < Complex::corners; ++i)
         if (!m_complex.is_infinite(c->vertex(i)))
           vertices.push_back(c->vertex(i));
     std::sort(vertices.begin(), vertices.end());
-    const auto is_near = [&](auto v) {
+    return are_connected_nearby(m_complex, ends, [&](auto v) {
       return std::binary_search(vertices.begin(), vertices.end(), v);
-    };
-    return std::all_of(has_end.begin(), has_end.end(), [](bool has) { return has; }) &&
-           std::all_of(m_ends.begin(), m_ends.end(), [&](const std::vector<Cell_handle>& ends) {
-             return !ends.empty() && are_connected_nearby(m_complex, ends, is_near);
-           });
+    });
   }
 
-private:
   const Complex& m_complex;
   // for each group, the neighbors that it is connected with
   std::vector<std::vector<Cell_handle>> m_ends;
