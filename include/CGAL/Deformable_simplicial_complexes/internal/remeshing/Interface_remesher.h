@@ -21,12 +21,16 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Changed_facets.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_fan.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Failed_collapses.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -41,6 +45,7 @@ public:
   using Vertex_handle = typename Complex::Vertex_handle;
   using Cell_handle = typename Complex::Cell_handle;
   using Fan = Interface_fan<Complex>;
+  using Position = typename Complex::Approximate_point;
 
   Interface_remesher(Complex& complex, Any_visitor<Complex>& visitor,
                      const Interface_improvement_options<Complex>& options)
@@ -61,12 +66,20 @@ public:
   }
 
   void collapse_short_edges() {
+    Failed_collapses<Complex> failed;
     for_each_interface_edge([&](Cell_handle c, int i, int j) {
       if (!(length(c->vertex(i), c->vertex(j)) < m_options.interface_collapse_length))
         return false;
-      for (const auto& [vanishing, kept] : {std::make_pair(i, j), std::make_pair(j, i)})
-        if (propose_collapse(c, vanishing, kept) && !makes_long_edge())
-          return commit();
+      for (const auto& [vanishing, kept] : {std::make_pair(i, j), std::make_pair(j, i)}) {
+        if (failed.contains(c->vertex(vanishing), c->vertex(kept)))
+          continue;
+        if (propose_collapse(c, vanishing, kept) && !makes_long_edge()) {
+          commit();
+          failed.update(m_cavity.created());
+          return true;
+        }
+        failed.add(c->vertex(vanishing), c->vertex(kept));
+      }
       return false;
     });
   }
@@ -162,13 +175,26 @@ private:
     return false;
   }
 
-  double length(Vertex_handle v, Vertex_handle w) const {
-    return length_in_units(m_complex, v, w, m_unit);
+  // Returns the length of an edge in units of its target edge length.
+  double length(Vertex_handle v, Vertex_handle w) {
+    const auto edge = m_complex.displacement(v, w);
+    return std::sqrt(edge.squared_length()) / size(v, w, m_complex.position(v) + .5 * edge);
+  }
+
+  // Returns the target edge length at the midpoint of an edge. It is stored with the midpoint,
+  // because an edge is measured several times and a sizing field can take long.
+  double size(Vertex_handle v, Vertex_handle w, const Position& middle) {
+    if (!m_unit.is_sizing_field())
+      return m_unit(middle);
+    const auto [size, is_new] = m_sizes.try_emplace(std::uint64_t(v->id()) << 32 | w->id());
+    if (is_new || size->second.first != middle)
+      size->second = {middle, m_unit(middle)};
+    return size->second.second;
   }
 
   // Returns the interface edge of the cell that exceeds the split threshold most; twice the same
   // vertex if there is none.
-  std::pair<int, int> longest_edge(Cell_handle c) const {
+  std::pair<int, int> longest_edge(Cell_handle c) {
     std::pair<int, int> result(0, 0);
     double longest = m_options.interface_split_length;
     for (int i = 0; i <= Complex::dimension; ++i)
@@ -212,7 +238,7 @@ private:
   // Returns whether the planned collapse creates an edge that would be split. In the plane, long
   // edges are accepted if the split threshold is at least twice the collapse threshold: the halves
   // of a long edge are then not collapsed again, and vertices near junctions can be removed.
-  bool makes_long_edge() const {
+  bool makes_long_edge() {
     if (Complex::dimension == 2 &&
         m_options.interface_split_length >= 2 * m_options.interface_collapse_length)
       return false;
@@ -238,6 +264,8 @@ protected:
   Any_visitor<Complex>& m_visitor;
   const Interface_improvement_options<Complex>& m_options;
   Edge_unit<Complex> m_unit;
+  // midpoints of edges and target edge lengths there, by the ids of the vertices
+  std::unordered_map<std::uint64_t, std::pair<Position, double>> m_sizes;
   Mesh_improver<Complex> m_improver;
   Cavity<Complex> m_cavity;
   std::vector<Cell_handle> m_star;
