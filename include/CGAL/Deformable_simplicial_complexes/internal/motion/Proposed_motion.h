@@ -48,7 +48,7 @@ public:
   const Point& point(Number i) const { return m_points[i]; }
   void set_point(Number i, const Point& p) {
     m_points[i] = m_complex.rounded(p);
-    m_are_changed[i] = true;
+    m_are_changed[i] = m_is_changed = true;
   }
 
   bool has(Vertex_handle v) const { return m_numbers.has(v); }
@@ -61,33 +61,35 @@ public:
   // vertex.
   Approximate_point position(Vertex_handle v) const { return m_complex.approximate(point_of(v)); }
 
-  // Returns the cells that would not be positively oriented. Also stores the current measures of
-  // all cells, so that each cell is visited once.
+  // Returns the cells that would not be positively oriented. Also stores the current measures and
+  // the proposed qualities of all cells, so that each cell is visited once.
   std::vector<Cell_handle> inverted_cells() {
     std::vector<char> is_inverted(m_cells.size());
     m_measures.resize(m_cells.size());
+    m_qualities.resize(m_cells.size());
+    m_is_degraded.resize(m_cells.size());
     m_for_each_index(m_cells.size(), [&](std::size_t i) {
       is_inverted[i] = !is_positive(m_cells[i]);
       m_measures[i] = m_complex.measure(m_cells[i]);
+      if (!is_inverted[i])
+        store_quality(i);
     });
+    std::fill(m_are_changed.begin(), m_are_changed.end(), false);
+    m_is_changed = false;
     return chosen(m_cells, is_inverted);
   }
 
-  // Returns the cells whose quality would fall below the floor. Tests all cells in the first call,
-  // and then the cells that have changed since the previous call.
-  // \pre all cells would be positively oriented
+  // Returns the cells whose quality would fall below the floor.
+  // \pre inverted_cells() was called, and all cells would now be positively oriented
   std::vector<Cell_handle> degraded_cells() {
-    std::vector<char> is_degraded(m_cells.size());
-    const bool is_first = m_qualities.empty();
-    m_qualities.resize(m_cells.size());
-    m_for_each_index(m_cells.size(), [&](std::size_t i) {
-      if (is_first || is_changed(m_cells[i])) {
-        m_qualities[i] = quality(m_cells[i]);
-        is_degraded[i] = !Complex::keeps_quality(m_cells[i]->quality(), m_qualities[i]);
-      }
-    });
+    if (m_is_changed)
+      m_for_each_index(m_cells.size(), [&](std::size_t i) {
+        if (is_changed(m_cells[i]))
+          store_quality(i);
+      });
     std::fill(m_are_changed.begin(), m_are_changed.end(), false);
-    return chosen(m_cells, is_degraded);
+    m_is_changed = false;
+    return chosen(m_cells, m_is_degraded);
   }
 
   // Returns those of the given cells that would not be positively oriented, or whose quality would
@@ -155,6 +157,11 @@ private:
     return result;
   }
 
+  void store_quality(std::size_t i) {
+    m_qualities[i] = quality(m_cells[i]);
+    m_is_degraded[i] = !Complex::keeps_quality(m_cells[i]->quality(), m_qualities[i]);
+  }
+
   double quality(Cell_handle c) const {
     return m_complex.quality(c, [&](Vertex_handle v) { return position(v); });
   }
@@ -181,10 +188,12 @@ private:
   const std::vector<Vertex_handle>& m_vertices;
   std::vector<Point> m_points;
   std::vector<char> m_are_changed; // points that changed since the qualities were computed
+  bool m_is_changed = false;       // whether any point changed since then
   Vertex_numbers m_numbers;
   std::vector<Cell_handle> m_cells;
   std::vector<double> m_measures;  // current measures of the cells
   std::vector<double> m_qualities; // qualities of the cells after the motion
+  std::vector<char> m_is_degraded; // cells whose quality would fall below the floor
 };
 
 } // namespace internal
