@@ -15,8 +15,8 @@ namespace {
 
 // The usual start of this flow.
 const Ball ball_of_vortex = {{.5, .75, .5}, .15};
-constexpr std::array<double, 6> unit_cube = {0, 0, 0, 1, 1, 1}, unit_square = {0, 0, 0, 1, 1, 0};
-constexpr double default_period = 8;
+constexpr std::array<double, 6> domain_of_vortex = {0, 0, 0, 1, 1, 1}, unit_square = {0, 0, 0, 1, 1, 0};
+constexpr double period_of_vortex = 8;
 
 struct Vortex_options
 {
@@ -30,7 +30,7 @@ Default_start default_start(const Vortex_options& options) {
   result.ball = ball_of_vortex;
   result.fits_inputs = options.fits;
   result.figure = options.is_planar ? Figure::disk : Figure::none;
-  result.domain_in_space = unit_cube;
+  result.domain_in_space = domain_of_vortex;
   result.domain_in_plane = unit_square;
   return result;
 }
@@ -52,7 +52,7 @@ void add_vortex(CLI::App& app, int& exit_code) {
   command->callback([command, options, &exit_code] {
     Run_options run = begin_run_options(*command, options->run);
     run.step.motion =
-        read_flow(options->flow, Advection::Field::vortex, "", default_period, run.given);
+        read_flow(options->flow, Advection::Field::vortex, "", period_of_vortex, run.given);
     complete_run_options(
         options->run, default_start(*options),
         [&](const Run_options& checked, bool is_planar) {

@@ -15,7 +15,7 @@ namespace dsc {
 namespace {
 
 constexpr std::array<double, 6> square = {0, 0, 0, 100, 100, 0};
-constexpr double default_dt = 1;
+constexpr double dt_of_zalesak = 1;
 
 struct Zalesak_options
 {
@@ -48,7 +48,7 @@ void add_zalesak(CLI::App& app, int& exit_code) {
   command->callback([command, options, &exit_code] {
     Run_options run = begin_run_options(*command, options->run);
     run.step.motion =
-        Zalesak{run.given.count("--dt") > 0 ? parse_positive(options->dt, "--dt") : default_dt};
+        Zalesak{run.given.count("--dt") > 0 ? parse_positive(options->dt, "--dt") : dt_of_zalesak};
     complete_run_options(options->run, default_start(), require_plane, run);
     exit_code = dsc::run(run);
   });
