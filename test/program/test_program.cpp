@@ -50,6 +50,16 @@ TEST_F(Program, says_what_it_can_do_without_arguments) {
   EXPECT_NE(outcome.out.find("reconstruct"), std::string::npos) << outcome.out;
 }
 
+TEST_F(Program, names_the_missing_program_of_a_command) {
+#ifdef DSC_PROGRAM
+  fs::copy_file(DSC_PROGRAM, path("dsc"));
+  const Outcome outcome = run("", "./dsc fluid --list 2>stderr.txt; exit; ");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_NE(outcome.err.find("dsc-fluid"), std::string::npos) << outcome.err;
+#endif
+}
+
 TEST_F(Program, draws_pictures) {
   write("cube.off", program::box(0, 0, 0, 1, 1, 1));
   const std::string cube = path("cube.off").string(), picture = path("cube.png").string();
