@@ -3,11 +3,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "errors.h"
+#include "motion_options.h"
 #include "tracked_complex_3.h"
 #include "velocity_expressions.h"
 
 #include <CGAL/Deformable_simplicial_complexes/Curvature_sizing_field.h>
-#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
 #include <CGAL/Deformable_simplicial_complexes/grow_domain.h>
 #include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
 #include <CGAL/Interface_flows/Mean_curvature_flow.h>
@@ -91,7 +91,7 @@ struct Step
     const double speed = offset.distance.value * unit;
     if (!offset.moves_faces)
       return advect(DSC::Normal_offset{speed}, time, 1);
-    make_room();
+    make_room(complex);
     return advect(DSC::Face_offset_3(speed), time, 1);
   }
 
@@ -129,30 +129,15 @@ private:
     return follow(velocity, time, advection.dt, advection.tolerance, options);
   }
 
-  // An interface that is improved before each step needs mesh adaptation in each step, but no other
-  // changes of the interface.
   template <class Velocity>
   Report follow(const Velocity& velocity, double t, double dt,
                 const std::optional<double>& tolerance, Options options) const {
-    options.advection.deformation.number_of_threads = threads;
-    options.interface_tolerance =
-        improves_interface ? 0 : tolerance.value_or(options.interface_tolerance);
-    if (improves_interface)
-      options.adaptation_interval = 1;
+    complete(options, tolerance, improves_interface, threads);
     return DSC::advect_adaptively(complex, velocity, t, dt, options);
   }
 
-  // Adapts the mesh, because face offsets stretch the interface.
-  void make_room() const {
-    DSC::Detail_options<Complex> options;
-    options.collapse_length = 2;
-    DSC::control_detail(complex, options);
-  }
-
   template <class Flow> Report advect(const Flow& flow, double t, double dt) const {
-    DSC::Advection_options<Complex> options;
-    options.deformation.number_of_threads = threads;
-    return DSC::advect_interface(complex, flow, t, dt, options);
+    return DSC::advect_interface(complex, flow, t, dt, advection_options<Complex>(threads));
   }
 };
 
