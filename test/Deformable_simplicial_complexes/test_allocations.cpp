@@ -169,7 +169,7 @@ TEST(Allocations, points_are_all_set_or_none_if_one_fails) {
     measures.push_back(dsc.measure(c));
   const auto qualities = mesh_helpers::qualities_with(dsc, cells, vertices, points);
   const double volume = dsc.volume(1);
-  const auto in_turn = [](std::size_t n, const auto& function) {
+  const auto in_turn = [](std::size_t n, const auto& function, std::size_t = 0) {
     for (std::size_t i = 0; i < n; ++i)
       function(i);
   };

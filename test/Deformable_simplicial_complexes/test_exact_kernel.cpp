@@ -94,10 +94,11 @@ TEST(Exact_kernel, points_are_rounded_wherever_they_come_in) {
   for (auto c : star)
     measures.push_back(dsc.measure(c));
   const auto qualities = mesh_helpers::qualities_with(dsc, star, {v}, {q});
-  dsc.set_points({v}, {q}, star, measures, qualities, [](std::size_t n, const auto& f) {
-    for (std::size_t i = 0; i < n; ++i)
-      f(i);
-  });
+  dsc.set_points({v}, {q}, star, measures, qualities,
+                 [](std::size_t n, const auto& f, std::size_t = 0) {
+                   for (std::size_t i = 0; i < n; ++i)
+                     f(i);
+                 });
   expect_double_coordinates(dsc);
 
   q = near(dsc, v);

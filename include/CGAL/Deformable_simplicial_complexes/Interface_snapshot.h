@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
+#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
 
 #include <array>
@@ -54,21 +55,24 @@ template <class Complex_> struct Interface_vertices
   }
 
   /// Lists the vertices of the interface. n log n in their number, plus linear in the number of
-  /// vertices of the complex.
-  explicit Interface_vertices(const Complex& complex)
+  /// vertices of the complex. One thread does it; the parameter is that of `Interface_snapshot`.
+  explicit Interface_vertices(const Complex& complex, const For_each_index& = For_each_index())
       : vertices(complex.interface_vertices()), domain(complex.domain()) {}
 
 protected:
   /// Returns the facets, in the order of `interface_facets()`.
-  std::vector<Facet> facets_of(const Complex& complex) const {
-    std::vector<Facet> result;
+  std::vector<Facet> facets_of(const Complex& complex, const For_each_index& for_each_index) const {
     const Vertex_numbers numbers(complex, vertices);
-    for (const auto& f : complex.interface_facets()) {
-      result.push_back({{}, f.first->label(), f.first->neighbor(f.second)->label()});
+    const auto facets = complex.interface_facets(for_each_index);
+    std::vector<Facet> result(facets.size());
+    for_each_index(facets.size(), [&](std::size_t k) {
+      const auto& f = facets[k];
+      result[k].behind = f.first->label();
+      result[k].in_front = f.first->neighbor(f.second)->label();
       const auto v = complex.facet_vertices(f);
       for (int i = 0; i < Complex::dimension; ++i)
-        result.back().vertices[i] = numbers(v[i]);
-    }
+        result[k].vertices[i] = numbers(v[i]);
+    });
     return result;
   }
 };
@@ -92,8 +96,11 @@ template <class Complex> struct Interface_snapshot<Complex, 3> : public Interfac
   std::vector<Triangle> triangles; ///< in the order of `interface_facets()`
 
   /// Takes the snapshot. n log n in the size of the interface, plus linear in the number of cells.
-  explicit Interface_snapshot(const Complex& complex)
-      : Interface_vertices<Complex>(complex), triangles(this->facets_of(complex)) {}
+  /// `for_each_index` is a loop over indices, on any threads.
+  explicit Interface_snapshot(const Complex& complex,
+                              const For_each_index& for_each_index = For_each_index())
+      : Interface_vertices<Complex>(complex, for_each_index),
+        triangles(this->facets_of(complex, for_each_index)) {}
 
   /// Returns the triangles, by the name for any dimension.
   const std::vector<Triangle>& facets() const { return triangles; }
@@ -107,8 +114,11 @@ template <class Complex> struct Interface_snapshot<Complex, 2> : public Interfac
   std::vector<Segment> segments; ///< in the order of `interface_facets()`
 
   /// Takes the snapshot. n log n in the size of the interface, plus linear in the number of cells.
-  explicit Interface_snapshot(const Complex& complex)
-      : Interface_vertices<Complex>(complex), segments(this->facets_of(complex)) {}
+  /// `for_each_index` is a loop over indices, on any threads.
+  explicit Interface_snapshot(const Complex& complex,
+                              const For_each_index& for_each_index = For_each_index())
+      : Interface_vertices<Complex>(complex, for_each_index),
+        segments(this->facets_of(complex, for_each_index)) {}
 
   /// Returns the segments, by the name for any dimension.
   const std::vector<Segment>& facets() const { return segments; }

@@ -14,13 +14,14 @@
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Component_event.h>
+#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/State.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Component_tracker.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Failure_memory.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Item_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Label_totals.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Marks.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/kept_components.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/Item_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Less_time_stamp.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/apply_to_corners.h>
 
@@ -198,6 +199,13 @@ public:
   auto finite_vertices() const { return m_triangulation.finite_vertex_handles(); }
   /// Returns the range of all finite cells, in the order of storage.
   auto finite_cells() const { return Space::finite_cells(m_triangulation); }
+  /// Returns the finite cells for which a condition holds, each once, in an unspecified order that
+  /// does not depend on the number of threads.
+  /// \param condition function object; `condition(c)` can be called by several threads
+  /// \param for_each_index loop over indices, on any threads
+  template <class Condition>
+  std::vector<Cell_handle> finite_cells_if(const Condition& condition,
+                                           const For_each_index& for_each_index) const;
 
   /// Returns the point with coordinates of type `double` nearest to a stored point.
   Approximate_point approximate(const Point& p) const {
@@ -268,7 +276,9 @@ public:
   std::vector<Vertex_handle> interface_vertices() const;
   /// Returns the facets of the interface. Each facet is given once, by its cell of the larger
   /// label, ordered by the time stamp of this cell.
-  std::vector<Facet> interface_facets() const;
+  /// \param for_each_index loop over indices, on any threads
+  std::vector<Facet>
+  interface_facets(const For_each_index& for_each_index = For_each_index()) const;
   /// Returns the facets between the labels a and b, given by their cells of the larger label.
   std::vector<Facet> interface_facets(Label a, Label b) const;
   /// Returns the vertices of a facet, counterclockwise seen from outside the cell `f.first`.
@@ -413,8 +423,8 @@ public:
   ///        `measure()`
   /// \param qualities qualities of the finite cells after the move, in the order of `cells`; see
   ///        `quality()`
-  /// \param for_each_index `for_each_index(n, f)` calls `f(i)` for all i less than n, in any order
-  ///        and on any threads
+  /// \param for_each_index loop over indices, on any threads, called as
+  ///        `for_each_index(n, f, worthwhile)`; see `For_each_index`
   /// \pre the finite cells are positively oriented after the move
   template <class ForEachIndex>
   void set_points(const std::vector<Vertex_handle>& vertices, const std::vector<Point>& points,
@@ -480,6 +490,8 @@ protected:
   ~Labelled_complex() = default;
 
 private:
+  using Item_numbers = internal::Item_numbers<Vertex_handle, Cell_handle>;
+
   using Cell_vertices = std::array<size_type, corners>; // indices of the vertices of a cell
   class Created_items;
 
@@ -534,7 +546,7 @@ private:
   };
 
   Triangulation m_triangulation;
-  internal::Item_numbers m_numbers;
+  Item_numbers m_numbers;
   Quality_measure m_quality_measure;
   Domain m_domain;
   internal::Label_totals m_totals;
@@ -547,7 +559,6 @@ private:
   // Buffers, kept to reuse their memory.
   std::vector<Cell_handle> m_star;
   std::vector<Half_facet> m_half_facets;
-  std::vector<std::int64_t> m_volume_changes;
 };
 
 } // namespace Deformable_simplicial_complexes

@@ -11,12 +11,12 @@
 
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
+#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Marks.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/sort_by_time_stamp.h>
 
-#include <boost/sort/spreadsort/integer_sort.hpp>
-
+#include <algorithm>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -77,29 +77,51 @@ template <class Complex> bool are_many(const Complex& complex, std::size_t numbe
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Returns the finite cells that are incident to vertices, each once, in an unspecified order. Uses
-`stars_of()` or one pass over all cells, whichever is estimated to be faster. Any number of threads
-can call the function at once.
+Returns the finite cells that are incident to vertices and for which a condition holds, each once,
+in an unspecified order that does not depend on the number of threads. Uses `stars_of()` or one pass
+over all cells, whichever is estimated to be faster. Any number of threads can call the function at
+once.
 
+\param condition function object; `condition(c)` can be called by several threads
+\param for_each_index loop over indices, used for a pass over all cells
 \pre The vertices are finite.
 */
-template <class Complex>
+template <class Complex, class Condition>
 std::vector<typename Complex::Cell_handle>
-star_union(const Complex& complex, const std::vector<typename Complex::Vertex_handle>& vertices) {
-  if (!are_many(complex, vertices.size()))
-    return stars_of(complex, vertices);
+star_union_if(const Complex& complex, const std::vector<typename Complex::Vertex_handle>& vertices,
+              const Condition& condition, const For_each_index& for_each_index) {
+  using Cell_handle = typename Complex::Cell_handle;
+  if (!are_many(complex, vertices.size())) {
+    std::vector<Cell_handle> result = stars_of(complex, vertices);
+    result.erase(
+        std::remove_if(result.begin(), result.end(), [&](Cell_handle c) { return !condition(c); }),
+        result.end());
+    return result;
+  }
   internal::Marks around = internal::vertex_marks(complex);
   for (auto v : vertices)
     around.add(v);
-  std::vector<typename Complex::Cell_handle> result;
-  for (auto c : complex.finite_cells()) {
-    bool is_around = false;
-    for (int i = 0; i < Complex::corners && !is_around; ++i)
-      is_around = around.has(c->vertex(i));
-    if (is_around)
-      result.push_back(c);
-  }
-  return result;
+  const auto is_around = [&](Cell_handle c) {
+    for (int i = 0; i < Complex::corners; ++i)
+      if (around.has(c->vertex(i)))
+        return true;
+    return false;
+  };
+  return complex.finite_cells_if([&](Cell_handle c) { return condition(c) && is_around(c); },
+                                 for_each_index);
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Returns the finite cells that are incident to vertices; see `star_union_if()`.
+*/
+template <class Complex>
+std::vector<typename Complex::Cell_handle>
+star_union(const Complex& complex, const std::vector<typename Complex::Vertex_handle>& vertices,
+           const For_each_index& for_each_index = For_each_index()) {
+  return star_union_if(
+      complex, vertices, [](typename Complex::Cell_handle) { return true; }, for_each_index);
 }
 
 /*!
@@ -115,19 +137,8 @@ template <class Complex>
 std::vector<typename Complex::Cell_handle>
 sorted_star_union(const Complex& complex,
                   const std::vector<typename Complex::Vertex_handle>& vertices) {
-  using Cell_handle = typename Complex::Cell_handle;
-  std::vector<std::pair<std::size_t, Cell_handle>> stamped;
-  for (Cell_handle c : star_union(complex, vertices))
-    stamped.emplace_back(c->time_stamp(), c);
-  using Item = std::pair<std::size_t, Cell_handle>;
-  boost::sort::spreadsort::integer_sort(
-      stamped.begin(), stamped.end(),
-      [](const Item& item, unsigned shift) { return item.first >> shift; },
-      [](const Item& a, const Item& b) { return a.first < b.first; });
-  std::vector<Cell_handle> result;
-  result.reserve(stamped.size());
-  for (const auto& item : stamped)
-    result.push_back(item.second);
+  std::vector<typename Complex::Cell_handle> result = star_union(complex, vertices);
+  internal::sort_by_time_stamp(result);
   return result;
 }
 

@@ -10,6 +10,7 @@
 
 #include <CGAL/license/Interface_flows.h>
 
+#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
@@ -88,7 +89,8 @@ template <class Complex, class Velocity>
 Deformation_report<Complex> advect_interface(Complex& dsc, const Velocity& velocity, double t,
                                              double dt, const Advection_options<Complex>& options) {
   options.check();
-  const internal::Interface_seen_by<Complex, Velocity> interface_(dsc);
+  const internal::Interface_seen_by<Complex, Velocity> interface_(
+      dsc, For_each_index(options.deformation.number_of_threads));
   const auto destinations =
       internal::destinations_of_step(dsc, interface_, velocity, t, dt, options);
   Deformation_options<Complex> deformation = options.deformation;

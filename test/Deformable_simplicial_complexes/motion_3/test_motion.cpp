@@ -283,7 +283,7 @@ TEST(Set_points, moves_vertices_together_that_could_not_move_alone) {
   std::vector<double> measures;
   for (auto c : dsc.cells())
     measures.push_back(dsc.measure(c));
-  const auto backwards = [](std::size_t n, const auto& function) {
+  const auto backwards = [](std::size_t n, const auto& function, std::size_t = 0) {
     while (n > 0)
       function(--n);
   };

@@ -11,7 +11,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/Item_numbers.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Item_numbers.h>
 
 #include <algorithm>
 #include <array>
@@ -133,7 +133,8 @@ template <class Space> void prepare_for_cells(typename Space::Triangulation& tri
 // exactly two cells, one on each side.
 template <class Space>
 std::vector<typename Space::Cell_handle>
-create_cells(typename Space::Triangulation_data_structure& tds, Item_numbers& numbers,
+create_cells(typename Space::Triangulation_data_structure& tds,
+             Item_numbers<typename Space::Vertex_handle, typename Space::Cell_handle>& numbers,
              const std::vector<typename Space::Vertex_handle>& vertices,
              const std::vector<Cell_vertices<Space::dimension>>& cells) {
   static constexpr int corners = Space::dimension + 1;

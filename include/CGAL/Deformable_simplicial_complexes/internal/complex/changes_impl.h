@@ -157,24 +157,45 @@ void CGAL_DSC_CLASS::set_points(const std::vector<Vertex_handle>& vertices,
                                 const std::vector<double>& measures,
                                 const std::vector<double>& qualities,
                                 const ForEachIndex& for_each_index) {
-  m_volume_changes.resize(cells.size());
+  static constexpr size_type block_size = 256; // cells; enough work for a thread
+  static constexpr size_type worthwhile = 8;   // blocks from which threads are used
+  const size_type number_of_blocks = (cells.size() + block_size - 1) / block_size;
+  std::vector<std::int64_t> volume_changes(cells.size(), 0);
+  std::vector<char> have_new_shapes(cells.size(), false);
+  std::vector<std::ptrdiff_t> flat_changes(number_of_blocks, 0); // of the numbers of flat cells
   // No exception is thrown from here on.
   ++m_version;
-  for (size_type i = 0; i < vertices.size(); ++i)
-    vertices[i]->set_point(rounded(points[i]));
-  for_each_index(cells.size(), [&](size_type i) {
-    if (is_infinite(cells[i]))
-      return;
-    CGAL_assertion(is_positive(cells[i]));
-    CGAL_assertion(qualities[i] == cell_quality(cells[i]));
-    m_volume_changes[i] = m_totals.units(measure(cells[i])) - m_totals.units(measures[i]);
-  });
-  for (size_type i = 0; i < cells.size(); ++i)
-    if (!is_infinite(cells[i])) {
-      add_volume(cells[i], m_volume_changes[i]);
-      set_quality(cells[i], qualities[i]);
-      note_motion(cells[i]);
-    }
+  for_each_index(
+      vertices.size(), [&](size_type i) { vertices[i]->set_point(rounded(points[i])); },
+      worthwhile * block_size);
+  for_each_index(
+      number_of_blocks,
+      [&](size_type block) {
+        size_type first = block * block_size; // of a run of cells with one label and one component
+        const size_type end = (std::min)(cells.size(), first + block_size);
+        for (size_type i = first; i < end; ++i) {
+          const Cell_handle c = cells[i];
+          if (is_infinite(c))
+            continue;
+          CGAL_assertion(is_positive(c));
+          CGAL_assertion(qualities[i] == cell_quality(c));
+          if (c->label() != cells[first]->label() || c->component() != cells[first]->component())
+            first = i;
+          volume_changes[first] += m_totals.units(measure(c)) - m_totals.units(measures[i]);
+          flat_changes[block] += (qualities[i] < quality_floor) - (c->quality() < quality_floor);
+          c->set_quality(qualities[i]);
+          have_new_shapes[i] = internal::note_shape(c);
+        }
+      },
+      worthwhile);
+  for (std::ptrdiff_t change : flat_changes)
+    m_number_of_flat_cells += size_type(change);
+  for (size_type i = 0; i < cells.size(); ++i) {
+    if (volume_changes[i] != 0)
+      add_volume(cells[i], volume_changes[i]);
+    if (have_new_shapes[i])
+      forget_failures(cells[i]);
+  }
 }
 
 CGAL_DSC_TEMPLATE
@@ -207,15 +228,15 @@ CGAL_DSC_TEMPLATE
 class CGAL_DSC_CLASS::Created_items
 {
 public:
-  Created_items(Triangulation_data_structure& tds, internal::Item_numbers& numbers, Cavity& cavity)
+  Created_items(Triangulation_data_structure& tds, Item_numbers& numbers, Cavity& cavity)
       : m_tds(tds), m_numbers(numbers), m_cavity(cavity) {}
   Created_items(const Created_items&) = delete;
   Created_items& operator=(const Created_items&) = delete;
 
   void create() {
     // Ids are taken back for removed items, or for created items that are not kept.
-    m_numbers.make_room(m_cavity.vertices().size(),
-                        m_cavity.removed().size() + m_cavity.planned().size());
+    m_numbers.make_room(m_cavity.vertices().size(), m_cavity.planned().size(),
+                        m_cavity.removed().size());
     for (std::size_t i = 0; i < m_cavity.m_vertices.size(); ++i)
       if (m_cavity.m_vertices[i].handle == Vertex_handle()) {
         m_new_vertices.push_back(i);
@@ -250,7 +271,7 @@ public:
 
 private:
   Triangulation_data_structure& m_tds;
-  internal::Item_numbers& m_numbers;
+  Item_numbers& m_numbers;
   Cavity& m_cavity;
   std::vector<std::size_t> m_new_vertices; // by their indices in the cavity
   bool m_are_kept = false;

@@ -13,7 +13,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Labelled_complex.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Marks.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/Less_time_stamp.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/sort_by_time_stamp.h>
 
 #include <algorithm>
 #include <array>
@@ -41,7 +41,31 @@ auto CGAL_DSC_CLASS::flat_cells() const -> std::vector<Cell_handle> {
   for (Cell_handle c : finite_cells())
     if (c->quality() < quality_floor)
       result.push_back(c);
-  std::sort(result.begin(), result.end(), internal::Less_time_stamp());
+  internal::sort_by_time_stamp(result);
+  return result;
+}
+
+CGAL_DSC_TEMPLATE
+template <class Condition>
+auto CGAL_DSC_CLASS::finite_cells_if(const Condition& condition,
+                                     const For_each_index& for_each_index) const
+    -> std::vector<Cell_handle> {
+  static constexpr size_type block_size = 1024; // ids; enough work for a thread
+  static constexpr size_type worthwhile = 8;    // blocks from which threads are used
+  std::vector<std::vector<Cell_handle>> found((cell_id_bound() + block_size - 1) / block_size);
+  for_each_index(
+      found.size(),
+      [&](size_type block) {
+        const size_type end = (std::min)(cell_id_bound(), (block + 1) * block_size);
+        for (size_type id = block * block_size; id < end; ++id)
+          if (const Cell_handle c = m_numbers.cell(id);
+              c != Cell_handle() && !is_infinite(c) && condition(c))
+            found[block].push_back(c);
+      },
+      worthwhile);
+  std::vector<Cell_handle> result;
+  for (const auto& cells : found)
+    result.insert(result.end(), cells.begin(), cells.end());
   return result;
 }
 
@@ -51,7 +75,7 @@ auto CGAL_DSC_CLASS::vertices() const -> std::vector<Vertex_handle> {
   result.reserve(number_of_vertices());
   for (Vertex_handle v : finite_vertices())
     result.push_back(v);
-  std::sort(result.begin(), result.end(), internal::Less_time_stamp());
+  internal::sort_by_time_stamp(result);
   return result;
 }
 
@@ -61,7 +85,7 @@ auto CGAL_DSC_CLASS::cells() const -> std::vector<Cell_handle> {
   result.reserve(number_of_cells());
   for (Cell_handle c : finite_cells())
     result.push_back(c);
-  std::sort(result.begin(), result.end(), internal::Less_time_stamp());
+  internal::sort_by_time_stamp(result);
   return result;
 }
 
@@ -117,22 +141,31 @@ auto CGAL_DSC_CLASS::interface_vertices() const -> std::vector<Vertex_handle> {
     if (v->is_interface())
       result.push_back(v);
   if (!std::is_sorted(result.begin(), result.end(), internal::Less_time_stamp()))
-    std::sort(result.begin(), result.end(), internal::Less_time_stamp());
+    internal::sort_by_time_stamp(result);
   return result;
 }
 
 CGAL_DSC_TEMPLATE
-auto CGAL_DSC_CLASS::interface_facets() const -> std::vector<Facet> {
+auto CGAL_DSC_CLASS::interface_facets(const For_each_index& for_each_index) const
+    -> std::vector<Facet> {
+  const auto is_listed = [&](Cell_handle c, int i) {
+    const Cell_handle n = c->neighbor(i);
+    return n->label() < c->label() && !is_infinite(n);
+  };
+  std::vector<Cell_handle> cells = finite_cells_if(
+      [&](Cell_handle c) {
+        bool has_facet = false;
+        for (int i = 0; i < corners && !has_facet; ++i)
+          has_facet = is_listed(c, i);
+        return has_facet;
+      },
+      for_each_index);
+  internal::sort_by_time_stamp(cells);
   std::vector<Facet> result;
-  for (Cell_handle c : finite_cells())
-    for (int i = 0; i < corners; ++i) {
-      const Cell_handle n = c->neighbor(i);
-      if (n->label() < c->label() && !is_infinite(n))
+  for (Cell_handle c : cells)
+    for (int i = 0; i < corners; ++i)
+      if (is_listed(c, i))
         result.emplace_back(c, i);
-    }
-  std::sort(result.begin(), result.end(), [](const Facet& a, const Facet& b) {
-    return a.first != b.first ? a.first->time_stamp() < b.first->time_stamp() : a.second < b.second;
-  });
   return result;
 }
 

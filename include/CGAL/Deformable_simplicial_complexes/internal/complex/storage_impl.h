@@ -16,11 +16,12 @@
 #include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Item_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Extent.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/Item_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Less_time_stamp.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/assemble_triangulation.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/hilbert_order.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/sort_by_time_stamp.h>
 
 #include <CGAL/Origin.h>
 
@@ -68,7 +69,7 @@ auto CGAL_DSC_CLASS::all_cells() const -> std::vector<Cell_handle> {
   std::vector<Cell_handle> result;
   for (Cell_handle c : Space::all_cells(m_triangulation))
     result.push_back(c);
-  std::sort(result.begin(), result.end(), internal::Less_time_stamp());
+  internal::sort_by_time_stamp(result);
   return result;
 }
 
@@ -76,7 +77,7 @@ auto CGAL_DSC_CLASS::all_cells() const -> std::vector<Cell_handle> {
 CGAL_DSC_TEMPLATE
 CGAL_DSC_CLASS::Labelled_complex(Labelled_complex&& other) noexcept
     : m_triangulation(std::move(other.m_triangulation)),
-      m_numbers(std::exchange(other.m_numbers, internal::Item_numbers())),
+      m_numbers(std::exchange(other.m_numbers, Item_numbers())),
       m_quality_measure(other.m_quality_measure), m_domain(other.m_domain),
       m_totals(std::move(other.m_totals)),
       m_normalization(std::exchange(other.m_normalization, Normalization())),

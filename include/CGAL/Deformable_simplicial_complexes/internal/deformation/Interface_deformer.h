@@ -28,6 +28,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Trapped_cells.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 #include <CGAL/Deformable_simplicial_complexes/require_finite.h>
+#include <CGAL/Deformable_simplicial_complexes/star_union.h>
 
 #include <algorithm>
 #include <cmath>
@@ -56,7 +57,7 @@ public:
                      const For_each_index& for_each_index)
       : m_complex(complex), m_visitor(visitor), m_options(options), m_destinations(complex),
         m_rigid_components(complex, m_destinations),
-        m_mesh(complex, visitor, m_destinations, m_rigid_components, options),
+        m_mesh(complex, visitor, m_destinations, m_rigid_components, options, for_each_index),
         m_trapped_cells(complex, visitor, m_options.topology_control, options.manifold_interface),
         m_for_each_index(for_each_index) {}
 
@@ -92,7 +93,7 @@ public:
   bool is_progressing() const { return m_idle_passes < 2; }
 
   // Prepares the mesh for a pass.
-  void begin_pass() { m_mesh.begin_pass(m_for_each_index); }
+  void begin_pass() { m_mesh.begin_pass(); }
 
   // Moves interface vertices and free vertices simultaneously, which completes the largest part of
   // most motions. In the first pass, free vertices follow the flow of the space if it is given.
@@ -131,7 +132,9 @@ public:
         targets.push_back(m_complex.admissible_destination(free[i], m_complex.exact(target)));
       }
     }
-    for (Cell_handle c : move_simultaneously(m_complex, vertices, targets, m_for_each_index))
+    const std::vector<Cell_handle> cells = star_union(m_complex, vertices, m_for_each_index);
+    move_simultaneously(m_complex, vertices, targets, cells, m_for_each_index);
+    for (Cell_handle c : cells)
       touch(c);
     update_destinations();
   }

@@ -20,7 +20,7 @@ namespace internal {
 
 /*
 The remeshing of a deformation, composed of dimension-specific operations:
-- `begin_pass(for_each_index)`: prepares a pass; some vertices have not reached their destinations
+- `begin_pass()`: prepares a pass; some vertices have not reached their destinations
 - `is_bad(c)`: returns whether a cell should be improved
 - `remove_obstacle(c, may_remove_facets, touched)`: removes a cell that keeps a vertex from its
   destination

@@ -43,14 +43,15 @@ public:
   Deformation_remesher_2(Complex& complex, Any_visitor<Complex>& visitor,
                          const Destinations<Complex>& destinations,
                          const Rigid_components<Complex>& rigid_components,
-                         const Deformation_options<Complex>& options)
+                         const Deformation_options<Complex>& options,
+                         const For_each_index& for_each_index)
       : m_complex(complex), m_visitor(visitor), m_topology_control(options.topology_control),
         m_relabeling_threshold(options.relabeling_threshold), m_cavity(complex),
         m_improver(complex, visitor, destinations, options.quality_threshold),
         m_small_angles(complex, visitor, rigid_components, options.minimum_angle,
-                       options.quality_threshold) {}
+                       options.quality_threshold, for_each_index) {}
 
-  void begin_pass(const For_each_index&) {}
+  void begin_pass() {}
   bool is_bad(Cell_handle c) const { return m_improver.is_bad(c); }
 
   void remove_obstacle(Cell_handle c, bool may_remove_facets, Cells& touched) {

@@ -14,6 +14,7 @@
 #include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/sort_by_time_stamp.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/geometry/triangle_quality.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Small_angle_remover_3.h>
@@ -28,7 +29,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -47,17 +47,18 @@ public:
   Deformation_remesher_3(Complex& complex, Any_visitor<Complex>& visitor,
                          const Destinations<Complex>& destinations,
                          const Rigid_components<Complex>& rigid_components,
-                         const Deformation_options<Complex>& options)
-      : m_complex(complex), m_destinations(destinations),
+                         const Deformation_options<Complex>& options,
+                         const For_each_index& for_each_index)
+      : m_complex(complex), m_destinations(destinations), m_for_each_index(for_each_index),
         m_relabeling_threshold(options.relabeling_threshold),
         m_degenerate_cosine(std::cos(options.minimum_facet_angle * (CGAL_PI / 180))),
         m_improver(complex, visitor, destinations, options.quality_threshold),
         m_small_angles(complex, visitor, rigid_components, options.minimum_angle,
-                       options.quality_threshold) {}
+                       options.quality_threshold, for_each_index) {}
 
   // Collects the interface facets that will have a small angle at their destinations, smaller than
   // the current one. Facets of regions that move rigidly are thus not collected.
-  void begin_pass(const For_each_index& for_each_index) {
+  void begin_pass() {
     const std::vector<Vertex_handle>& unfinished = m_destinations.unfinished();
     m_degenerating.clear();
     const auto now = [&](Vertex_handle v) { return m_complex.position(v); };
@@ -69,29 +70,20 @@ public:
       const std::uint32_t number = numbers(v);
       return number != Vertex_numbers::none ? destinations[number] : now(v);
     };
-    std::vector<Facet_item> facets;
-    const auto add_facets_of = [&](Cell_handle c) {
-      for (int i = 0; i < 4; ++i)
-        if (is_interface_from(c, i))
-          facets.push_back({c, c->time_stamp(), i});
+    const auto degenerates = [&](Cell_handle c, int i) {
+      return is_interface_from(c, i) && will_degenerate({c, i}, now, final);
     };
-    if (are_many(m_complex, unfinished.size()))
-      for (Cell_handle c : m_complex.finite_cells())
-        add_facets_of(c);
-    else
-      for (Cell_handle c : stars_of(m_complex, unfinished))
-        add_facets_of(c);
-    std::vector<char> degenerates(facets.size());
-    for_each_index(facets.size(), [&](std::size_t k) {
-      degenerates[k] = will_degenerate({facets[k].cell, facets[k].index}, now, final);
-    });
-    for (std::size_t k = 0; k < facets.size(); ++k)
-      if (degenerates[k])
-        m_degenerating.push_back(facets[k]);
-    std::sort(m_degenerating.begin(), m_degenerating.end(),
-              [](const Facet_item& a, const Facet_item& b) {
-                return std::tie(a.time_stamp, a.index) < std::tie(b.time_stamp, b.index);
-              });
+    std::vector<Cell_handle> cells = star_union_if(
+        m_complex, unfinished,
+        [&](Cell_handle c) {
+          return degenerates(c, 0) || degenerates(c, 1) || degenerates(c, 2) || degenerates(c, 3);
+        },
+        m_for_each_index);
+    sort_by_time_stamp(cells);
+    for (Cell_handle c : cells)
+      for (int i = 0; i < 4; ++i)
+        if (degenerates(c, i))
+          m_degenerating.push_back({c, c->time_stamp(), i});
   }
 
   bool is_bad(Cell_handle c) const { return m_improver.is_bad(c); }
@@ -177,6 +169,7 @@ private:
 
   Complex& m_complex;
   const Destinations<Complex>& m_destinations;
+  const For_each_index& m_for_each_index;
   double m_relabeling_threshold;
   double m_degenerate_cosine; // cosine of the bound on angles of facets
   Mesh_improver_3<Complex> m_improver;

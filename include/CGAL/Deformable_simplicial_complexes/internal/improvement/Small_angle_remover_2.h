@@ -11,6 +11,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
@@ -54,10 +55,10 @@ public:
   // Creates a remover. `angle` is the bound in degrees.
   Small_angle_remover_2(Complex& complex, Any_visitor<Complex>& visitor,
                         const Rigid_components<Complex>& rigid_components, double angle,
-                        double quality_threshold)
+                        double quality_threshold, const For_each_index& for_each_index)
       : m_complex(complex), m_visitor(visitor), m_rigid_components(rigid_components),
-        m_target(std::sin(angle * CGAL_PI / 180)), m_quality_threshold(quality_threshold),
-        m_cavity(complex), m_best(complex) {}
+        m_for_each_index(for_each_index), m_target(std::sin(angle * CGAL_PI / 180)),
+        m_quality_threshold(quality_threshold), m_cavity(complex), m_best(complex) {}
 
   const Improvement_report& report() const { return m_report; }
 
@@ -66,9 +67,13 @@ public:
   Cells bad_cells() const {
     Cells result;
     if (m_target > 0)
-      for (Cell_handle c : m_complex.finite_cells())
-        if (c->quality() < m_quality_threshold && !m_rigid_components.has_stayed(c) && is_bad(c))
-          result.push(c);
+      for (Cell_handle c : m_complex.finite_cells_if(
+               [&](Cell_handle c) {
+                 return c->quality() < m_quality_threshold && !m_rigid_components.has_stayed(c) &&
+                        is_bad(c);
+               },
+               m_for_each_index))
+        result.push(c);
     result.sort();
     return result;
   }
@@ -143,6 +148,7 @@ private:
   Complex& m_complex;
   Any_visitor<Complex>& m_visitor;
   const Rigid_components<Complex>& m_rigid_components;
+  const For_each_index& m_for_each_index;
   double m_target, m_quality_threshold;
   Cavity<Complex> m_cavity, m_best;
   double m_best_sine = 0, m_least_sine = 0;

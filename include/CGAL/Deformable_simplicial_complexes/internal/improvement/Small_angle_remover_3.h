@@ -11,6 +11,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
@@ -59,8 +60,9 @@ public:
   // Creates a remover. `angle` is the bound in degrees.
   Small_angle_remover_3(Complex& complex, Any_visitor<Complex>& visitor,
                         const Rigid_components<Complex>& rigid_components, double angle,
-                        double quality_threshold)
+                        double quality_threshold, const For_each_index& for_each_index)
       : m_complex(complex), m_visitor(visitor), m_rigid_components(rigid_components),
+        m_for_each_index(for_each_index),
         m_target(std::sin(angle * CGAL_PI / 180) / sine_of_regular), m_bound(m_target),
         m_quality_threshold(quality_threshold), m_cavity(complex), m_best(complex) {}
 
@@ -84,9 +86,13 @@ public:
   // regions of the interface that did not move are excluded.
   Cells bad_cells() const {
     Cells result;
-    for (Cell_handle c : m_complex.triangulation().finite_cell_handles())
-      if (c->quality() < m_quality_threshold && !m_rigid_components.has_stayed(c) && is_bad(c))
-        result.push(c);
+    for (Cell_handle c : m_complex.finite_cells_if(
+             [&](Cell_handle c) {
+               return c->quality() < m_quality_threshold && !m_rigid_components.has_stayed(c) &&
+                      is_bad(c);
+             },
+             m_for_each_index))
+      result.push(c);
     result.sort();
     return result;
   }
@@ -378,6 +384,7 @@ private:
   Complex& m_complex;
   Any_visitor<Complex>& m_visitor;
   const Rigid_components<Complex>& m_rigid_components;
+  const For_each_index& m_for_each_index;
   Minimum_sine_3 m_sine;
   double m_target, m_bound; // `m_bound` may be larger than `m_target` around remaining cells
   double m_quality_threshold;

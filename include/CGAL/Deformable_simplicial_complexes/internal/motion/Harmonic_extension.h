@@ -14,9 +14,12 @@
 #include <CGAL/Deformable_simplicial_complexes/Linear_element.h>
 #include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/coordinates.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Marks.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/sort_by_time_stamp.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Affine_phases.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Conjugate_gradients.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Row_blocks.h>
+#include <CGAL/Deformable_simplicial_complexes/star_union.h>
 
 #include <Eigen/Core>
 
@@ -49,25 +52,29 @@ public:
   static constexpr int d = Complex::dimension;
 
   // `free` are the vertices to which displacements are extended. `displacement(v)` returns the
-  // displacement of each other vertex next to them, and is called once for each.
+  // displacement of any other vertex.
   template <class Known>
   Harmonic_extension(const Complex& complex, const std::vector<Vertex_handle>& free,
                      const Known& displacement, const For_each_index& for_each_index)
-      : m_complex(complex), m_free(free), m_for_each_index(for_each_index), m_labels(free.size()),
-        m_neighbors(free.size(), neighbors(), for_each_index), m_numbers(complex, free) {
+      : m_complex(complex), m_free(free), m_for_each_index(for_each_index),
+        m_others(vertices_around(complex, free)), m_numbers(complex, free), m_labels(free.size()),
+        m_neighbors(free.size(), neighbors(), for_each_index) {
     number_phases();
-    const std::vector<Vertex_handle> vertices = number_vertices();
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-      const Vertex_handle v = vertices[i];
+    find_vertices_around_phases();
+    const std::size_t size = free.size() + m_others.size();
+    m_vertices.positions.resize(size, Vector::Zero());
+    m_vertices.are_constrained.resize(size);
+    for_each_index(size, [&](std::size_t i) {
+      const Vertex_handle v = i < free.size() ? free[i] : m_others[i - free.size()];
       // On a torus, no linear map except zero is well defined, so phases follow the mean
       // displacement.
-      m_vertices.positions.push_back(Complex::Domain::has_outside ? coordinates(complex.position(v))
-                                                                  : Vector::Zero().eval());
-      m_vertices.are_constrained.push_back(i < free.size() ? complex.is_boundary(v)
-                                                           : !v->is_interface());
-      if (i >= free.size())
-        m_vertices.known.push_back(coordinates(displacement(v)));
-    }
+      if (Complex::Domain::has_outside)
+        m_vertices.positions[i] = coordinates(complex.position(v));
+      m_vertices.are_constrained[i] = i < free.size() ? complex.is_boundary(v) : !v->is_interface();
+    });
+    m_vertices.known.reserve(m_others.size());
+    for (Vertex_handle v : m_others) // in this thread, because users define flows
+      m_vertices.known.push_back(coordinates(displacement(v)));
   }
 
   // Returns the displacements of the free vertices. Vertices on the boundary of the domain move
@@ -76,15 +83,15 @@ public:
     const Phases phases(m_number_of_phases, m_phases, m_around, m_vertices);
     const Unknowns unknowns(phases, m_phases);
     const std::vector<Vector> deviations = deviations_of(phases, unknowns);
-    std::vector<Displacement> result;
-    for (std::size_t i = 0; i < m_free.size(); ++i) {
+    std::vector<Displacement> result(m_free.size());
+    m_for_each_index(m_free.size(), [&](std::size_t i) {
       Vector motion = phases.motion(m_phases[i], std::uint32_t(i));
       if (unknowns.row[i] != Unknowns::none)
         motion += deviations[unknowns.row[i]];
       std::array<double, d> coordinates;
       std::copy(motion.data(), motion.data() + d, coordinates.begin());
-      result.push_back(vector_of<Complex>(coordinates));
-    }
+      result[i] = vector_of<Complex>(coordinates);
+    });
     return result;
   }
 
@@ -95,7 +102,7 @@ private:
 
   struct Neighbor
   {
-    Vertex_handle vertex;
+    std::uint32_t vertex; // number
     double weight;
   };
 
@@ -121,10 +128,32 @@ private:
     return Vector(coordinates_of<d>(p).data());
   }
 
+  // Returns vertices that are not free, by increasing time stamp: those of the stars of the free
+  // vertices, or all if there are many free vertices.
+  static std::vector<Vertex_handle> vertices_around(const Complex& complex,
+                                                    const std::vector<Vertex_handle>& free) {
+    Marks seen = vertex_marks(complex);
+    for (Vertex_handle v : free)
+      seen.add(v);
+    std::vector<Vertex_handle> result;
+    if (are_many(complex, free.size())) {
+      for (Vertex_handle v : complex.finite_vertices())
+        seen.add(v, result);
+    } else {
+      for (auto c : stars_of(complex, free))
+        for (int i = 0; i < Complex::corners; ++i)
+          seen.add(c->vertex(i), result);
+    }
+    sort_by_time_stamp(result);
+    return result;
+  }
+
   // Returns a function that computes the neighbors of a free vertex from its star, and stores the
   // label around the vertex.
   auto neighbors() {
     using Cell_handle = typename Complex::Cell_handle;
+    for (std::size_t i = 0; i < m_others.size(); ++i)
+      m_numbers.set(m_others[i], std::uint32_t(m_free.size() + i));
     return [this, star = std::vector<Cell_handle>(), found = std::vector<Vertex_handle>(),
             positions = std::vector<typename Complex::Approximate_point>(),
             weights = std::vector<double>()](std::size_t i, std::vector<Neighbor>& result) mutable {
@@ -159,10 +188,11 @@ private:
           weights[number[j]] -= stiffness[j];
       }
       for (std::size_t k = 1; k < found.size(); ++k)
-        result.push_back({found[k], weights[k]});
+        result.push_back({m_numbers(found[k]), weights[k]});
     };
   }
 
+  // A free vertex is not on the interface, so all cells around it have the same label.
   void number_phases() {
     boost::container::flat_map<typename Complex::Label, std::uint32_t> numbers;
     for (const auto& label : m_labels)
@@ -170,23 +200,17 @@ private:
     m_number_of_phases = numbers.size();
   }
 
-  // Numbers the vertices, free vertices first. Records which of the other vertices are at which
-  // phases.
-  std::vector<Vertex_handle> number_vertices() {
-    std::vector<Vertex_handle> vertices = m_free;
-    std::vector<std::uint32_t> last_phase; // the last phase of each vertex that is not free
+  // Finds which of the other vertices are at which phases.
+  void find_vertices_around_phases() {
+    std::vector<std::uint32_t> last_phase(m_others.size(), Unknowns::none);
     for (std::uint32_t i = 0; i < m_free.size(); ++i)
-      for (const Neighbor& n : m_neighbors.row(i)) {
-        const std::uint32_t number = m_numbers.add(n.vertex, vertices);
-        if (number < m_free.size())
-          continue;
-        last_phase.resize(vertices.size() - m_free.size(), Unknowns::none);
-        if (last_phase[number - m_free.size()] != m_phases[i])
-          m_around.emplace_back(m_phases[i], number);
-        last_phase[number - m_free.size()] = m_phases[i];
-      }
-    return vertices;
+      for (const Neighbor& n : m_neighbors.row(i))
+        if (!is_free(n.vertex) &&
+            std::exchange(last_phase[n.vertex - m_free.size()], m_phases[i]) != m_phases[i])
+          m_around.emplace_back(m_phases[i], n.vertex);
   }
+
+  bool is_free(std::uint32_t vertex) const { return vertex < m_free.size(); }
 
   // Computes the deviations. A low accuracy is sufficient, because each proposed motion is checked
   // later.
@@ -201,12 +225,11 @@ private:
         [&](std::size_t row, std::vector<Entry>& entries) {
           const std::uint32_t i = unknowns.vertices[row];
           for (const Neighbor& n : m_neighbors.row(i)) {
-            const std::uint32_t number = m_numbers(n.vertex);
             diagonal[row] += n.weight;
-            if (number < m_free.size())
-              entries.push_back({unknowns.row[number], -n.weight});
+            if (is_free(n.vertex))
+              entries.push_back({unknowns.row[n.vertex], -n.weight});
             else
-              right[row] += n.weight * phases.deviation(m_phases[i], number);
+              right[row] += n.weight * phases.deviation(m_phases[i], n.vertex);
           }
         },
         m_for_each_index);
@@ -223,9 +246,10 @@ private:
   const Complex& m_complex;
   const std::vector<Vertex_handle>& m_free;
   const For_each_index& m_for_each_index;
+  std::vector<Vertex_handle> m_others;           // vertices with known displacements
+  Vertex_numbers m_numbers;                      // free vertices first
   std::vector<typename Complex::Label> m_labels; // labels around free vertices
   Row_blocks<Neighbor> m_neighbors;
-  Vertex_numbers m_numbers;
   std::vector<std::uint32_t> m_phases; // phases of free vertices
   std::size_t m_number_of_phases = 0;
   std::vector<typename Phases::Around> m_around;

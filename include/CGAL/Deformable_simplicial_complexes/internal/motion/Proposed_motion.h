@@ -36,11 +36,13 @@ public:
   using Approximate_point = typename Complex::Approximate_point;
   using Number = std::uint32_t;
 
+  // `cells` are the finite cells around the vertices, each once.
   Proposed_motion(Complex& complex, const std::vector<Vertex_handle>& vertices,
-                  const std::vector<Point>& points, const For_each_index& for_each_index)
+                  const std::vector<Point>& points, const std::vector<Cell_handle>& cells,
+                  const For_each_index& for_each_index)
       : m_complex(complex), m_for_each_index(for_each_index), m_vertices(vertices),
         m_points(points), m_are_changed(points.size()), m_numbers(complex, vertices),
-        m_cells(star_union(complex, m_vertices)) {}
+        m_cells(cells) {}
 
   const Complex& complex() const { return m_complex; }
   std::size_t size() const { return m_vertices.size(); }
@@ -190,7 +192,7 @@ private:
   std::vector<char> m_are_changed; // points that changed since the qualities were computed
   bool m_is_changed = false;       // whether any point changed since then
   Vertex_numbers m_numbers;
-  std::vector<Cell_handle> m_cells;
+  const std::vector<Cell_handle>& m_cells;
   std::vector<double> m_measures;  // current measures of the cells
   std::vector<double> m_qualities; // qualities of the cells after the motion
   std::vector<char> m_is_degraded; // cells whose quality would fall below the floor

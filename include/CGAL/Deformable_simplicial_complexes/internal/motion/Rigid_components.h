@@ -93,8 +93,9 @@ private:
   }
 
   bool moves_with_neighbors(Vertex_handle v) const {
-    m_complex.star(v, m_star);
-    return std::all_of(m_star.begin(), m_star.end(), [&](Cell_handle c) {
+    std::vector<Cell_handle> star; // several threads can call the function
+    m_complex.star(v, star);
+    return std::all_of(star.begin(), star.end(), [&](Cell_handle c) {
       for (int i = 0; i < Complex::corners; ++i)
         if (c->vertex(i)->is_interface() && !are_as_far(v, c->vertex(i), now()))
           return false;
@@ -120,7 +121,6 @@ private:
 
   const Complex& m_complex;
   const Destinations<Complex>& m_destinations;
-  mutable std::vector<Cell_handle> m_star;
 };
 
 } // namespace internal

@@ -11,7 +11,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Marks.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/Less_time_stamp.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/sort_by_time_stamp.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -64,7 +64,7 @@ free_vertices_near(const Complex& complex,
       front.swap(next);
     }
   }
-  std::sort(found.begin(), found.end(), Less_time_stamp());
+  sort_by_time_stamp(found);
   return found;
 }
 

@@ -113,17 +113,19 @@ private:
 /*
 Moves vertices simultaneously towards their targets, as far as no cell is inverted or falls below
 the quality floor. Where a cell would be inverted, its free vertices are relocated. If this does not
-help, the displacements of its moving vertices are reduced. Returns the cells around the vertices.
+help, the displacements of its moving vertices are reduced. `cells` are the finite cells around the
+vertices, each once.
 
 All cells stay positively oriented and the boundary of the domain stays in place. Thus the map from
 the old to the new complex is a homeomorphism.
 */
 template <class Complex>
-std::vector<typename Complex::Cell_handle>
-move_simultaneously(Complex& complex, const std::vector<typename Complex::Vertex_handle>& vertices,
-                    const std::vector<typename Complex::Point>& targets,
-                    const For_each_index& for_each_index) {
-  Proposed_motion<Complex> motion(complex, vertices, targets, for_each_index);
+void move_simultaneously(Complex& complex,
+                         const std::vector<typename Complex::Vertex_handle>& vertices,
+                         const std::vector<typename Complex::Point>& targets,
+                         const std::vector<typename Complex::Cell_handle>& cells,
+                         const For_each_index& for_each_index) {
+  Proposed_motion<Complex> motion(complex, vertices, targets, cells, for_each_index);
   auto bad = motion.inverted_cells();
   do {
     bad = untangle(motion, std::move(bad));
@@ -131,7 +133,6 @@ move_simultaneously(Complex& complex, const std::vector<typename Complex::Vertex
     bad = motion.degraded_cells();
   } while (!bad.empty());
   motion.commit();
-  return motion.cells();
 }
 
 } // namespace internal

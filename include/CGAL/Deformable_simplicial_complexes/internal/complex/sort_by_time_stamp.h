@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Deformable_simplicial_complexes, written for CGAL
+// (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_SORT_BY_TIME_STAMP_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_SORT_BY_TIME_STAMP_H
+
+#include <boost/sort/spreadsort/integer_sort.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Sorts handles in the order of creation; see `Item_numbers`. The time stamps are read once,
+// because they are at scattered places in memory.
+template <class Handle> void sort_by_time_stamp(std::vector<Handle>& items) {
+  using Stamped = std::pair<std::size_t, Handle>;
+  const auto is_less = [](const Stamped& a, const Stamped& b) { return a.first < b.first; };
+  std::vector<Stamped> stamped;
+  stamped.reserve(items.size());
+  for (Handle item : items)
+    stamped.emplace_back(item->time_stamp(), item);
+  if (std::is_sorted(stamped.begin(), stamped.end(), is_less))
+    return;
+  boost::sort::spreadsort::integer_sort(
+      stamped.begin(), stamped.end(),
+      [](const Stamped& s, unsigned shift) { return s.first >> shift; }, is_less);
+  for (std::size_t i = 0; i < items.size(); ++i)
+    items[i] = stamped[i].second;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_SORT_BY_TIME_STAMP_H
