@@ -3,7 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Runs the same work with several numbers of threads in turn. Prints a row of a table: the
-// wall-clock times, and whether all results are bitwise equal.
+// wall-clock times, the parallel share that they imply, speedups predicted from it, and whether all
+// results are bitwise equal.
 
 #include "inputs.h"
 #include "measures.h"
@@ -20,6 +21,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdlib>
+#include <ctime>
 #include <exception>
 #include <filesystem>
 #include <functional>
@@ -57,6 +59,21 @@ std::map<std::string, Work> works(const Complex& complex) {
           {"mean_curvature", steps_of(DSC::Mean_curvature_flow(), number_of_steps, edge * edge)}};
 }
 
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+/// The parallel share of a work by Amdahl's law, from its times with one thread and with several.
+double parallel_share(double one, double several, unsigned number_of_threads) {
+  return (1 - several / one) / (1 - 1. / number_of_threads);
+}
+
+/// A speedup predicted by Amdahl's law, without limits by memory.
+double predicted_speedup(double share, unsigned number_of_threads) {
+  return 1 / (1 - share + share / number_of_threads);
+}
+
 int run(const std::string& name, const std::string& input, std::size_t triangles,
         const std::vector<unsigned>& threads, int repetitions) {
   Complex initial = DSC::make_deformable_simplicial_complex_3<Complex>(
@@ -65,16 +82,19 @@ int run(const std::string& name, const std::string& input, std::size_t triangles
   initial.sort_storage();
   const Work work = works(initial).at(name);
 
-  std::vector<std::vector<double>> seconds(threads.size());
+  std::vector<std::vector<double>> seconds(threads.size()), busy(threads.size());
   bool is_same = true;
   Complex::State expected;
   for (int repetition = 0; repetition < repetitions; ++repetition)
     for (std::size_t k = 0; k < threads.size(); ++k) {
       Complex complex = initial;
       const auto start = std::chrono::steady_clock::now();
+      const std::clock_t processor_start = std::clock();
       work(complex, threads[k]);
       const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - start;
       seconds[k].push_back(duration.count());
+      busy[k].push_back(double(std::clock() - processor_start) / CLOCKS_PER_SEC /
+                        (threads[k] * duration.count()));
       if (repetition == 0 && k == 0)
         expected = complex.state();
       else
@@ -84,14 +104,17 @@ int run(const std::string& name, const std::string& input, std::size_t triangles
   std::cout.precision(3);
   std::cout << "| " << name << " | " << std::filesystem::path(input).stem().string() << " | "
             << initial.number_of_cells() << " | ";
-  double first = 0;
-  for (std::size_t k = 0; k < threads.size(); ++k) {
-    std::sort(seconds[k].begin(), seconds[k].end());
-    const double median = seconds[k][seconds[k].size() / 2];
-    first = k == 0 ? median : first;
-    std::cout << median << " | ";
-    if (k > 0)
-      std::cout << first / median << " | ";
+  const double first = median(seconds[0]);
+  std::cout << first << " | ";
+  for (std::size_t k = 1; k < threads.size(); ++k)
+    std::cout << median(seconds[k]) << " | " << first / median(seconds[k]) << " | "
+              << 100 * median(busy[k]) << " % | ";
+  if (threads.size() > 1 && threads[0] == 1 && threads[1] > 1) {
+    const double share = parallel_share(first, median(seconds[1]), threads[1]);
+    std::cout << 100 * share << " % |";
+    for (unsigned number : {4, 8, 16})
+      std::cout << ' ' << predicted_speedup(share, number);
+    std::cout << " | ";
   }
   std::cout << (is_same ? "same" : "different") << " |" << std::endl;
   return is_same ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -66,10 +66,11 @@ struct Step_outcome
   std::optional<Distance_statistics> distance_to_start; ///< of the interface, after whole periods
 };
 
-/// The outcome of a mesh improvement. All values are zero for the state before it.
+/// The outcome of a mesh improvement.
 struct Improvement_outcome
 {
-  double seconds = 0; ///< time of the improvement alone
+  double seconds = 0;                       ///< time of the improvement alone
+  double worst_before = 0, worst_after = 0; ///< least quality, by the measure that is improved
   DSC::Improvement_report changes;
 };
 

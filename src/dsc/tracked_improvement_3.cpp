@@ -31,6 +31,13 @@ using Complex_at_rest =
 using Cell_handle = Complex_at_rest::Cell_handle;
 using State = DSC::State<3>;
 
+double worst_quality(const Complex_at_rest& complex) {
+  double result = 1;
+  for (const Cell_handle c : complex.cells())
+    result = std::min(result, complex.quality(c));
+  return result;
+}
+
 /// Calls `f(i, k)` for the k-th finite cell of a state, which has index i.
 template <class Function> void for_each_finite_cell(const State& state, const Function& f) {
   std::size_t k = 0;
@@ -99,9 +106,10 @@ Improvement_outcome Tracked_complex_3::improve(const Improvement_options& option
   Complex_at_rest at_rest;
   State state = complex.state();
   at_rest.restore(state);
-  DSC::Improvement_report report;
+  Improvement_outcome outcome;
+  outcome.worst_before = worst_quality(at_rest);
   if (content.is_empty()) {
-    report = DSC::improve_mesh(at_rest, improvement);
+    outcome.changes = DSC::improve_mesh(at_rest, improvement);
     state = at_rest.state();
   } else {
     const std::vector<int> labels = labels_by_time_stamp(at_rest);
@@ -111,7 +119,7 @@ Improvement_outcome Tracked_complex_3::improve(const Improvement_options& option
     Content_visitor<Complex_at_rest> visitor(at_rest, content);
     DSC::Visitor_adaptor<Complex_at_rest, Content_visitor<Complex_at_rest>> adaptor(visitor);
     improvement.visitor = &adaptor;
-    report = DSC::improve_mesh(at_rest, improvement);
+    outcome.changes = DSC::improve_mesh(at_rest, improvement);
 
     std::vector<std::size_t> row_of_cell;
     std::vector<int> new_labels;
@@ -125,10 +133,12 @@ Improvement_outcome Tracked_complex_3::improve(const Improvement_options& option
       at_rest.domain().classify_boundary(at_rest);
     state = relabeled_state(at_rest, new_labels);
   }
+  outcome.worst_after = worst_quality(at_rest);
   // The failure counters belong to another quality measure.
   std::fill(state.failures.begin(), state.failures.end(), std::uint8_t(0));
   complex.restore(state);
-  return {seconds_since(start), report};
+  outcome.seconds = seconds_since(start);
+  return outcome;
 }
 
 } // namespace dsc

@@ -43,13 +43,16 @@ Json parameters_json(const Improve_options& options) {
       {"threshold", options.improvement.threshold ? Json(*options.improvement.threshold) : Json()}};
 }
 
-Json state_json(const Statistics& statistics, const Improvement_outcome& outcome) {
+/// `worst` is the least quality by the measure that is improved.
+Json state_json(const Statistics& statistics, double worst,
+                const DSC::Improvement_report& changes) {
   Json json = statistics_json(statistics);
-  json.update({{"split", outcome.changes.split},
-               {"collapsed", outcome.changes.collapsed},
-               {"flipped", outcome.changes.flipped},
-               {"smoothed", outcome.changes.smoothed},
-               {"inserted", outcome.changes.inserted}});
+  json.update({{"min_quality", worst},
+               {"split", changes.split},
+               {"collapsed", changes.collapsed},
+               {"flipped", changes.flipped},
+               {"smoothed", changes.smoothed},
+               {"inserted", changes.inserted}});
   return json;
 }
 
@@ -94,11 +97,12 @@ int execute(const Improve_options& options) {
   interruptible.reset();
   complex->write(options.output, content);
   if (!options.report.empty())
-    write_json(options.report, {{"input", options.input},
-                                {"parameters", parameters_json(options)},
-                                {"seconds", outcome.seconds},
-                                {"before", state_json(before, Improvement_outcome())},
-                                {"after", state_json(after, outcome)}});
+    write_json(options.report,
+               {{"input", options.input},
+                {"parameters", parameters_json(options)},
+                {"seconds", outcome.seconds},
+                {"before", state_json(before, outcome.worst_before, {})},
+                {"after", state_json(after, outcome.worst_after, outcome.changes)}});
   if (!options.quiet)
     print_summary(before, after, outcome.seconds);
   return 0;
