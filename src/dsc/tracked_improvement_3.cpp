@@ -31,7 +31,7 @@ using Complex_at_rest =
 using Cell_handle = Complex_at_rest::Cell_handle;
 using State = DSC::State<3>;
 
-double worst_quality(const Complex_at_rest& complex) {
+double least_quality(const Complex_at_rest& complex) {
   double result = 1;
   for (const Cell_handle c : complex.cells())
     result = std::min(result, complex.quality(c));
@@ -107,7 +107,7 @@ Improvement_outcome Tracked_complex_3::improve(const Improvement_options& option
   State state = complex.state();
   at_rest.restore(state);
   Improvement_outcome outcome;
-  outcome.worst_before = worst_quality(at_rest);
+  outcome.worst_before = least_quality(at_rest);
   if (content.is_empty()) {
     outcome.changes = DSC::improve_mesh(at_rest, improvement);
     state = at_rest.state();
@@ -133,7 +133,7 @@ Improvement_outcome Tracked_complex_3::improve(const Improvement_options& option
       at_rest.domain().classify_boundary(at_rest);
     state = relabeled_state(at_rest, new_labels);
   }
-  outcome.worst_after = worst_quality(at_rest);
+  outcome.worst_after = least_quality(at_rest);
   // The failure counters belong to another quality measure.
   std::fill(state.failures.begin(), state.failures.end(), std::uint8_t(0));
   complex.restore(state);
