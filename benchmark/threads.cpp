@@ -111,10 +111,14 @@ int run(const std::string& name, const std::string& input, std::size_t triangles
               << 100 * median(busy[k]) << " % | ";
   if (threads.size() > 1 && threads[0] == 1 && threads[1] > 1) {
     const double share = parallel_share(first, median(seconds[1]), threads[1]);
-    std::cout << 100 * share << " % |";
-    for (unsigned number : {4, 8, 16})
-      std::cout << ' ' << predicted_speedup(share, number);
-    std::cout << " | ";
+    if (share > 0 && share <= 1) {
+      std::cout << 100 * share << " % |";
+      for (unsigned number : {4, 8, 16})
+        std::cout << ' ' << predicted_speedup(share, number);
+      std::cout << " | ";
+    } else {
+      std::cout << "– | – | "; // other work has disturbed the measurement
+    }
   }
   std::cout << (is_same ? "same" : "different") << " |" << std::endl;
   return is_same ? EXIT_SUCCESS : EXIT_FAILURE;
