@@ -154,7 +154,7 @@ void expect_same_bits(const Complex& initial, const Flow& flow, double dt) {
   };
   const auto expected = state_after(1);
   EXPECT_FALSE(expected == initial.state());
-  for (unsigned number_of_threads : {2, 3, 8})
+  for (unsigned number_of_threads : {2, 3, 4, 8})
     EXPECT_TRUE(state_after(number_of_threads) == expected) << number_of_threads << " threads";
 }
 

@@ -55,7 +55,8 @@ template <class Complex_> struct Interface_vertices
   }
 
   /// Lists the vertices of the interface. n log n in their number, plus linear in the number of
-  /// vertices of the complex. One thread does it; the parameter is that of `Interface_snapshot`.
+  /// vertices of the complex. The second parameter is not used; `Interface_snapshot` has the same
+  /// parameters and uses it.
   explicit Interface_vertices(const Complex& complex, const For_each_index& = For_each_index())
       : vertices(complex.interface_vertices()), domain(complex.domain()) {}
 

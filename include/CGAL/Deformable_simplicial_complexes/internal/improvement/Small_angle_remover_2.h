@@ -65,17 +65,15 @@ public:
   // Returns the triangles below the quality threshold with a small angle, in the order of time
   // stamps. Triangles at regions of the interface that did not move or moved rigidly are excluded.
   Cells bad_cells() const {
-    Cells result;
-    if (m_target > 0)
-      for (Cell_handle c : m_complex.finite_cells_if(
-               [&](Cell_handle c) {
-                 return c->quality() < m_quality_threshold && !m_rigid_components.has_stayed(c) &&
-                        is_bad(c);
-               },
-               m_for_each_index))
-        result.push(c);
-    result.sort();
-    return result;
+    if (!(m_target > 0))
+      return {};
+    return work_list_if(
+        m_complex,
+        [&](Cell_handle c) {
+          return c->quality() < m_quality_threshold && !m_rigid_components.has_stayed(c) &&
+                 is_bad(c);
+        },
+        m_for_each_index);
   }
 
   void run() {

@@ -85,16 +85,13 @@ public:
   // Returns the bad cells below the quality threshold, in the order of time stamps. Cells at
   // regions of the interface that did not move are excluded.
   Cells bad_cells() const {
-    Cells result;
-    for (Cell_handle c : m_complex.finite_cells_if(
-             [&](Cell_handle c) {
-               return c->quality() < m_quality_threshold && !m_rigid_components.has_stayed(c) &&
-                      is_bad(c);
-             },
-             m_for_each_index))
-      result.push(c);
-    result.sort();
-    return result;
+    return work_list_if(
+        m_complex,
+        [&](Cell_handle c) {
+          return c->quality() < m_quality_threshold && !m_rigid_components.has_stayed(c) &&
+                 is_bad(c);
+        },
+        m_for_each_index);
   }
 
   // Removes small angles. `relabel(c, label)` changes the label of a cell if this preserves the

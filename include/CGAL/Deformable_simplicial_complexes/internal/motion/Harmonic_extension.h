@@ -128,8 +128,8 @@ private:
     return Vector(coordinates_of<d>(p).data());
   }
 
-  // Returns vertices that are not free, by increasing time stamp: those of the stars of the free
-  // vertices, or all if there are many free vertices.
+  // Returns the other vertices of the stars of the free vertices, by increasing time stamp. If
+  // there are many free vertices, returns all other vertices of the complex, which is faster.
   static std::vector<Vertex_handle> vertices_around(const Complex& complex,
                                                     const std::vector<Vertex_handle>& free) {
     Marks seen = vertex_marks(complex);

@@ -9,7 +9,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_VERTEX_NUMBERING_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_VERTEX_NUMBERING_H
 
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/Less_time_stamp.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/sort_by_time_stamp.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -26,7 +26,7 @@ template <class Vertex_handle> class Vertex_numbering
 public:
   // The vertices can be given in any order and repeatedly.
   explicit Vertex_numbering(std::vector<Vertex_handle> vertices) : m_vertices(std::move(vertices)) {
-    std::sort(m_vertices.begin(), m_vertices.end(), Less_time_stamp());
+    sort_by_time_stamp(m_vertices);
     m_vertices.erase(std::unique(m_vertices.begin(), m_vertices.end()), m_vertices.end());
     m_time_stamps.reserve(m_vertices.size());
     for (Vertex_handle v : m_vertices)

@@ -9,6 +9,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_WORK_LIST_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_WORK_LIST_H
 
+#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 
 #include <algorithm>
@@ -48,6 +49,19 @@ public:
 private:
   std::vector<Item> m_items;
 };
+
+// Returns the finite cells for which a condition holds, sorted. `condition(c)` can be called by
+// several threads.
+template <class Complex, class Condition>
+Work_list<typename Complex::Cell_handle> work_list_if(const Complex& complex,
+                                                      const Condition& condition,
+                                                      const For_each_index& for_each_index) {
+  Work_list<typename Complex::Cell_handle> result;
+  for (typename Complex::Cell_handle c : complex.finite_cells_if(condition, for_each_index))
+    result.push(c);
+  result.sort();
+  return result;
+}
 
 template <class Complex>
 void push_finite(const Complex& complex, const std::vector<typename Complex::Cell_handle>& from,
