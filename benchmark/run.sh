@@ -294,7 +294,7 @@ measure_cut_loci() {
 "$source/scripts/install_dependencies.sh"
 [ -f "$build/CMakeCache.txt" ] ||
   cmake -S "$source" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release
-cmake --build "$build" --target benchmarks dsc dsc-cut-locus dsc-fluid dsc-reconstruct --parallel "$(nproc)"
+cmake --build "$build" --target benchmarks dsc dsc-full dsc-cut-locus dsc-fluid dsc-reconstruct --parallel "$(nproc)"
 mkdir -p "$results"
 tar --extract --gzip --file /usr/share/doc/libcgal-dev/data.tar.gz --directory "$build" data/meshes data/points_3
 {

@@ -12,13 +12,19 @@
 
 #include <CLI/CLI.hpp>
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
+#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <new>
 #include <string>
+#include <system_error>
 
 namespace {
 
@@ -32,6 +38,19 @@ int fail(std::string message, Exit_code code) {
 
 // Suppresses the output of CGAL before it throws: the exception contains the message.
 void print_nothing(const char*, const char*, const char*, int, const char*) {}
+
+/// Replaces the process by another program in the same folder, with the same arguments. Returns an
+/// error message if this fails.
+std::string execute(const dsc::Other_program& other, char** argv) {
+  std::error_code error;
+  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (error)
+    return "cannot find the folder of this program: " + error.message();
+  const std::filesystem::path program = self.parent_path() / other.name;
+  execv(program.c_str(), argv);
+  return "cannot execute " + program.string() + ", which contains " + other.content + ": " +
+         std::strerror(errno) + "; build or install it";
+}
 
 /// Flushes the output. Returns whether all output was written.
 bool flush_output() {
@@ -58,6 +77,9 @@ int dsc::run_program(int argc, char** argv,
                   "program that reads the output is running",
                   bad_input);
     return exit_code;
+  } catch (const dsc::Other_program& other) {
+    std::cout.flush();
+    return fail(execute(other, argv), bad_usage);
   } catch (const dsc::Usage_error& error) {
     return fail(error.what(), bad_usage);
   } catch (const CGAL::Deformable_simplicial_complexes::Interrupted_error&) {

@@ -6,6 +6,7 @@
 #define DSC_PROGRAM_H
 
 #include <functional>
+#include <string>
 
 namespace CLI {
 class App;
@@ -13,8 +14,15 @@ class App;
 
 namespace dsc {
 
+/// Thrown if another program in the folder of this program contains a command or a part of it.
+struct Other_program
+{
+  std::string name;    ///< of the program
+  std::string content; ///< what it contains, for messages
+};
+
 /// Runs a program that consists of commands: reads the command line, runs the command and prints
-/// errors in one line.
+/// errors in one line. If `Other_program` is thrown, executes that program with the same arguments.
 /// \param argc, argv the arguments of the program, of which the first is a command
 /// \param add_commands adds the commands, see commands/commands.h
 /// \return the exit code of the program

@@ -2,18 +2,19 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "surface.h"
-
 #include "errors.h"
+#include "start_complex.h"
+#include "surface.h"
 
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/repair_surface_3.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <iostream>
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
@@ -24,6 +25,7 @@ namespace {
 
 using CGAL::Deformable_simplicial_complexes::Error;
 using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
+using CGAL::Deformable_simplicial_complexes::Tetrahedralization_error;
 
 DSC::Surface_repair_options_3 repair_options(const Surface& surface,
                                              const std::optional<Distance>& largest_hole) {
@@ -83,8 +85,6 @@ void add(Repairs& sums, const Repairs& second) {
       add(sums[i], second[i]);
 }
 
-} // namespace
-
 Repairs repair(std::vector<Surface>& surfaces, const std::vector<std::string>& names,
                const std::optional<Distance>& largest_hole) {
   return for_each(surfaces, names, [&](Surface& surface) {
@@ -92,6 +92,7 @@ Repairs repair(std::vector<Surface>& surfaces, const std::vector<std::string>& n
   });
 }
 
+/// Merges points that TetGen would treat as equal. Returns whether a surface was changed.
 bool merge_near_vertices(std::vector<Surface>& surfaces, const std::vector<std::string>& names,
                          Repairs& repairs) {
   DSC::Surface_repair_options_3 options;
@@ -103,36 +104,42 @@ bool merge_near_vertices(std::vector<Surface>& surfaces, const std::vector<std::
                      [](const auto& report) { return !report.was_sound(); });
 }
 
+/// Wraps the surfaces. TetGen can then fill them.
 void wrap(std::vector<Surface>& surfaces, const std::vector<std::string>& names, Repairs& repairs) {
   add(repairs,
       for_each(surfaces, names, [](Surface& surface) { return DSC::wrap_surface_3(surface); }));
 }
 
-std::string what_was_repaired(const DSC::Surface_repair_report_3& report) {
-  if (report.was_sound())
-    return "bounds a solid; no repair is necessary";
-  std::string text;
-  const auto add = [&text](std::size_t number, const char* singular, const char* plural) {
-    if (number > 0)
-      text += (text.empty() ? "" : ", ") + std::to_string(number) + ' ' +
-              noun(number, singular, plural);
-  };
-  add(report.merged_points, "duplicate point merged", "duplicate points merged");
-  add(report.degenerate_triangles, "degenerate triangle removed", "degenerate triangles removed");
-  add(report.repeated_triangles, "duplicate triangle removed", "duplicate triangles removed");
-  add(report.stitched_points, "boundary point stitched", "boundary points stitched");
-  add(report.split_edges, "edge split at a T-junction", "edges split at T-junctions");
-  add(report.filled_holes, "hole filled", "holes filled");
-  add(report.crossing_pairs, "pair of intersecting triangles", "pairs of intersecting triangles");
-  add(report.united_parts, "intersecting component united", "intersecting components united");
-  add(report.removed_triangles, "triangle removed that bounds no solid",
-      "triangles removed that bound no solid");
-  if (report.is_wrapped)
-    text += (text.empty() ? "" : ", ") + std::string("wrapped");
-  char distance[100];
-  std::snprintf(distance, sizeof distance, "; maximum displacement %.3g (%.3g mean edges)",
-                report.distance(), report.distance() / report.mean_edge);
-  return text + distance;
+} // namespace
+
+std::vector<Surface> read_and_repair(const Run_start& start, Repairs* repairs) {
+  std::vector<Surface> surfaces = read_surfaces(start.inputs);
+  Repairs done = repair(surfaces, start.inputs, start.largest_hole);
+  if (repairs)
+    *repairs = std::move(done);
+  return surfaces;
+}
+
+std::unique_ptr<Tracked_complex> track_repaired_surfaces(const Run_options& options,
+                                                         const std::vector<std::string>& names,
+                                                         Repairs& repairs) {
+  std::vector<Surface> surfaces = start_surfaces(options.start, &repairs);
+  std::ostream* notes = options.output.quiet ? nullptr : &std::cout;
+  try {
+    return track_surfaces(surfaces, names, options.domain, notes);
+  } catch (const Tetrahedralization_error& error) {
+    if (is_out_of_memory(error))
+      throw;
+  }
+  try {
+    if (merge_near_vertices(surfaces, names, repairs))
+      return track_surfaces(surfaces, names, options.domain, notes);
+  } catch (const Tetrahedralization_error& error) {
+    if (is_out_of_memory(error))
+      throw;
+  }
+  wrap(surfaces, names, repairs);
+  return track_surfaces(surfaces, names, options.domain, notes);
 }
 
 } // namespace dsc

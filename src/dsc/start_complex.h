@@ -9,10 +9,13 @@
 #include "surface.h"
 #include "tracked_complex.h"
 
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+
 #include <array>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace dsc {
 
@@ -26,6 +29,24 @@ std::unique_ptr<Tracked_complex> start_complex(const Run_options& options, Repai
 /// \param domain lower and upper bounds of the box; the default of the library if not set
 std::unique_ptr<Tracked_complex> track_image(const std::string& path, double edge,
                                              const std::optional<std::array<double, 6>>& domain);
+
+/// Returns the complex of a mesh of labelled tetrahedra (.mesh, .vtu). If there is no room around its
+/// interface, the complex is built from the boundary of the tetrahedra.
+/// \param labels as in `Run_start`
+/// \param domain as above
+std::unique_ptr<Tracked_complex>
+track_tetrahedra(const std::string& path, const std::string& labels,
+                 const std::optional<std::array<double, 6>>& domain);
+
+/// Returns whether TetGen had not enough memory. Then another surface of the same size fails, too.
+bool is_out_of_memory(const CGAL::Deformable_simplicial_complexes::Tetrahedralization_error& error);
+
+/// Returns the complex of repaired surfaces. If TetGen fails, they are repaired further.
+/// \param names names of the surfaces, for messages
+/// \param repairs receives the repairs
+std::unique_ptr<Tracked_complex> track_repaired_surfaces(const Run_options& options,
+                                                         const std::vector<std::string>& names,
+                                                         Repairs& repairs);
 
 } // namespace dsc
 

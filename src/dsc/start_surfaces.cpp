@@ -16,14 +16,13 @@
 namespace dsc {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Vector = Kernel::Vector_3;
+using Surface_vector = CGAL::Exact_predicates_inexact_constructions_kernel::Vector_3;
 
 constexpr std::size_t triangles_of_balls = 5120;
 
 Surface_point center(const Ball& ball) { return {ball.center[0], ball.center[1], ball.center[2]}; }
 
-double length(const Vector& v) { return std::sqrt(v.squared_length()); }
+double length(const Surface_vector& v) { return std::sqrt(v.squared_length()); }
 
 /// Returns a sphere: an icosahedron whose faces are divided into n^2 triangles and projected to the
 /// sphere. The number n is chosen so that the number of triangles is nearest to `triangles`.
@@ -48,7 +47,7 @@ Surface sphere(const Ball& ball, std::size_t triangles) {
           weights[corners[c]] = weight[c];
       const auto [place, is_new] = known.emplace(weights, surface.points.size());
       if (is_new) {
-        Vector sum(0, 0, 0);
+        Surface_vector sum(0, 0, 0);
         for (const auto& [corner, times] : weights)
           sum += times * (icosahedron.points()[CGAL::SM_Vertex_index(corner)] - CGAL::ORIGIN);
         surface.points.push_back(center(ball) + ball.radius / length(sum) * sum);
@@ -90,12 +89,8 @@ void fit(std::vector<Surface>& surfaces, const Ball& ball) {
 std::vector<Surface> start_surfaces(const Run_start& start, Repairs* repairs) {
   if (start.inputs.empty())
     return {sphere(*start.ball, start.triangles > 0 ? start.triangles : triangles_of_balls)};
-  std::vector<Surface> surfaces = read_surfaces(start.inputs);
-  if (start.repairs) {
-    const Repairs done = repair(surfaces, start.inputs, start.largest_hole);
-    if (repairs)
-      *repairs = done;
-  }
+  std::vector<Surface> surfaces =
+      start.repairs ? read_and_repair(start, repairs) : read_surfaces(start.inputs);
   if (start.triangles > 0)
     resample(surfaces, start.inputs, start.triangles);
   if (start.ball)

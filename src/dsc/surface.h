@@ -5,7 +5,6 @@
 #ifndef DSC_SURFACE_H
 #define DSC_SURFACE_H
 
-#include "distance.h"
 #include "run_start.h"
 
 #include <CGAL/Deformable_simplicial_complexes/Labelled_surface_3.h>
@@ -14,7 +13,6 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,24 +30,10 @@ std::vector<Surface> read_surfaces(const std::vector<std::string>& paths);
 /// The repairs of each surface of a run; empty if surfaces are not repaired.
 using Repairs = std::vector<DSC::Surface_repair_report_3>;
 
-/// Repairs surfaces so that they bound solids.
-/// \param names names of the surfaces, for messages
-/// \param largest_hole length of the boundary of the largest hole to be filled; the default of the
-/// library if not set
-/// \throws Input_error if a surface cannot be repaired
-Repairs repair(std::vector<Surface>& surfaces, const std::vector<std::string>& names,
-               const std::optional<Distance>& largest_hole);
-
-/// Merges vertices that nearly coincide, repairs the resulting defects, and adds both to the
-/// repairs.
-/// \return whether vertices were merged or defects repaired
-/// \throws Input_error if a surface cannot be repaired
-bool merge_near_vertices(std::vector<Surface>& surfaces, const std::vector<std::string>& names,
-                         Repairs& repairs);
-
-/// Replaces surfaces by wraps around them, and adds this to the repairs.
-/// \throws Input_error if a surface cannot be wrapped
-void wrap(std::vector<Surface>& surfaces, const std::vector<std::string>& names, Repairs& repairs);
+/// Reads the surfaces of a run and repairs them, so that they bound solids.
+/// \param repairs receives the repairs, unless it is null
+/// \throws Input_error if a surface cannot be repaired; std::runtime_error if it cannot be read
+std::vector<Surface> read_and_repair(const Run_start& start, Repairs* repairs);
 
 /// Returns a description of the repairs, in one line.
 std::string what_was_repaired(const DSC::Surface_repair_report_3& report);

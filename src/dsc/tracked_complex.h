@@ -96,6 +96,10 @@ std::unique_ptr<Tracked_complex> track_figure(const Run_start& start,
 /// Reads the complex and the metadata of a checkpoint.
 std::unique_ptr<Tracked_complex> track_checkpoint(const std::string& path, std::string& metadata);
 
+/// The same for a checkpoint of a complex in the plane.
+std::unique_ptr<Tracked_complex> track_planar_checkpoint(const std::string& path,
+                                                         std::string& metadata);
+
 using Clock = std::chrono::steady_clock;
 
 inline double seconds_since(Clock::time_point start) {

@@ -8,6 +8,7 @@
 #include "files.h"
 #include "option_values.h"
 #include "start_curves.h"
+#include "tracked_checkpoint.h"
 #include "unused.h"
 
 #include <CGAL/Deformable_simplicial_complexes/IO/SVG_2.h>
@@ -141,6 +142,11 @@ std::unique_ptr<Tracked_complex> track_figure(const Run_start& start,
     throw Input_error((start.inputs.empty() ? "the figure" : start.inputs[0]) + std::string(": ") +
                       error.what());
   }
+}
+
+std::unique_ptr<Tracked_complex> track_planar_checkpoint(const std::string& path,
+                                                         std::string& metadata) {
+  return restored<Tracked_complex_2>(path, CGAL::IO::read_checkpoint_2(path), metadata);
 }
 
 void Tracked_complex_2::go_back() {

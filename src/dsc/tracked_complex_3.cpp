@@ -5,7 +5,6 @@
 #include "tracked_complex_3.h"
 #include "errors.h"
 #include "files.h"
-#include "labelled_tetrahedra.h"
 #include "option_values.h"
 #include "picture.h"
 
@@ -14,9 +13,7 @@
 #include <CGAL/Deformable_simplicial_complexes/IO/VTU_3.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_3.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/labelled_surface_3.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/extract_interface_3.h>
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/subdivide_interface_3.h>
 
 #include <CGAL/number_utils.h>
@@ -34,8 +31,6 @@ namespace {
 using Complex = Tracked_complex_3::Complex;
 using Point = Complex::Approximate_point_3;
 using Vector = Complex::Approximate_vector_3;
-using CGAL::Deformable_simplicial_complexes::Invalid_cells_error;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 constexpr double degree = CGAL_PI / 180;
 
@@ -78,16 +73,6 @@ void add_dihedral_angles(const Complex& complex, Statistics& statistics) {
 }
 
 } // namespace
-
-std::unique_ptr<Tracked_complex_3> Tracked_complex_3::from_mesh(const std::string& path,
-                                                                const Labelled_tetrahedra& mesh) {
-  try {
-    return std::make_unique<Tracked_complex_3>(DSC::make_deformable_simplicial_complex_3<Complex>(
-        mesh.points, mesh.tetrahedra, mesh.labels, parameters::improve(false)));
-  } catch (const Invalid_cells_error& error) {
-    throw Input_error(path + ": " + error.what() + place_of(error, mesh));
-  }
-}
 
 void Tracked_complex_3::go_back() {
   if (!m_kept)
@@ -167,13 +152,6 @@ void Tracked_complex_3::write(const std::string& path) const {
     CGAL::IO::write_MEDIT(path, complex);
   else
     CGAL::IO::write_interface(path, complex);
-}
-
-void Tracked_complex_3::write(const std::string& path, const Mesh_content& content) const {
-  if (extension(path) == "vtu")
-    CGAL::IO::write_VTU(path, complex, content.arrays);
-  else
-    CGAL::IO::write_MEDIT(path, complex, content.entities);
 }
 
 void Tracked_complex_3::write_subdivided(const std::string& path, int subdivisions) const {

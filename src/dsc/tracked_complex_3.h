@@ -9,6 +9,7 @@
 #include "tracked_complex.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/compiled_3.h>
 #include <CGAL/Deformable_simplicial_complexes/State.h>
 
 #include <functional>

@@ -5,11 +5,14 @@
 #include "cell_regions.h"
 #include "content_visitor.h"
 #include "errors.h"
+#include "files.h"
 #include "separation.h"
 #include "tracked_complex_3.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/MEDIT_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/VTU_3.h>
 #include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
 
 #include <algorithm>
@@ -139,6 +142,13 @@ Improvement_outcome Tracked_complex_3::improve(const Improvement_options& option
   complex.restore(state);
   outcome.seconds = seconds_since(start);
   return outcome;
+}
+
+void Tracked_complex_3::write(const std::string& path, const Mesh_content& content) const {
+  if (extension(path) == "vtu")
+    CGAL::IO::write_VTU(path, complex, content.arrays);
+  else
+    CGAL::IO::write_MEDIT(path, complex, content.entities);
 }
 
 } // namespace dsc

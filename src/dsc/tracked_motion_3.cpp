@@ -98,19 +98,18 @@ struct Step
   Report operator()(const Advection& advection) const {
     switch (advection.field) {
     case Advection::Field::enright:
-      return follow(DSC::Enright_velocity_3(advection.period), advection);
+      return follow(Field(DSC::Enright_velocity_3(advection.period)), advection);
     case Advection::Field::vortex:
-      return follow(DSC::Single_vortex_velocity_3(advection.period), advection);
+      return follow(Field(DSC::Single_vortex_velocity_3(advection.period)), advection);
     default: {
       const Velocity_expressions velocity(advection.expressions, 3);
-      return follow(
-          [&](const Point& p, double t) {
-            const auto [x, y, z] = velocity.at({p.x(), p.y(), p.z()}, t);
-            const double factor =
-                advection.period > 0 ? std::cos(CGAL_PI * t / advection.period) : 1;
-            return factor * Vector(x, y, z);
-          },
-          advection);
+      return follow(Field([&](const Point& p, double t) {
+                      const auto [x, y, z] = velocity.at({p.x(), p.y(), p.z()}, t);
+                      const double factor =
+                          advection.period > 0 ? std::cos(CGAL_PI * t / advection.period) : 1;
+                      return factor * Vector(x, y, z);
+                    }),
+                    advection);
     }
     }
   }
@@ -122,7 +121,10 @@ struct Step
   }
 
 private:
-  template <class Field> Report follow(const Field& field, const Advection& advection) const {
+  // One type for all velocity fields, so that the advection is instantiated once.
+  using Field = std::function<Vector(const Point&, double)>;
+
+  Report follow(const Field& field, const Advection& advection) const {
     const DSC::Velocity_in_user_coordinates_3<Complex, Field> velocity(complex, field);
     Options options;
     options.advection.scheme = advection.scheme;

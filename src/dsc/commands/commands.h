@@ -11,8 +11,11 @@ class App;
 
 namespace dsc {
 
-/// Descriptions of the commands that are programs of their own, for the help.
-inline constexpr char description_of_cut_locus[] = "Compute the cut locus of a point of a surface",
+/// Descriptions of the commands that the program `dsc` leaves to other programs, for the help.
+inline constexpr char description_of_info[] = "Print statistics of a file",
+                      description_of_improve[] = "Optimize the tetrahedra of a labelled mesh; the "
+                                                 "interface is preserved",
+                      description_of_cut_locus[] = "Compute the cut locus of a point of a surface",
                       description_of_fluid[] = "Simulate incompressible liquids with free surfaces",
                       description_of_reconstruct[] =
                           "Reconstruct the closed solid whose surface a point set samples";
@@ -21,7 +24,6 @@ inline constexpr char description_of_cut_locus[] = "Compute the cut locus of a p
 /// parsing of the command line and stores the exit code. The command throws Usage_error if its
 /// options are invalid. Other errors are std::runtime_error, with a message of one line that states
 /// the cause and what to do.
-void add_info(CLI::App& app, int& exit_code);
 void add_rotate(CLI::App& app, int& exit_code);
 void add_offset(CLI::App& app, int& exit_code);
 void add_enright(CLI::App& app, int& exit_code);
@@ -29,7 +31,10 @@ void add_vortex(CLI::App& app, int& exit_code);
 void add_advect(CLI::App& app, int& exit_code);
 void add_mean_curvature(CLI::App& app, int& exit_code);
 void add_zalesak(CLI::App& app, int& exit_code);
+/// Adds the seven commands above, which move an interface.
+void add_flows(CLI::App& app, int& exit_code);
 void add_convert(CLI::App& app, int& exit_code);
+void add_info(CLI::App& app, int& exit_code);
 void add_improve(CLI::App& app, int& exit_code);
 void add_cut_locus(CLI::App& app, int& exit_code);
 void add_reconstruct(CLI::App& app, int& exit_code);

@@ -120,8 +120,7 @@ void read(const CLI::App& command, Improve_options& options) {
 
 void add_improve(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<Improve_options>();
-  CLI::App* command = app.add_subcommand(
-      "improve", "Optimize the tetrahedra of a labelled mesh; the interface is preserved");
+  CLI::App* command = app.add_subcommand("improve", description_of_improve);
   command->add_option("INPUT", options->input, "Labelled tetrahedra (.mesh, .vtu)")->required();
   command->add_option("-o,--output", options->output, "Output file (.mesh, .vtu); may be INPUT")
       ->required();

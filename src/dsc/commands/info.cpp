@@ -97,7 +97,7 @@ void check(const Info_options& options) {
 
 void add_info(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<Info_options>();
-  CLI::App* command = app.add_subcommand("info", "Print statistics of a file");
+  CLI::App* command = app.add_subcommand("info", description_of_info);
   command
       ->add_option(
           "FILE", options->file,

@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The functions that the program `dsc` leaves to `dsc-full`.
+
+#include "../program.h"
+#include "../start_complex.h"
+#include "../start_curves.h"
+#include "../surface.h"
+#include "../tracked_complex.h"
+
+namespace dsc {
+namespace {
+
+[[noreturn]] void leave(const char* content) { throw Other_program{"dsc-full", content}; }
+
+constexpr char plane[] = "complexes in the plane", repairs[] = "repairs";
+
+} // namespace
+
+std::unique_ptr<Tracked_complex> track_figure(const Run_start&,
+                                              const std::optional<std::array<double, 6>>&) {
+  leave(plane);
+}
+
+std::unique_ptr<Tracked_complex> track_planar_checkpoint(const std::string&, std::string&) {
+  leave(plane);
+}
+
+Curves start_curves(const Run_start&) { leave(plane); }
+
+std::unique_ptr<Tracked_complex> track_image(const std::string&, double,
+                                             const std::optional<std::array<double, 6>>&) {
+  leave("images of voxels");
+}
+
+std::unique_ptr<Tracked_complex>
+track_tetrahedra(const std::string&, const std::string&,
+                 const std::optional<std::array<double, 6>>&) {
+  leave("meshes of tetrahedra");
+}
+
+std::vector<Surface> read_and_repair(const Run_start&, Repairs*) { leave(repairs); }
+
+std::unique_ptr<Tracked_complex> track_repaired_surfaces(const Run_options&,
+                                                         const std::vector<std::string>&,
+                                                         Repairs&) {
+  leave(repairs);
+}
+
+} // namespace dsc

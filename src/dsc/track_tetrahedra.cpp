@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "domain_box.h"
+#include "errors.h"
+#include "labelled_tetrahedra.h"
+#include "start_complex.h"
+#include "tracked_complex_3.h"
+#include "unused.h"
+
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Tetgen_tetrahedralizer_3.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
+namespace dsc {
+namespace {
+
+using Complex = Tracked_complex_3::Complex;
+using CGAL::Deformable_simplicial_complexes::Invalid_cells_error;
+using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
+namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+
+std::unique_ptr<Tracked_complex> track(Complex&& complex) {
+  return std::make_unique<Tracked_complex_3>(std::move(complex));
+}
+
+/// Returns whether all tetrahedra at the boundary have label 0, so that there is room around the
+/// interface.
+bool has_room_around(const Complex& complex) {
+  const auto& triangulation = complex.triangulation();
+  const auto all = triangulation.all_cell_handles();
+  return std::all_of(all.begin(), all.end(), [&](Complex::Cell_handle c) {
+    return !triangulation.is_infinite(c) ||
+           c->neighbor(c->index(triangulation.infinite_vertex()))->label() == 0;
+  });
+}
+
+} // namespace
+
+std::unique_ptr<Tracked_complex_3> Tracked_complex_3::from_mesh(const std::string& path,
+                                                                const Labelled_tetrahedra& mesh) {
+  try {
+    return std::make_unique<Tracked_complex_3>(DSC::make_deformable_simplicial_complex_3<Complex>(
+        mesh.points, mesh.tetrahedra, mesh.labels, parameters::improve(false)));
+  } catch (const Invalid_cells_error& error) {
+    throw Input_error(path + ": " + error.what() + place_of(error, mesh));
+  }
+}
+
+std::unique_ptr<Tracked_complex> track_tetrahedra(const std::string& path,
+                                                  const std::string& labels, const std::optional<std::array<double, 6>>& domain) {
+  Labelled_tetrahedra mesh = read_tetrahedra(path, labels);
+  mesh.leave_out_arrays();
+  mesh.leave_out_entities();
+  print_unused(path, mesh.unused);
+  if (!domain) {
+    try {
+      auto complex = Tracked_complex_3::from_mesh(path, mesh);
+      if (has_room_around(complex->complex))
+        return complex;
+    } catch (const Input_error&) { // not a ball, or invalid
+    }
+  }
+  try {
+    return track(DSC::make_deformable_simplicial_complex_3<Complex>(
+        mesh.points, mesh.tetrahedra, mesh.labels, CGAL::Tetgen_tetrahedralizer_3(),
+        normalized(domain)));
+  } catch (const Invalid_cells_error& error) {
+    throw Input_error(path + ": " + error.what() + place_of(error, mesh));
+  } catch (const Invalid_surface_error& error) {
+    throw Input_error(path + ": the boundary of the tetrahedra is invalid: " + error.what());
+  }
+}
+
+} // namespace dsc
