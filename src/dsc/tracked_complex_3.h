@@ -6,11 +6,12 @@
 #define DSC_TRACKED_COMPLEX_3_H
 
 #include "mesh_content.h"
+#include "threads_option.h"
 #include "tracked_complex.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/compiled_3.h>
 #include <CGAL/Deformable_simplicial_complexes/State.h>
+#include <CGAL/Deformable_simplicial_complexes/compiled_3.h>
 
 #include <functional>
 #include <memory>
@@ -27,6 +28,7 @@ struct Improvement_options
 {
   bool aggressive = false;         ///< whether more expensive operations are used
   std::optional<double> threshold; ///< in (0, 1]; the library's default if not set
+  unsigned threads = default_number_of_threads();
 };
 
 class Tracked_complex_3 : public Tracked_complex

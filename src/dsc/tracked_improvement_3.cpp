@@ -105,6 +105,7 @@ Improvement_outcome Tracked_complex_3::improve(const Improvement_options& option
   DSC::Mesh_improvement_options<Complex_at_rest> improvement;
   improvement.aggressive = options.aggressive;
   improvement.quality_threshold = options.threshold;
+  improvement.number_of_threads = options.threads;
   const auto start = Clock::now();
   Complex_at_rest at_rest;
   State state = complex.state();

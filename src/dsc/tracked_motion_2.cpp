@@ -88,17 +88,16 @@ struct Step
     case Advection::Field::enright:
       throw Usage_error("dsc enright applies only in space; use dsc vortex in the plane");
     case Advection::Field::vortex:
-      return follow(DSC::Single_vortex_velocity_2(advection.period), advection);
+      return follow(Field(DSC::Single_vortex_velocity_2(advection.period)), advection);
     default: {
       const Velocity_expressions velocity(advection.expressions, 2);
-      return follow(
-          [&](const Point& p, double t) {
-            const auto v = velocity.at({p.x(), p.y(), 0}, t);
-            const double factor =
-                advection.period > 0 ? std::cos(CGAL_PI * t / advection.period) : 1;
-            return factor * Vector(v[0], v[1]);
-          },
-          advection);
+      return follow(Field([&](const Point& p, double t) {
+                      const auto v = velocity.at({p.x(), p.y(), 0}, t);
+                      const double factor =
+                          advection.period > 0 ? std::cos(CGAL_PI * t / advection.period) : 1;
+                      return factor * Vector(v[0], v[1]);
+                    }),
+                    advection);
     }
     }
   }
@@ -109,7 +108,10 @@ struct Step
   }
 
 private:
-  template <class Field> Report follow(const Field& field, const Advection& advection) const {
+  // One type for all velocity fields, so that the advection is instantiated once.
+  using Field = std::function<Vector(const Point&, double)>;
+
+  Report follow(const Field& field, const Advection& advection) const {
     Options options;
     options.advection.scheme = advection.scheme;
     return follow(field, advection.dt, advection.tolerance, options);

@@ -39,7 +39,7 @@ template <class Complex> struct Mesh_improvement_options
   bool aggressive = false;
   /// Whether vertices of the interface may move where the interface is flat, in space.
   bool smooth_interface = false;
-  /// Number of threads if `aggressive` and linked with TBB. The result does not depend on it.
+  /// Number of threads if linked with TBB. The result does not depend on it.
   unsigned number_of_threads = defaults::number_of_threads;
   /// Visitor of the changes, such as a `Visitor_adaptor`; it must outlive the call. None if null.
   Any_visitor<Complex>* visitor = nullptr;

@@ -74,8 +74,7 @@ seeds.
     \cgalParamType{`bool`} \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_threads}
-    \cgalParamDescription{number of threads if `aggressive` and linked with TBB; the result does not
-                          depend on it}
+    \cgalParamDescription{number of threads if linked with TBB; the result does not depend on it}
     \cgalParamType{`unsigned int`} \cgalParamDefault{1}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}

@@ -13,6 +13,7 @@
 #include "output_folder.h"
 #include "progress_line.h"
 #include "report_json.h"
+#include "threads_option.h"
 #include "unused.h"
 
 #include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_3.h>
@@ -27,7 +28,6 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -43,7 +43,7 @@ struct Fluid_options
   std::string written_end; ///< as written
   double end = 0;          ///< final time; if 0, the end of the scene
   unsigned steps = 0;      ///< maximum number; 0 for no limit
-  unsigned threads = std::max(1U, std::thread::hardware_concurrency()); ///< number of threads
+  unsigned threads = default_number_of_threads();
   std::string output; ///< output folder; empty for no files
   unsigned every = 1;
   int subdivisions = 0; ///< of the smooth surfaces in the output, by Loop's scheme; 0 for none
@@ -357,10 +357,7 @@ void add_fluid(CLI::App& app, int& exit_code) {
                       "Final time (default: final time of the scene)");
   command->add_option("--steps", options->steps, "Maximum number of steps")
       ->check(CLI::Range(1, INT_MAX));
-  command
-      ->add_option("--threads", options->threads,
-                   "Number of threads (default: all cores); the result does not depend on it")
-      ->check(CLI::Range(1, 1024));
+  add_threads_option(*command, options->threads);
   CLI::Option* output =
       command->add_option("--output", options->output,
                           "Folder for ParaView files and a checkpoint; created if necessary");

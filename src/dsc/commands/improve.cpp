@@ -10,6 +10,7 @@
 #include "mesh_content.h"
 #include "option_values.h"
 #include "report_json.h"
+#include "threads_option.h"
 #include "tracked_complex_3.h"
 #include "unused.h"
 
@@ -125,6 +126,7 @@ void add_improve(CLI::App& app, int& exit_code) {
   command->add_option("-o,--output", options->output, "Output file (.mesh, .vtu); may be INPUT")
       ->required();
   add_labels_option(*command, options->labels);
+  add_threads_option(*command, options->improvement.threads);
   command->add_flag("--aggressive", options->improvement.aggressive,
                     "Use more operations: minutes instead of seconds, and better tetrahedra");
   command->add_option(

@@ -9,6 +9,7 @@
 #include "option_values.h"
 #include "progress_line.h"
 #include "report_json.h"
+#include "threads_option.h"
 #include "tracked_complex_3.h"
 #include "unused.h"
 
@@ -47,7 +48,7 @@ struct Reconstruct_options
   double tolerance = 0;                   ///< in units of the point spacing
   bool keeps_open = false;                ///< writes the sampled sheet, not the closed surface
   unsigned steps = 80;                    ///< maximum number
-  unsigned threads = 1;
+  unsigned threads = default_number_of_threads();
   std::string folder;  ///< output folder of the steps; empty for none
   std::string report;  ///< file; empty for none
   std::string picture; ///< file; empty for none
@@ -308,11 +309,7 @@ void add_reconstruct(CLI::App& app, int& exit_code) {
   command->add_option("--steps", options->steps, "Maximum number of steps")
       ->check(CLI::Range(1, INT_MAX))
       ->capture_default_str();
-  command
-      ->add_option("--threads", options->threads,
-                   "Number of threads; the result does not depend on it")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  add_threads_option(*command, options->threads);
   command->add_option("--output", options->folder,
                       "Folder for ParaView files of all steps; created if necessary");
   command->add_option(

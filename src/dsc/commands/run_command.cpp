@@ -7,20 +7,9 @@
 #include "continue_steps.h"
 #include "option_values.h"
 
-#include <algorithm>
 #include <climits>
-#include <thread>
 
 namespace dsc {
-namespace {
-
-constexpr int most_threads = 1024;
-
-} // namespace
-
-unsigned default_number_of_threads() { // 0 if unknown
-  return std::clamp(std::thread::hardware_concurrency(), 1u, unsigned(most_threads));
-}
 
 void add_improvement_options(CLI::App& command, Interface_improvement_options& options) {
   CLI::Option* improves =
@@ -70,10 +59,7 @@ CLI::App* add_run_command(CLI::App& app, const std::string& name, const std::str
       ->capture_default_str();
   add_start_options(*command, options.start, resume);
   add_improvement_options(*command, options.improvement);
-  command
-      ->add_option("--threads", options.threads,
-                   "Number of threads (default: all cores); the result does not depend on it")
-      ->check(CLI::Range(1, most_threads));
+  add_threads_option(*command, options.threads);
   add_output_options(*command, options.output);
   return command;
 }

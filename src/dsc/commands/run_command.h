@@ -7,6 +7,7 @@
 
 #include "commands/start_options.h"
 #include "run.h"
+#include "threads_option.h"
 
 #include <CLI/CLI.hpp>
 
@@ -20,9 +21,6 @@ struct Interface_improvement_options
   bool improves_interface = false;
   std::string aggressiveness; ///< as written
 };
-
-/// Returns the number of cores, clamped to the range of the option `--threads`.
-unsigned default_number_of_threads();
 
 /// The options of all commands that move an interface.
 struct Run_command_options

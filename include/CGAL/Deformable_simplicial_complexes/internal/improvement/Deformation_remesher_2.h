@@ -47,7 +47,7 @@ public:
                          const For_each_index& for_each_index)
       : m_complex(complex), m_visitor(visitor), m_topology_control(options.topology_control),
         m_relabeling_threshold(options.relabeling_threshold), m_cavity(complex),
-        m_improver(complex, visitor, destinations, options.quality_threshold),
+        m_improver(complex, visitor, destinations, options.quality_threshold, for_each_index),
         m_small_angles(complex, visitor, rigid_components, options.minimum_angle,
                        options.quality_threshold, for_each_index) {}
 

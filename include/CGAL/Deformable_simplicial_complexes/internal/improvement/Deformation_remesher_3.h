@@ -52,7 +52,7 @@ public:
       : m_complex(complex), m_destinations(destinations), m_for_each_index(for_each_index),
         m_relabeling_threshold(options.relabeling_threshold),
         m_degenerate_cosine(std::cos(options.minimum_facet_angle * (CGAL_PI / 180))),
-        m_improver(complex, visitor, destinations, options.quality_threshold),
+        m_improver(complex, visitor, destinations, options.quality_threshold, for_each_index),
         m_small_angles(complex, visitor, rigid_components, options.minimum_angle,
                        options.quality_threshold, for_each_index) {}
 

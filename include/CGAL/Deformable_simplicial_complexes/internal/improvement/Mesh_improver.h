@@ -12,17 +12,19 @@
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_split.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Failure_memory.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_operations.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Vertex_smoother.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/local_edge_length.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Destinations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 #include <CGAL/Deformable_simplicial_complexes/star_union.h>
-#include <CGAL/Deformable_simplicial_complexes/vertex_smoothing.h>
 
 #include <algorithm>
 #include <array>
@@ -60,14 +62,16 @@ public:
   // also retriangulates sets of facets and inserts vertices where other operations fail. If
   // `smooths_interface` is set, it also moves interface vertices within their plane or line.
   Mesh_improver(Complex& complex, Any_visitor<Complex>& visitor, double threshold,
-                bool is_thorough = false, bool smooths_interface = false)
+                const For_each_index& for_each_index, bool is_thorough = false,
+                bool smooths_interface = false)
       : m_complex(complex), m_visitor(visitor), m_threshold(threshold), m_is_thorough(is_thorough),
-        m_smooths_interface(smooths_interface), m_cavity(complex) {}
+        m_cavity(complex), m_smoother(complex, for_each_index, smooths_interface) {}
 
   // Creates an improver for a mesh during a deformation.
   Mesh_improver(Complex& complex, Any_visitor<Complex>& visitor,
-                const Destinations<Complex>& destinations, double threshold)
-      : Mesh_improver(complex, visitor, threshold) {
+                const Destinations<Complex>& destinations, double threshold,
+                const For_each_index& for_each_index)
+      : Mesh_improver(complex, visitor, threshold, for_each_index) {
     m_destinations = &destinations;
   }
 
@@ -94,20 +98,32 @@ public:
   }
 
   // Improves the given cells below the threshold, then the cells created or changed by this, and so
-  // on for at most `rounds` rounds. A cell that smoothing improves only slightly is marked as a
-  // failure, because further smoothing would have little effect.
+  // on for at most `rounds` rounds. A round first reconnects cells, then moves the vertices of the
+  // cells that remain, and tries the other operations on the cells that these motions do not
+  // improve. A cell that is hardly improved is marked as a failure, because further attempts would
+  // have little effect.
   void improve(Cells cells, unsigned rounds) {
-    work_in_rounds(m_complex, std::move(cells), rounds, [&](Cell_handle c, Cells& touched) {
-      const double before = c->quality();
-      if (!is_bad(c) || reconnect(c, touched))
-        return;
-      const bool is_smoothed = smooth(c, touched);
-      if (!is_smoothed &&
-          (collapse(c, touched) || split(c, touched) || (m_is_thorough && insert(c, touched))))
-        return;
-      if (!is_smoothed || !is_essential_change(before, c->quality()))
-        set_exhausted(c, to_improve_quality);
-    });
+    Cells touched;
+    std::vector<Stuck_cell> stuck;
+    for (unsigned round = 0; round < rounds && !cells.empty(); ++round) {
+      cells.sort();
+      touched.clear();
+      stuck.clear();
+      for (const auto& item : cells) {
+        Progress_scope::check();
+        if (m_complex.is_alive(item.cell, item.time_stamp) && is_bad(item.cell) &&
+            !reconnect(item.cell, touched))
+          stuck.push_back({item, item.cell->quality()});
+      }
+      smooth(stuck, touched);
+      m_first_created = none;
+      for (const Stuck_cell& s : stuck) {
+        Progress_scope::check();
+        if (m_complex.is_alive(s.item.cell, s.item.time_stamp))
+          improve_after_smoothing(s.item.cell, s.quality, touched);
+      }
+      std::swap(cells, touched);
+    }
   }
 
   // Returns whether a cell is below the threshold and has no recorded failure.
@@ -119,34 +135,6 @@ public:
     const auto accept = [&] { return !covers_interface(); };
     return Own::propose_reconnection(m_complex, c, m_is_thorough, m_cavity, accept) &&
            commit(touched);
-  }
-
-  bool smooth(Cell_handle c, Cells& touched) {
-    const double before = c->quality();
-    typename Complex::Point target;
-    for (int i = 0; i < Complex::corners && c->quality() < m_threshold; ++i) {
-      const Vertex_handle v = c->vertex(i);
-      if (v->is_interface() && !m_smooths_interface)
-        continue;
-      m_complex.star(v, m_star);
-      if (!propose_smart_laplacian(m_complex, v, m_star, target) &&
-          !Own::propose_optimal_position(m_complex, v, m_star, target))
-        continue;
-      m_qualities.clear();
-      for (Cell_handle d : m_star)
-        m_qualities.push_back(d->quality());
-      smooth_vertex(m_complex, v, m_star, target, m_visitor);
-      ++m_report.smoothed;
-      // Only cells whose shape has changed are tried again.
-      for (std::size_t k = 0; k < m_star.size(); ++k) {
-        if (!is_essential_change(m_qualities[k], m_star[k]->quality()))
-          continue;
-        if (m_is_at_rest)
-          clear_exhausted(m_star[k], to_improve_quality);
-        touch(m_star[k], touched);
-      }
-    }
-    return c->quality() > before;
   }
 
   bool collapse(Cell_handle c, Cells& touched) {
@@ -214,6 +202,65 @@ public:
   }
 
 protected:
+  // A cell that could not be reconnected, and its quality.
+  struct Stuck_cell
+  {
+    typename Cells::Item item;
+    double quality;
+  };
+
+  // Moves the vertices of the stuck cells that are still in the complex, each vertex at most once.
+  void smooth(const std::vector<Stuck_cell>& stuck, Cells& touched) {
+    std::vector<Cell_handle> cells;
+    for (const Stuck_cell& s : stuck)
+      if (m_complex.is_alive(s.item.cell, s.item.time_stamp))
+        cells.push_back(s.item.cell);
+    m_smoother.run(
+        cells, [&](Cell_handle c) { return is_bad(c); },
+        [&](Vertex_handle v, const std::vector<Cell_handle>& star, const auto& target) {
+          m_qualities.clear();
+          for (Cell_handle d : star)
+            m_qualities.push_back(d->quality());
+          smooth_vertex(m_complex, v, star, target, m_visitor);
+          ++m_report.smoothed;
+          // Only cells whose shape has changed are tried again.
+          for (std::size_t k = 0; k < star.size(); ++k) {
+            if (!is_essential_change(m_qualities[k], star[k]->quality()))
+              continue;
+            if (m_is_at_rest)
+              clear_exhausted(star[k], to_improve_quality);
+            touch(star[k], touched);
+          }
+        });
+  }
+
+  // Tries the other operations on a cell. `before` is its quality before its vertices were moved.
+  void improve_after_smoothing(Cell_handle c, double before, Cells& touched) {
+    if (!is_bad(c))
+      return;
+    const bool is_smoothed = c->quality() > before;
+    if (!is_smoothed) {
+      if (collapse(c, touched) || split(c, touched))
+        return;
+      if (m_is_thorough && has_new_neighbor(c)) { // smoothing may now suffice
+        touched.push(c);
+        return;
+      }
+      if (m_is_thorough && insert(c, touched))
+        return;
+    }
+    if (!is_smoothed || !is_essential_change(before, c->quality()))
+      set_exhausted(c, to_improve_quality);
+  }
+
+  // Returns whether a neighbor of a cell was created after the vertices were moved in this round.
+  bool has_new_neighbor(Cell_handle c) const {
+    for (int i = 0; i < Complex::corners; ++i)
+      if (c->neighbor(i)->time_stamp() >= m_first_created)
+        return true;
+    return false;
+  }
+
   // Returns whether an edge is long compared with the interface edges at its ends. If neither end
   // has interface edges, it is compared with the mean interface edge of the input.
   bool is_long(Vertex_handle v, Vertex_handle w, double squared_length) const {
@@ -294,6 +341,8 @@ protected:
   }
 
   void touch_created(Cells& touched) {
+    if (m_first_created == none)
+      m_first_created = m_cavity.created().front()->time_stamp();
     for (Cell_handle c : m_cavity.created())
       touch(c, touched);
   }
@@ -303,7 +352,8 @@ protected:
       touched.push(c);
   }
 
-  static constexpr double flat = 1e-9; // a quality that is zero up to rounding
+  static constexpr std::size_t none = std::size_t(-1); // no time stamp
+  static constexpr double flat = 1e-9;                 // a quality that is zero up to rounding
   // minimum quality after a collapse, relative to the quality of the cell
   static constexpr double better = 1.1;
 
@@ -311,10 +361,11 @@ protected:
   Any_visitor<Complex>& m_visitor;
   const Destinations<Complex>* m_destinations = nullptr;
   double m_threshold;
-  bool m_is_thorough, m_smooths_interface, m_is_at_rest = false;
+  bool m_is_thorough, m_is_at_rest = false;
   Cavity<Complex> m_cavity;
-  std::vector<Cell_handle> m_star;
-  std::vector<double> m_qualities; // of the cells of `m_star`
+  Vertex_smoother<Complex> m_smoother;
+  std::vector<double> m_qualities;    // of the cells of a star
+  std::size_t m_first_created = none; // time stamp after the motion of vertices in a round
   Improvement_report m_report;
 };
 

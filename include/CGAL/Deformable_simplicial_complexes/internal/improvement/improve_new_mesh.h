@@ -11,6 +11,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Construction_options.h>
+#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver.h>
 
@@ -24,7 +25,8 @@ void improve_new_mesh(Complex& dsc, const Construction_options<Complex::dimensio
   const Progress_phase phase("improving the mesh");
   if (options.improve) {
     Any_visitor<Complex> visitor;
-    Mesh_improver<Complex> improver(dsc, visitor, options.quality_threshold);
+    const For_each_index sequential;
+    Mesh_improver<Complex> improver(dsc, visitor, options.quality_threshold, sequential);
     improver.improve_all(options.quality_threshold, options.number_of_iterations, 0);
   }
   dsc.sort_storage();

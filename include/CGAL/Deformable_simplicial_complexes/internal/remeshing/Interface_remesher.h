@@ -51,7 +51,7 @@ public:
                      const Interface_improvement_options<Complex>& options)
       : m_complex(complex), m_visitor(visitor), m_options(options),
         m_unit(target_edge_length(complex, options.sizing_field)),
-        m_improver(complex, visitor, options.quality_threshold), m_cavity(complex) {}
+        m_improver(complex, visitor, options.quality_threshold, m_sequential), m_cavity(complex) {}
 
   Improvement_report report() const { return m_report + m_improver.report(); }
 
@@ -266,6 +266,7 @@ protected:
   Edge_unit<Complex> m_unit;
   // midpoints of edges and target edge lengths there, by the ids of the vertices
   std::unordered_map<std::uint64_t, std::pair<Position, double>> m_sizes;
+  For_each_index m_sequential;
   Mesh_improver<Complex> m_improver;
   Cavity<Complex> m_cavity;
   std::vector<Cell_handle> m_star;

@@ -12,6 +12,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_split.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver_3.h>
@@ -106,7 +107,7 @@ private:
         return {};
       if (i > 0)
         disturb();
-      Mesh_improver_3<Complex> improver(m_copy, nobody, m_goal.threshold, true);
+      Mesh_improver_3<Complex> improver(m_copy, nobody, m_goal.threshold, m_sequential, true);
       improver.improve_all(m_goal.threshold, m_goal.rounds, attempts);
       const auto copied = m_copy.cells();
       const double now = deficit(copied);
@@ -215,6 +216,7 @@ private:
   Work_list<Cell_handle> m_seen;
   Complex m_copy;
   Cavity<Complex> m_copy_cavity;
+  For_each_index m_sequential;
   Random m_random = Random(0);
   std::vector<Cell_handle> m_star;
 };

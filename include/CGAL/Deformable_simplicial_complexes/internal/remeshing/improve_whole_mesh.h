@@ -32,7 +32,9 @@ Improvement_report improve_whole_mesh(Complex& dsc,
   const Progress_phase phase("improving the mesh");
   const double threshold = options.threshold();
   const unsigned rounds = options.number_of_iterations;
-  Mesh_improver<Complex> improver(dsc, visitor, threshold, true, options.smooth_interface);
+  const For_each_index for_each_index(options.number_of_threads);
+  Mesh_improver<Complex> improver(dsc, visitor, threshold, for_each_index, true,
+                                  options.smooth_interface);
   static constexpr int attempts = 5;
   if (!options.aggressive) {
     improver.improve_all(threshold, rounds, attempts);
@@ -42,7 +44,6 @@ Improvement_report improve_whole_mesh(Complex& dsc,
   for (double t = first; t < part * threshold; t *= step)
     improver.improve_all(t, rounds, attempts);
   improver.improve_all(part * threshold, rounds, attempts);
-  const For_each_index for_each_index(options.number_of_threads);
   Patch_improver<Complex> patch_improver(dsc, visitor, threshold, rounds, for_each_index);
   if (rounds > 0)
     patch_improver.run();

@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "threads_option.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <thread>
+
+namespace dsc {
+namespace {
+
+constexpr unsigned most_threads = 1024;
+
+} // namespace
+
+unsigned default_number_of_threads() {
+  return std::clamp(std::thread::hardware_concurrency(), 1u, most_threads); // 0 if unknown
+}
+
+void add_threads_option(CLI::App& command, unsigned& threads) {
+  command
+      .add_option("--threads", threads,
+                  "Number of threads (default: all cores); the result does not depend on it")
+      ->check(CLI::Range(1u, most_threads));
+}
+
+} // namespace dsc
