@@ -163,8 +163,7 @@ int main(int argc, char** argv) {
   app.add_flag("--aggressive", aggressive, "take more time");
   app.add_option("--sharp", sharp,
                  "angles of the surface below this dictate those around, degrees");
-  app.add_option("--threads", number_of_threads, "of aggressive improvement")
-      ->check(CLI::PositiveNumber);
+  app.add_option("--threads", number_of_threads, "number of threads")->check(CLI::PositiveNumber);
   CLI11_PARSE(app, argc, argv);
   return dsc_benchmark::measure(input, triangles, aggressive, sharp, number_of_threads);
 }

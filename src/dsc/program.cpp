@@ -78,6 +78,8 @@ int dsc::run_program(int argc, char** argv,
                   bad_input);
     return exit_code;
   } catch (const dsc::Other_program& other) {
+    if (dsc::interrupted()) // the other program would not know
+      return fail("interrupted; no result was written", stopped);
     std::cout.flush();
     return fail(execute(other, argv), bad_usage);
   } catch (const dsc::Usage_error& error) {

@@ -14,7 +14,7 @@ class App;
 
 namespace dsc {
 
-/// Thrown if another program in the folder of this program contains a command or a part of it.
+/// Thrown if another program in the folder of this program contains the required code.
 struct Other_program
 {
   std::string name;    ///< of the program

@@ -10,7 +10,6 @@
 #include <CGAL/Deformable_simplicial_complexes/repair_surface_3.h>
 
 #include <algorithm>
-#include <iostream>
 #include <limits>
 #include <optional>
 #include <string>
@@ -123,23 +122,22 @@ std::vector<Surface> read_and_repair(const Run_start& start, Repairs* repairs) {
 std::unique_ptr<Tracked_complex> track_repaired_surfaces(const Run_options& options,
                                                          const std::vector<std::string>& names,
                                                          Repairs& repairs) {
-  std::vector<Surface> surfaces = start_surfaces(options.start, &repairs);
-  std::ostream* notes = options.output.quiet ? nullptr : &std::cout;
+  std::vector<Surface> surfaces = start_surfaces(options.start, &repairs, most_triangles_to_fill);
   try {
-    return track_surfaces(surfaces, names, options.domain, notes);
+    return track_surfaces(surfaces, names, options);
   } catch (const Tetrahedralization_error& error) {
     if (is_out_of_memory(error))
       throw;
   }
   try {
     if (merge_near_vertices(surfaces, names, repairs))
-      return track_surfaces(surfaces, names, options.domain, notes);
+      return track_surfaces(surfaces, names, options);
   } catch (const Tetrahedralization_error& error) {
     if (is_out_of_memory(error))
       throw;
   }
   wrap(surfaces, names, repairs);
-  return track_surfaces(surfaces, names, options.domain, notes);
+  return track_surfaces(surfaces, names, options);
 }
 
 } // namespace dsc

@@ -45,8 +45,9 @@ void print_changes(const Run_position& position, const std::string& changes) {
 }
 
 /// Builds or reads the complex. A resumed run keeps all options that are not given in `options`.
+/// \param changes receives a description of the options that differ from those of a resumed run
 std::unique_ptr<Tracked_complex> start_or_resume(Run_options& options, Run_position& position,
-                                                 Repairs& repairs) {
+                                                 Repairs& repairs, std::string& changes) {
   if (options.resume.empty()) {
     position.start = options.start;
     return start_complex(options, repairs);
@@ -58,11 +59,9 @@ std::unique_ptr<Tracked_complex> start_or_resume(Run_options& options, Run_posit
     throw Input_error(options.resume + " contains a complex, but no run to resume; write its "
                                        "interface with dsc convert, and start a new run from it");
   position = run->position;
-  const std::string changes = continue_steps(run->step, options.given, options.step);
+  changes = continue_steps(run->step, options.given, options.step);
   if (complex->dimension() == 2 && options.given.count("--axis") > 0)
     throw Usage_error("--axis applies only in space; leave it out");
-  if (!options.output.quiet && !changes.empty())
-    print_changes(position, changes);
   return complex;
 }
 
@@ -223,9 +222,15 @@ void Run::check_places() {
 void Run::start() {
   Repairs repairs;
   const Interruptible interruptible(m_options.output.quiet);
-  m_complex = start_or_resume(m_options, m_position, repairs);
-  if (!m_options.output.quiet)
+  std::string changes;
+  m_complex = start_or_resume(m_options, m_position, repairs, changes);
+  // Precedes all output, because it may need another program.
+  m_from_start = start_distance(m_options, m_position);
+  if (!m_options.output.quiet) {
+    if (!changes.empty())
+      print_changes(m_position, changes);
     print_repairs(m_options.start.inputs, repairs);
+  }
   if (!m_options.output.picture.empty() && m_complex->dimension() == 2)
     throw Usage_error(
         "--picture applies only in space; in the plane, use --output to write pictures");
@@ -236,7 +241,6 @@ void Run::start() {
   if (!(m_position.time + m_time_step > m_position.time))
     throw Input_error("the time step is too small to advance the time " +
                       Json(m_position.time).dump() + " of the run; choose a larger --dt");
-  m_from_start = start_distance(m_options, m_position);
   if (!m_options.output.report.empty()) {
     m_report.emplace(m_options, m_position.start, repairs, m_complex->sweep_seconds());
     m_report->add(m_position, Step_outcome(), m_complex->statistics());

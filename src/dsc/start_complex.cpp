@@ -16,7 +16,6 @@
 #include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
 
 #include <algorithm>
-#include <iostream>
 #include <map>
 #include <string>
 #include <utility>
@@ -62,9 +61,9 @@ std::unique_ptr<Tracked_complex> track_inequalities(const Run_start& start,
 /// Builds the complex from surfaces that bound solids.
 std::unique_ptr<Tracked_complex> track_surfaces_of_run(const Run_options& options,
                                                        const std::vector<std::string>& names) {
-  std::ostream* notes = options.output.quiet ? nullptr : &std::cout;
   try {
-    return track_surfaces(start_surfaces(options.start), names, options.domain, notes);
+    return track_surfaces(start_surfaces(options.start, nullptr, most_triangles_to_fill), names,
+                          options);
   } catch (const Tetrahedralization_error& error) {
     if (is_out_of_memory(error))
       throw;

@@ -12,6 +12,7 @@
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -30,15 +31,27 @@ std::unique_ptr<Tracked_complex> start_complex(const Run_options& options, Repai
 std::unique_ptr<Tracked_complex> track_image(const std::string& path, double edge,
                                              const std::optional<std::array<double, 6>>& domain);
 
-/// Returns the complex of a mesh of labelled tetrahedra (.mesh, .vtu). If there is no room around its
-/// interface, the complex is built from the boundary of the tetrahedra.
+/// Returns the complex of a mesh of labelled tetrahedra (.mesh, .vtu). If there is no room around
+/// its interface, the complex is built from the boundary of the tetrahedra.
 /// \param labels as in `Run_start`
 /// \param domain as above
 std::unique_ptr<Tracked_complex>
 track_tetrahedra(const std::string& path, const std::string& labels,
                  const std::optional<std::array<double, 6>>& domain);
 
-/// Returns whether TetGen had not enough memory. Then another surface of the same size fails, too.
+/// Largest number of triangles to which surfaces are refined. TetGen would take minutes for more.
+/// The complex is refined instead.
+inline constexpr std::size_t most_triangles_to_fill = 300'000;
+
+/// Builds a complex from surfaces and the space around them. Surfaces may share walls. A surface
+/// with walls inside gets a label for each of its regions, which is printed. The interface is
+/// refined if it has fewer triangles than the run asks for.
+/// \param names names of the surfaces, for messages
+std::unique_ptr<Tracked_complex> track_surfaces(const std::vector<Surface>& surfaces,
+                                                const std::vector<std::string>& names,
+                                                const Run_options& options);
+
+/// Returns whether TetGen ran out of memory. Then another surface of the same size fails, too.
 bool is_out_of_memory(const CGAL::Deformable_simplicial_complexes::Tetrahedralization_error& error);
 
 /// Returns the complex of repaired surfaces. If TetGen fails, they are repaired further.

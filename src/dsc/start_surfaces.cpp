@@ -86,13 +86,20 @@ void fit(std::vector<Surface>& surfaces, const Ball& ball) {
 
 } // namespace
 
-std::vector<Surface> start_surfaces(const Run_start& start, Repairs* repairs) {
+std::vector<Surface> start_surfaces(const Run_start& start, Repairs* repairs,
+                                    std::size_t most_triangles) {
   if (start.inputs.empty())
     return {sphere(*start.ball, start.triangles > 0 ? start.triangles : triangles_of_balls)};
   std::vector<Surface> surfaces =
       start.repairs ? read_and_repair(start, repairs) : read_surfaces(start.inputs);
-  if (start.triangles > 0)
-    resample(surfaces, start.inputs, start.triangles);
+  if (start.triangles > 0) {
+    std::size_t present = 0;
+    for (const Surface& surface : surfaces)
+      present += surface.triangles.size();
+    const std::size_t target = std::min(start.triangles, std::max(present, most_triangles));
+    if (target != present)
+      resample(surfaces, start.inputs, target);
+  }
   if (start.ball)
     fit(surfaces, *start.ball);
   return surfaces;

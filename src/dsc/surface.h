@@ -13,6 +13,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -40,8 +41,11 @@ std::string what_was_repaired(const DSC::Surface_repair_report_3& report);
 
 /// Returns the initial surfaces of a run: the surfaces of its files or, without files, its ball.
 /// \param repairs receives the repairs, unless it is null
+/// \param most_triangles surfaces of files are not refined to more triangles
 /// \throws std::runtime_error if a surface cannot be read, repaired or resampled
-std::vector<Surface> start_surfaces(const Run_start& start, Repairs* repairs = nullptr);
+std::vector<Surface>
+start_surfaces(const Run_start& start, Repairs* repairs = nullptr,
+               std::size_t most_triangles = std::numeric_limits<std::size_t>::max());
 
 /// Decimates or refines surfaces to about `triangles` triangles in total, by a common factor.
 /// Refinement keeps the shape. Decimation collapses the edges with the smallest cost.

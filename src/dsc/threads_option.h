@@ -11,7 +11,7 @@ class App;
 
 namespace dsc {
 
-/// Returns the number of cores, at least 1.
+/// Returns the number of cores, clamped to the range of the option `--threads`.
 unsigned default_number_of_threads();
 
 /// Adds the option for the number of threads.

@@ -4,11 +4,15 @@
 
 #include "domain_box.h"
 #include "errors.h"
+#include "start_complex.h"
 #include "surface.h"
 #include "tracked_complex_3.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
 #include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/make_patches_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
@@ -17,8 +21,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <iostream>
+#include <limits>
 #include <optional>
-#include <ostream>
 #include <string>
 #include <vector>
 
@@ -35,8 +43,8 @@ using Reason = Invalid_surface_error::Reason;
 /// Returns the complex of the space inside and around surfaces.
 /// \param boundaries surfaces or patches
 template <class Boundaries>
-std::unique_ptr<Tracked_complex> fill(const Boundaries& boundaries,
-                                      const std::optional<std::array<double, 6>>& domain) {
+std::unique_ptr<Tracked_complex_3> fill(const Boundaries& boundaries,
+                                        const std::optional<std::array<double, 6>>& domain) {
   return std::make_unique<Tracked_complex_3>(DSC::make_deformable_simplicial_complex_3<Complex>(
       boundaries, CGAL::Tetgen_tetrahedralizer_3(), normalized(domain)));
 }
@@ -80,36 +88,89 @@ std::optional<Patches> patches_of(const std::vector<Surface>& surfaces) {
   }
 }
 
-void tell_labels(const Patches& patches, const std::vector<std::string>& names,
-                 std::ostream& notes) {
+void tell_labels(const Patches& patches, const std::vector<std::string>& names) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::vector<int>& labels = patches.labels[i];
     if (labels.size() == 1)
       continue;
-    notes << "dsc: " << names[i] << ": internal walls divide the solid into " << labels.size()
-          << " regions with the labels " << labels.front();
+    std::cout << "dsc: " << names[i] << ": internal walls divide the solid into " << labels.size()
+              << " regions with the labels " << labels.front();
     for (auto label = labels.begin() + 1; label != labels.end(); ++label)
-      notes << ", " << *label;
-    notes << '\n';
+      std::cout << ", " << *label;
+    std::cout << '\n';
   }
+}
+
+/// Returns the complex of the space inside and around surfaces, which may share walls.
+std::unique_ptr<Tracked_complex_3> fill(const std::vector<Surface>& surfaces,
+                                        const std::vector<std::string>& names,
+                                        const Run_options& options) {
+  try {
+    return fill(surfaces, options.domain);
+  } catch (const Invalid_surface_error& error) {
+    const auto patches = may_have_walls(error.reason()) ? patches_of(surfaces) : std::nullopt;
+    if (!patches)
+      refuse(error, names);
+    if (!options.output.quiet)
+      tell_labels(*patches, names);
+    return fill(patches->patches, options.domain);
+  }
+}
+
+/// Returns the lengths of the edges of the interface, longest first. An edge occurs once for each
+/// of its facets.
+std::vector<double> edge_lengths(const Complex& complex) {
+  std::vector<double> result;
+  for (const auto& facet : complex.interface_facets()) {
+    const auto v = complex.facet_vertices(facet);
+    for (int i = 0; i < 3; ++i)
+      result.push_back(std::sqrt(complex.displacement(v[i], v[(i + 1) % 3]).squared_length()));
+  }
+  std::sort(result.begin(), result.end(), std::greater<>());
+  return result;
+}
+
+/// Splits the longest edges of the interface until it has about the given number of triangles, and
+/// improves the tetrahedra. The shape of the interface does not change.
+void refine(Complex& complex, std::size_t triangles, unsigned threads) {
+  const CGAL::Deformable_simplicial_complexes::Progress_phase phase("refining the interface");
+  static constexpr double nearly = .95;    // of the number of triangles
+  static constexpr double shortest = .667; // edge that a round splits, relative to the longest edge
+  DSC::Detail_options<Complex> options;
+  options.change_interface = true;
+  options.interface_split_length = 1;
+  options.interface_collapse_length = 0;
+  options.split_length = std::numeric_limits<double>::infinity();
+  options.collapse_length = 0;
+  options.number_of_iterations = 1;
+  for (;;) {
+    const std::vector<double> lengths = edge_lengths(complex);
+    const std::size_t present = lengths.size() / 3;
+    if (static_cast<double>(present) >= nearly * static_cast<double>(triangles))
+      break;
+    // The split of an edge with two facets, which is listed twice, makes two triangles.
+    const std::size_t number = std::min(triangles - present, lengths.size() - 1);
+    const double length = std::max(lengths[number], shortest * lengths.front());
+    options.sizing_field = [length](const Complex::Approximate_point_3&) { return length; };
+    if (DSC::control_detail(complex, options).split == 0)
+      break;
+  }
+  DSC::Mesh_improvement_options<Complex> improvement;
+  improvement.number_of_threads = threads;
+  DSC::improve_mesh(complex, improvement);
+  complex.sort_storage();
 }
 
 } // namespace
 
 std::unique_ptr<Tracked_complex> track_surfaces(const std::vector<Surface>& surfaces,
                                                 const std::vector<std::string>& names,
-                                                const std::optional<std::array<double, 6>>& domain,
-                                                std::ostream* notes) {
-  try {
-    return fill(surfaces, domain);
-  } catch (const Invalid_surface_error& error) {
-    const auto patches = may_have_walls(error.reason()) ? patches_of(surfaces) : std::nullopt;
-    if (!patches)
-      refuse(error, names);
-    if (notes)
-      tell_labels(*patches, names, *notes);
-    return fill(patches->patches, domain);
-  }
+                                                const Run_options& options) {
+  auto result = fill(surfaces, names, options);
+  const std::size_t triangles = options.start.triangles;
+  if (!options.start.inputs.empty() && triangles > most_triangles_to_fill)
+    refine(result->complex, triangles, options.threads);
+  return result;
 }
 
 } // namespace dsc

@@ -14,6 +14,7 @@
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -56,8 +57,9 @@ std::unique_ptr<Tracked_complex_3> Tracked_complex_3::from_mesh(const std::strin
   }
 }
 
-std::unique_ptr<Tracked_complex> track_tetrahedra(const std::string& path,
-                                                  const std::string& labels, const std::optional<std::array<double, 6>>& domain) {
+std::unique_ptr<Tracked_complex>
+track_tetrahedra(const std::string& path, const std::string& labels,
+                 const std::optional<std::array<double, 6>>& domain) {
   Labelled_tetrahedra mesh = read_tetrahedra(path, labels);
   mesh.leave_out_arrays();
   mesh.leave_out_entities();

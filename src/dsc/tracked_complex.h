@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <iosfwd>
 #include <memory>
 #include <optional>
 #include <string>
@@ -78,18 +77,8 @@ public:
   virtual void write_subdivided(const std::string& path, int subdivisions) const = 0;
 };
 
-/// Builds a complex from surfaces and the space around them. Surfaces may share walls. A surface
-/// with walls inside gets a label for each of its regions.
-/// \param names names of the surfaces, for messages
-/// \param domain lower and upper bounds of the box; the default of the library if not set
-/// \param notes receives the labels of surfaces with walls inside, unless it is null
-std::unique_ptr<Tracked_complex> track_surfaces(const std::vector<Surface>& surfaces,
-                                                const std::vector<std::string>& names,
-                                                const std::optional<std::array<double, 6>>& domain,
-                                                std::ostream* notes);
-
 /// Builds the initial complex of a run in the plane, from its files or its figure.
-/// \param domain as above, with z = 0
+/// \param domain lower and upper bounds of the box, with z = 0; the default of the library if not set
 std::unique_ptr<Tracked_complex> track_figure(const Run_start& start,
                                               const std::optional<std::array<double, 6>>& domain);
 

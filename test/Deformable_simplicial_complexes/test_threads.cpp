@@ -202,6 +202,19 @@ TEST(Threads, find_the_same_cells) {
   EXPECT_EQ(sorted, expected);
 }
 
+TEST(Threads, change_no_bit_of_smoothing) {
+  const auto improved = [](unsigned number_of_threads) {
+    Complex dsc = mesh_helpers::jittered_grid(8, small_meshes::ball, .4, 5);
+    const auto report = DSC::improve_mesh(
+        dsc, parameters::number_of_iterations(2).number_of_threads(number_of_threads));
+    EXPECT_GT(report.smoothed, 100u); // enough vertices of one color for threads
+    return dsc.state();
+  };
+  const State expected = improved(1);
+  for (unsigned number_of_threads : {2, 3, 8})
+    EXPECT_TRUE(improved(number_of_threads) == expected) << number_of_threads << " threads";
+}
+
 TEST(Threads, change_no_bit_of_aggressive_improvement) {
   const auto improved = [](unsigned number_of_threads) {
     Complex dsc = mesh_helpers::jittered_grid(3, small_meshes::ball, .4, 5);

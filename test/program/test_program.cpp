@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
@@ -52,11 +53,23 @@ TEST_F(Program, says_what_it_can_do_without_arguments) {
 
 TEST_F(Program, names_the_missing_program_of_a_command) {
 #ifdef DSC_PROGRAM
+  write("cube.off", box(0, 0, 0, 1, 1, 1));
+  write("square.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1))");
+  write("cells.mesh", "");
   fs::copy_file(DSC_PROGRAM, path("dsc"));
-  const Outcome outcome = run("", "./dsc fluid --list 2>stderr.txt; exit; ");
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_EQ(outcome.out, "");
-  EXPECT_NE(outcome.err.find("dsc-fluid"), std::string::npos) << outcome.err;
+  const std::string turn = " --axis 0,0,1 --angle 5 --steps 1";
+  for (const auto& [arguments, program] : std::vector<std::array<std::string, 2>>{
+           {"fluid --list", "dsc-fluid"},
+           {"info cube.off", "dsc-full"},
+           {"rotate cube.off --repair" + turn, "dsc-full"},
+           {"rotate cells.mesh" + turn, "dsc-full"},
+           {"rotate square.wkt --angle 5 --steps 1", "dsc-full"}}) {
+    const Outcome outcome = run("", "./dsc " + arguments + " 2>stderr.txt; exit; ");
+    EXPECT_EQ(outcome.exit_code, 2) << arguments;
+    EXPECT_EQ(outcome.out, "") << arguments;
+    EXPECT_NE(outcome.err.find(program + ", which contains"), std::string::npos) << outcome.err;
+  }
+  EXPECT_EQ(run("", "./dsc rotate cube.off" + turn + " 2>stderr.txt; exit; ").exit_code, 0);
 #endif
 }
 

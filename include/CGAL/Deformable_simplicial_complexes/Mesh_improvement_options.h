@@ -35,7 +35,7 @@ template <class Complex> struct Mesh_improvement_options
   std::optional<double> quality_threshold;
   /// Largest number of rounds.
   unsigned number_of_iterations = defaults::Number_of_iterations::over_mesh;
-  /// Whether the threshold is raised in steps, and neighborhoods are perturbed.
+  /// Whether the neighborhoods of the remaining cells are perturbed and improved again. In 3D only.
   bool aggressive = false;
   /// Whether vertices of the interface may move where the interface is flat, in space.
   bool smooth_interface = false;

@@ -34,7 +34,7 @@ struct Quality_threshold
   static constexpr double beside_interface = in_motion;
   /// Of `improve_mesh()`. With a greater value, the function inserts more vertices.
   static constexpr double of_mesh = .25;
-  /// Of `improve_mesh()` with `aggressive`, which raises the threshold in steps up to this value.
+  /// Of `improve_mesh()` with `aggressive`.
   static constexpr double of_mesh_if_aggressive = .46;
 };
 

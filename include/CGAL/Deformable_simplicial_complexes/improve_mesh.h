@@ -58,12 +58,11 @@ seeds.
   \cgalParamNBegin{number_of_iterations}
     \cgalParamDescription{largest number of rounds; each round processes the cells changed by the
                           previous one. Where neighbors are improved, too, there are six times as
-                          many rounds; if `aggressive`, this holds for each threshold.}
+                          many rounds}
     \cgalParamType{`unsigned int`} \cgalParamDefault{10}
   \cgalParamNEnd
   \cgalParamNBegin{aggressive}
-    \cgalParamDescription{whether the threshold is raised in steps, and the cells around cells of
-                          low quality are then perturbed and improved repeatedly; in 3D, this takes
+    \cgalParamDescription{whether, in 3D, the cells around cells of low quality are then perturbed and improved repeatedly; in 3D, this takes
                           minutes instead of seconds}
     \cgalParamType{`bool`} \cgalParamDefault{`false`}
   \cgalParamNEnd

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The program `dsc`. It contains the flows of surfaces. Other programs in the same folder contain the
-// rest, so that they need not be built for a first result.
+// The program `dsc`. It contains the flows of surfaces and conversions. Other programs in the same
+// folder contain the rest, so that they need not be built for a first result.
 
 #include "../commands/commands.h"
 #include "../program.h"

@@ -10,12 +10,18 @@
 #include "../surface.h"
 #include "../tracked_complex.h"
 
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
 namespace dsc {
 namespace {
 
 [[noreturn]] void leave(const char* content) { throw Other_program{"dsc-full", content}; }
 
-constexpr char plane[] = "complexes in the plane", repairs[] = "repairs";
+constexpr char plane[] = "the commands for the plane", repairs[] = "the option --repair";
 
 } // namespace
 
@@ -32,20 +38,18 @@ Curves start_curves(const Run_start&) { leave(plane); }
 
 std::unique_ptr<Tracked_complex> track_image(const std::string&, double,
                                              const std::optional<std::array<double, 6>>&) {
-  leave("images of voxels");
+  leave("the reader of voxel images");
 }
 
-std::unique_ptr<Tracked_complex>
-track_tetrahedra(const std::string&, const std::string&,
-                 const std::optional<std::array<double, 6>>&) {
-  leave("meshes of tetrahedra");
+std::unique_ptr<Tracked_complex> track_tetrahedra(const std::string&, const std::string&,
+                                                  const std::optional<std::array<double, 6>>&) {
+  leave("the readers of tetrahedra");
 }
 
 std::vector<Surface> read_and_repair(const Run_start&, Repairs*) { leave(repairs); }
 
-std::unique_ptr<Tracked_complex> track_repaired_surfaces(const Run_options&,
-                                                         const std::vector<std::string>&,
-                                                         Repairs&) {
+std::unique_ptr<Tracked_complex>
+track_repaired_surfaces(const Run_options&, const std::vector<std::string>&, Repairs&) {
   leave(repairs);
 }
 

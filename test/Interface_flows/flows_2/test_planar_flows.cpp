@@ -331,8 +331,15 @@ TEST(Planar_flows, vortex_there_and_back) {
   EXPECT_GT(longest, 1.8 * start);
   EXPECT_NEAR(length(), start, .01 * start);
   EXPECT_EQ(dsc.number_of_components(1), 1u);
-  for (const Position& p : positions(dsc))
-    EXPECT_NEAR(std::hypot(p.x() - .5, p.y() - .75), radius, .1 * edge);
+  // Single vertices beside collapsed edges have distances of up to a quarter of an edge.
+  const std::vector<Position> vertices = positions(dsc);
+  double sum = 0;
+  for (const Position& p : vertices) {
+    const double distance = std::abs(std::hypot(p.x() - .5, p.y() - .75) - radius);
+    EXPECT_LT(distance, .3 * edge);
+    sum += distance;
+  }
+  EXPECT_LT(sum, .02 * edge * double(vertices.size()));
 }
 
 // For any field, the complex stays valid and the cells fill the domain.

@@ -98,10 +98,10 @@ public:
   }
 
   // Improves the given cells below the threshold, then the cells created or changed by this, and so
-  // on for at most `rounds` rounds. A round first reconnects cells, then moves the vertices of the
-  // cells that remain, and tries the other operations on the cells that these motions do not
-  // improve. A cell that is hardly improved is marked as a failure, because further attempts would
-  // have little effect.
+  // on for at most `rounds` rounds. A round first reconnects cells. It then moves the vertices of
+  // the remaining cells. The other operations follow for cells that smoothing does not improve. A
+  // cell that improves only slightly is marked as a failure, because further attempts would have
+  // little effect.
   void improve(Cells cells, unsigned rounds) {
     Cells touched;
     std::vector<Stuck_cell> stuck;
@@ -236,21 +236,19 @@ protected:
 
   // Tries the other operations on a cell. `before` is its quality before its vertices were moved.
   void improve_after_smoothing(Cell_handle c, double before, Cells& touched) {
-    if (!is_bad(c))
-      return;
-    const bool is_smoothed = c->quality() > before;
-    if (!is_smoothed) {
+    if (!is_bad(c) || is_essential_change(before, c->quality()))
+      return; // an essential change is followed by another round
+    if (!(c->quality() > before)) {
       if (collapse(c, touched) || split(c, touched))
         return;
-      if (m_is_thorough && has_new_neighbor(c)) { // smoothing may now suffice
+      if (m_is_thorough && has_new_neighbor(c)) { // the next round smooths it first
         touched.push(c);
         return;
       }
       if (m_is_thorough && insert(c, touched))
         return;
     }
-    if (!is_smoothed || !is_essential_change(before, c->quality()))
-      set_exhausted(c, to_improve_quality);
+    set_exhausted(c, to_improve_quality);
   }
 
   // Returns whether a neighbor of a cell was created after the vertices were moved in this round.

@@ -25,9 +25,9 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Finds better positions of the vertices of cells, with several threads. The vertices are divided
-// into colors: two vertices of the same color have no cell in common, so their motions are
-// independent of each other. The result does not depend on the number of threads.
+// Parallel smoother of the vertices of cells. The vertices are divided into colors: two vertices of
+// the same color have no cell in common, so their motions are independent of each other. The result
+// does not depend on the number of threads.
 template <class Complex> class Vertex_smoother
 {
 public:
@@ -41,26 +41,29 @@ public:
 
   // Calls `move(v, star, target)` for each vertex of the cells that has a better position, at most
   // once. A vertex is skipped if `is_bad(c)` holds for no cell `c` around it when its turn comes.
-  // `is_bad` can be called by several threads. `move` moves the vertex and changes nothing else.
+  // `is_bad` can be called by several threads. `move` changes only the vertex and the cells around
+  // it.
   template <class IsBad, class Move>
   void run(const std::vector<Cell_handle>& cells, const IsBad& is_bad, const Move& move) {
-    static constexpr std::size_t worthwhile = 16; // vertices of a color
+    static constexpr std::size_t worthwhile = 16; // vertices
     color(cells);
-    for (const std::vector<Vertex_handle>& vertices : m_vertices_of_color) {
-      if (m_motions.size() < vertices.size())
-        m_motions.resize(vertices.size());
-      m_for_each_index(
-          vertices.size(), [&](std::size_t k) { propose(vertices[k], is_bad, m_motions[k]); },
-          worthwhile);
-      for (std::size_t k = 0; k < vertices.size(); ++k) {
+    for (const std::vector<Vertex_handle>& vertices : m_vertices_of_color)
+      for (std::size_t first = 0; first < vertices.size(); first += block_size) {
         Progress_scope::check();
-        if (m_motions[k].is_better)
-          move(vertices[k], m_motions[k].star, m_motions[k].target);
+        const std::size_t number = (std::min)(block_size, vertices.size() - first);
+        m_for_each_index(
+            number, [&](std::size_t k) { propose(vertices[first + k], is_bad, m_motions[k]); },
+            worthwhile);
+        for (std::size_t k = 0; k < number; ++k)
+          if (m_motions[k].is_better)
+            move(vertices[first + k], m_motions[k].star, m_motions[k].target);
       }
-    }
   }
 
 private:
+  // Vertices whose motions are stored at a time. A user can interrupt the work between two blocks.
+  static constexpr std::size_t block_size = 1024;
+
   struct Motion
   {
     std::vector<Cell_handle> star;
@@ -86,6 +89,7 @@ private:
     Vertex_numbers colors(m_complex);
     std::vector<char> is_used; // by color
     for (Vertex_handle v : vertices_of(m_complex, cells)) {
+      Progress_scope::check();
       if (v->is_interface() && !m_moves_interface)
         continue;
       is_used.assign(m_vertices_of_color.size(), false);
@@ -106,7 +110,7 @@ private:
   const For_each_index& m_for_each_index;
   bool m_moves_interface;
   std::vector<std::vector<Vertex_handle>> m_vertices_of_color;
-  std::vector<Motion> m_motions;
+  std::vector<Motion> m_motions = std::vector<Motion>(block_size);
   std::vector<Cell_handle> m_star;
 };
 

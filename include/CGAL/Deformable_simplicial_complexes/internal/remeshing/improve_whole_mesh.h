@@ -14,7 +14,6 @@
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Mesh_improvement_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
-#include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Patch_improver.h>
 
@@ -36,14 +35,9 @@ Improvement_report improve_whole_mesh(Complex& dsc,
   Mesh_improver<Complex> improver(dsc, visitor, threshold, for_each_index, true,
                                   options.smooth_interface);
   static constexpr int attempts = 5;
-  if (!options.aggressive) {
-    improver.improve_all(threshold, rounds, attempts);
+  improver.improve_all(threshold, rounds, attempts);
+  if (!options.aggressive)
     return improver.report();
-  }
-  static constexpr double first = defaults::Quality_threshold::of_mesh, step = 1.2, part = .8;
-  for (double t = first; t < part * threshold; t *= step)
-    improver.improve_all(t, rounds, attempts);
-  improver.improve_all(part * threshold, rounds, attempts);
   Patch_improver<Complex> patch_improver(dsc, visitor, threshold, rounds, for_each_index);
   if (rounds > 0)
     patch_improver.run();
