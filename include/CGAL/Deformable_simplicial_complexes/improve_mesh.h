@@ -62,8 +62,8 @@ seeds.
     \cgalParamType{`unsigned int`} \cgalParamDefault{10}
   \cgalParamNEnd
   \cgalParamNBegin{aggressive}
-    \cgalParamDescription{whether, in 3D, the cells around cells of low quality are then perturbed and improved repeatedly; in 3D, this takes
-                          minutes instead of seconds}
+    \cgalParamDescription{whether the cells around remaining cells of low quality are perturbed and
+                          improved repeatedly; in 3D only; this takes minutes instead of seconds}
     \cgalParamType{`bool`} \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{smooth_interface}
