@@ -18,7 +18,7 @@ namespace dsc {
 struct Other_program
 {
   std::string name;    ///< of the program
-  std::string content; ///< what it contains, for messages
+  std::string content; ///< the required code, for messages
 };
 
 /// Runs a program that consists of commands: reads the command line, runs the command and prints

@@ -45,7 +45,7 @@ void print_changes(const Run_position& position, const std::string& changes) {
 }
 
 /// Builds or reads the complex. A resumed run keeps all options that are not given in `options`.
-/// \param changes receives a description of the options that differ from those of a resumed run
+/// \param changes receives the list of options that the resumed run changes, for messages
 std::unique_ptr<Tracked_complex> start_or_resume(Run_options& options, Run_position& position,
                                                  Repairs& repairs, std::string& changes) {
   if (options.resume.empty()) {
