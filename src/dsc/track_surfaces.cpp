@@ -134,7 +134,10 @@ std::vector<double> edge_lengths(const Complex& complex) {
 /// improves the tetrahedra. The shape of the interface does not change.
 void refine(Complex& complex, std::size_t triangles, unsigned threads) {
   const CGAL::Deformable_simplicial_complexes::Progress_phase phase("refining the interface");
-  static constexpr double nearly = .95;    // of the number of triangles
+  const double enough = .95 * static_cast<double>(triangles);
+  if (static_cast<double>(complex.interface_facets().size()) >= enough)
+    return; // the surface was decimated
+
   static constexpr double shortest = .667; // edge that a round splits, relative to the longest edge
   DSC::Detail_options<Complex> options;
   options.change_interface = true;
@@ -146,7 +149,7 @@ void refine(Complex& complex, std::size_t triangles, unsigned threads) {
   for (;;) {
     const std::vector<double> lengths = edge_lengths(complex);
     const std::size_t present = lengths.size() / 3;
-    if (static_cast<double>(present) >= nearly * static_cast<double>(triangles))
+    if (static_cast<double>(present) >= enough)
       break;
     // The split of an edge with two facets, which is listed twice, makes two triangles.
     const std::size_t number = std::min(triangles - present, lengths.size() - 1);
