@@ -18,22 +18,14 @@ namespace dsc {
 namespace fs = std::filesystem;
 namespace {
 
-using Moment = std::pair<double, std::string>; // time, and file of the state
-
 /// Returns the existing files of a collection of an earlier run, up to `time`.
 std::vector<Moment> moments_until(double time, const std::string& collection) {
-  static const std::regex entry("timestep=\"([^\"]*)\".* file=\"([^\"]*)\"");
   std::vector<Moment> moments;
-  std::ifstream in(collection);
-  std::smatch match;
-  for (std::string line; std::getline(in, line);)
-    if (std::regex_search(line, match, entry)) {
-      const double t = std::strtod(match.str(1).c_str(), nullptr);
-      const fs::path file = fs::path(collection).parent_path() / match.str(2);
-      std::error_code error;
-      if (t <= time && fs::exists(file, error))
-        moments.emplace_back(t, file.string());
-    }
+  for (Moment& moment : moments_of_collection(collection)) {
+    std::error_code error;
+    if (moment.first <= time && fs::exists(moment.second, error))
+      moments.push_back(std::move(moment));
+  }
   return moments;
 }
 

@@ -20,6 +20,7 @@
 
 #include <functional>
 #include <type_traits>
+#include <vector>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
@@ -57,9 +58,9 @@ template <class Complex> struct Deformation_options
   bool collision_order = false;
   /// Permits or forbids changes of topology. If empty, all are permitted.
   Topology_control topology_control;
-  /// Returns the destination of a free vertex. If empty, free vertices follow the extension of the
-  /// displacement.
-  std::function<Approximate_point(Vertex_handle)> flow;
+  /// Returns the destinations of vertices by the flow of space, in the order of the vertices. If
+  /// empty, free vertices follow the extension of the displacement.
+  std::function<std::vector<Approximate_point>(const std::vector<Vertex_handle>&)> flow;
   /// Number of threads if linked with TBB. The result does not depend on it.
   unsigned number_of_threads = defaults::number_of_threads;
   /// Visitor of the changes, such as a `Visitor_adaptor`; it must outlive the deformation. None if
@@ -95,10 +96,16 @@ template <class Complex, class Flow>
 auto flow_of_vertices(const Complex& complex, const Flow& flow) {
   using Point = typename Complex::Approximate_point;
   using Vertex_handle = typename Complex::Vertex_handle;
-  if constexpr (std::is_invocable<const Flow&, Point>::value)
-    return [&complex, flow](Vertex_handle v) -> Point { return flow(complex.position(v)); };
-  else
-    return flow;
+  return [&complex, flow](const std::vector<Vertex_handle>& vertices) {
+    std::vector<Point> result;
+    result.reserve(vertices.size());
+    for (Vertex_handle v : vertices)
+      if constexpr (std::is_invocable<const Flow&, Point>::value)
+        result.push_back(flow(complex.position(v)));
+      else
+        result.push_back(flow(v));
+    return result;
+  };
 }
 
 } // namespace internal

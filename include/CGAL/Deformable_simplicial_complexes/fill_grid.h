@@ -11,11 +11,12 @@
 
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/fit_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/building/torus_grid.h>
 
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -31,10 +32,13 @@ Complex fill_grid(Complex result, const Grid<Complex::dimension>& grid, const La
   for (const auto& p : grid.points)
     points.push_back(result.exact(point_at<Complex>(p)));
   result.assign(points, grid.cells, std::vector<typename Complex::Label>(grid.cells.size(), 0));
-  for (auto c : result.cells()) {
-    Progress_scope::check();
-    result.relabel(c, label_at(result.domain().canonical(barycenter(result, c))));
-  }
+  const auto cells = result.cells();
+  std::vector<typename Complex::Approximate_point> barycenters;
+  for (auto c : cells)
+    barycenters.push_back(barycenter(result, c));
+  const auto labels = labels_at(result, label_at, std::move(barycenters));
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    result.relabel(cells[i], labels[i]);
   result.measure_interface_edges();
   fit_interface(result, label_at, np);
   result.measure_interface_edges();

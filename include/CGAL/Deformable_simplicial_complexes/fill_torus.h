@@ -26,7 +26,8 @@ Makes a complex on a flat torus from a function of labels. Linear in the number 
 \tparam Complex a complex with the domain `Torus_domain`
 \param domain the torus
 \param edge approximate edge length, positive
-\param label_at `label_at(p)` returns the label at an `Approximate_point`
+\param label_at `label_at(p)` returns the label at an `Approximate_point`; or
+       `label_at(points)` returns the labels at a vector of such points
 \param np named parameters or `Deformation_options` of `deform_interface()`, for `fit_interface()`
 \throws Error if `edge` is out of range
 */

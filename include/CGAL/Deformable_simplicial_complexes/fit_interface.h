@@ -19,25 +19,35 @@
 #include <CGAL/Origin.h>
 
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Returns a point where the label given by a function changes between `from`, a point of the label,
-// and `to`; by bisection.
+// Returns the labels at points, given by a function of a point or of a vector of points. On a
+// torus, the function is called with points of the box.
 template <class Complex, class LabelAt>
-typename Complex::Approximate_point change_of_label(const Complex& complex, const LabelAt& label_at,
-                                                    typename Complex::Approximate_point from,
-                                                    typename Complex::Approximate_point to,
-                                                    typename Complex::Label label) {
-  static constexpr int halvings = 40; // reduces the interval to a trillionth
-  for (int i = 0; i < halvings; ++i) {
-    const auto middle = from + (to - from) / 2;
-    (label_at(complex.domain().canonical(middle)) == label ? from : to) = middle;
+std::vector<typename Complex::Label>
+labels_at(const Complex& complex, const LabelAt& label_at,
+          std::vector<typename Complex::Approximate_point> points) {
+  using Labels = std::vector<typename Complex::Label>;
+  for (auto& p : points)
+    p = complex.domain().canonical(p);
+  Labels result;
+  if constexpr (std::is_invocable_v<const LabelAt&, typename Complex::Approximate_point>) {
+    for (const auto& p : points) {
+      Progress_scope::check();
+      result.push_back(label_at(p));
+    }
+  } else {
+    result = label_at(points);
+    if (result.size() != points.size())
+      throw Error("the number of labels differs from the number of points: give one label for each "
+                  "point");
   }
-  return from;
+  return result;
 }
 
 // Returns the barycenter of a cell, as seen from its vertex 0.
@@ -50,9 +60,52 @@ typename Complex::Approximate_point barycenter(const Complex& complex,
   return ORIGIN + sum / Complex::corners;
 }
 
+// Facets of the interface between the barycenters of whose cells the label changes once, and a
+// point of change for each one.
+template <class Complex> struct Changes_of_label
+{
+  std::vector<std::size_t> facets; // indices of facets of the interface
+  std::vector<typename Complex::Approximate_point> places;
+};
+
+// Finds points where the label given by a function changes, by bisection between the barycenters of
+// the cells on both sides of the facets of the interface. Leaves out facets whose cells have other
+// labels at their barycenters.
+template <class Complex, class LabelAt>
+Changes_of_label<Complex> changes_of_label(const Complex& complex, const LabelAt& label_at) {
+  static constexpr int halvings = 40; // reduces the interval to a trillionth
+  std::vector<typename Complex::Approximate_point> behind, in_front;
+  const auto facets = complex.interface_facets();
+  for (const auto& facet : facets) {
+    behind.push_back(barycenter(complex, facet.first));
+    in_front.push_back(complex.domain().near(
+        behind.back(), barycenter(complex, facet.first->neighbor(facet.second))));
+  }
+  const auto labels_behind = labels_at(complex, label_at, behind),
+             labels_in_front = labels_at(complex, label_at, in_front);
+  Changes_of_label<Complex> result;
+  std::vector<typename Complex::Approximate_point> to;
+  for (std::size_t i = 0; i < facets.size(); ++i)
+    if (labels_behind[i] == facets[i].first->label() &&
+        labels_in_front[i] == facets[i].first->neighbor(facets[i].second)->label()) {
+      result.facets.push_back(i);
+      result.places.push_back(behind[i]);
+      to.push_back(in_front[i]);
+    }
+  for (int k = 0; k < halvings; ++k) {
+    std::vector<typename Complex::Approximate_point> middle;
+    for (std::size_t i = 0; i < to.size(); ++i)
+      middle.push_back(result.places[i] + (to[i] - result.places[i]) / 2);
+    const auto labels = labels_at(complex, label_at, middle);
+    for (std::size_t i = 0; i < to.size(); ++i)
+      (labels[i] == labels_behind[result.facets[i]] ? result.places : to)[i] = middle[i];
+  }
+  return result;
+}
+
 // Returns positions of the interface vertices where the labels given by a function change. A
-// position is the mean of the points of change between the cells on both sides of the incident
-// facets. Vertices without such a point stay.
+// position is the mean of the points of change at the incident facets. Vertices without such a
+// point stay.
 template <class Complex, class LabelAt>
 std::vector<typename Complex::Approximate_point>
 changes_of_labels(const Complex& complex, const LabelAt& label_at,
@@ -60,21 +113,12 @@ changes_of_labels(const Complex& complex, const LabelAt& label_at,
   const auto positions = interface_.positions(complex);
   std::vector<typename Complex::Approximate_vector> sums(positions.size(), NULL_VECTOR);
   std::vector<std::size_t> numbers(positions.size(), 0);
-  const auto facets = complex.interface_facets();
-  for (std::size_t i = 0; i < facets.size(); ++i) {
-    Progress_scope::check();
-    const auto behind = facets[i].first, in_front = behind->neighbor(facets[i].second);
-    const auto from = barycenter(complex, behind);
-    const auto to = complex.domain().near(from, barycenter(complex, in_front));
-    if (label_at(complex.domain().canonical(from)) != behind->label() ||
-        label_at(complex.domain().canonical(to)) != in_front->label())
-      continue;
-    const auto place = change_of_label(complex, label_at, from, to, behind->label());
-    for (std::size_t v : interface_.facets()[i].vertices) {
-      sums[v] = sums[v] + (complex.domain().near(positions[v], place) - positions[v]);
+  const Changes_of_label<Complex> changes = changes_of_label(complex, label_at);
+  for (std::size_t i = 0; i < changes.facets.size(); ++i)
+    for (std::size_t v : interface_.facets()[changes.facets[i]].vertices) {
+      sums[v] = sums[v] + (complex.domain().near(positions[v], changes.places[i]) - positions[v]);
       ++numbers[v];
     }
-  }
   std::vector<typename Complex::Approximate_point> result = positions;
   for (std::size_t v = 0; v < result.size(); ++v)
     if (numbers[v] > 0)
@@ -96,7 +140,8 @@ Lines where labels meet are approximated up to a fraction of the edge length.
 About 40 calls of `label_at` for each facet in each repetition, plus the deformations.
 
 \param dsc the complex
-\param label_at `label_at(p)` returns the label at an `Approximate_point` of the domain
+\param label_at `label_at(p)` returns the label at an `Approximate_point` of the domain; or
+       `label_at(points)` returns the labels at a vector of them
 \param np the named parameters of `deform_interface()`
 \return the report of the last deformation
 \throws Error as `deform_interface()` does

@@ -327,7 +327,8 @@ to the places where labels change. Linear in the number of tetrahedra.
 
 \param box the domain, of positive size
 \param edge approximate edge length, positive
-\param label_at `label_at(p)` returns the label at an `Approximate_point_3` in the box
+\param label_at `label_at(p)` returns the label at an `Approximate_point_3` in the box; or
+       `label_at(points)` returns the labels at a vector of such points
 \param np the named parameters of `deform_interface()`, for `fit_interface()`
 
 \throws Error if `edge` is not positive, or too short, or the box is empty
@@ -352,7 +353,8 @@ Linear in the number of tetrahedra.
 
 \param domain the torus
 \param edge approximate edge length, positive; there are at least three edges in each direction
-\param label_at `label_at(p)` returns the label at an `Approximate_point_3` in the box of the torus
+\param label_at `label_at(p)` returns the label at an `Approximate_point_3` in the box of the torus; or
+       `label_at(points)` returns the labels at a vector of such points
 \param np the named parameters of `deform_interface()`, for `fit_interface()`
 
 \throws Error if `edge` is not positive, or is less than a millionth of a period

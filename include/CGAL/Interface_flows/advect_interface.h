@@ -96,8 +96,11 @@ Deformation_report<Complex> advect_interface(Complex& dsc, const Velocity& veloc
   Deformation_options<Complex> deformation = options.deformation;
   if constexpr (internal::is_flow_of_space<Complex, Velocity>)
     if (!deformation.flow)
-      deformation.flow = [&](typename Complex::Vertex_handle v) {
-        return internal::follow_flow<Complex>(dsc.domain(), dsc.position(v), velocity, t, dt);
+      deformation.flow = [&](const std::vector<typename Complex::Vertex_handle>& vertices) {
+        std::vector<typename Complex::Approximate_point> positions;
+        for (const auto v : vertices)
+          positions.push_back(dsc.position(v));
+        return internal::follow_flow<Complex>(dsc.domain(), positions, velocity, t, dt);
       };
   return deform_interface_to(dsc, interface_, destinations, deformation);
 }
@@ -115,6 +118,8 @@ vertices near the interface also move with it, unless the parameter `flow` is gi
        flow map, interface step, velocity field, interface velocity.
   - A velocity field (model of `VelocityField`), called as `velocity(p, t)`. It returns the velocity
     at the position `p` at the time `t`.
+  - A velocity field for many points (model of `VelocityFieldOfPoints`), called as
+    `velocity(points, t, velocities)`. It fills `velocities`.
   - A flow map (model of `InterfaceFlowMap`), called as `velocity(p, t, dt)`. It returns the
     position at `t + dt` of the point that is at `p` at `t`. The scheme is not used.
   - An interface velocity (model of `InterfaceVelocity`), called as

@@ -34,6 +34,7 @@ void add_zalesak(CLI::App& app, int& exit_code);
 /// Adds the seven commands above, which move an interface.
 void add_flows(CLI::App& app, int& exit_code);
 void add_convert(CLI::App& app, int& exit_code);
+void add_view(CLI::App& app, int& exit_code);
 void add_info(CLI::App& app, int& exit_code);
 void add_improve(CLI::App& app, int& exit_code);
 void add_cut_locus(CLI::App& app, int& exit_code);

@@ -39,6 +39,7 @@ int main(int argc, char** argv) {
         throw dsc::Other_program{other.program, std::string("the command '") + other.name + "'"};
     dsc::add_flows(app, exit_code);
     dsc::add_convert(app, exit_code);
+    dsc::add_view(app, exit_code);
     for (const Other_command& other : other_commands)
       app.add_subcommand(other.name, other.description);
   });

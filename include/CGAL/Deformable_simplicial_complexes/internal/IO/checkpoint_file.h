@@ -155,12 +155,11 @@ template <int d> struct Checkpoint
   std::string metadata; ///< the data added by the program, e.g. time and settings
 };
 
-// Writes a checkpoint file: magic bytes, a header with version, checksum and size, and the payload.
-// The file is replaced only if everything has been written.
+// Returns the bytes of a checkpoint file: magic bytes, a header with version, checksum and size,
+// and the payload.
 // \pre The arrays of the state have consistent sizes.
 template <int d>
-void write_checkpoint_file(const std::string& path, const State<d>& state,
-                           const std::string& metadata) {
+std::string checkpoint_to_bytes(const State<d>& state, const std::string& metadata) {
   CGAL_precondition(has_consistent_sizes(state));
 
   Checkpoint_encoder payload;
@@ -171,10 +170,16 @@ void write_checkpoint_file(const std::string& path, const State<d>& state,
   header(checkpoint_version);
   header(crc_32(payload.bytes().data(), payload.bytes().size()));
   header(std::uint64_t(payload.bytes().size()));
+  return checkpoint_magic<d>() + header.bytes() + payload.bytes();
+}
 
-  replace_file_by_stream(path, [&](std::ostream& out) {
-    out << checkpoint_magic<d>() << header.bytes() << payload.bytes();
-  });
+// Writes a checkpoint file. The file is replaced only if everything has been written.
+// \pre The arrays of the state have consistent sizes.
+template <int d>
+void write_checkpoint_file(const std::string& path, const State<d>& state,
+                           const std::string& metadata) {
+  const std::string bytes = checkpoint_to_bytes(state, metadata);
+  replace_file_by_stream(path, [&](std::ostream& out) { out << bytes; });
 }
 
 // Returns the dimension given by the first bytes of a file, or 0 if the file is not a checkpoint.
@@ -185,15 +190,16 @@ inline int checkpoint_file_dimension(const std::string& path) {
   return bytes == checkpoint_magic<2>() ? 2 : bytes == checkpoint_magic<3>() ? 3 : 0;
 }
 
-// Reads a checkpoint file. Throws `File_error` if it is not a checkpoint of dimension `d`, has
-// another version, is truncated, or is damaged.
-template <int d> Checkpoint<d> read_checkpoint_file(const std::string& path) {
+// Returns the content of a checkpoint file with given bytes. Throws `File_error` if it is not a
+// checkpoint of dimension `d`, has another version, is truncated, or is damaged. `path` is its
+// name.
+template <int d>
+Checkpoint<d> checkpoint_from_bytes(const std::string& bytes, const std::string& path) {
   const auto require = [&](bool condition, const std::string& what) {
     if (!condition)
       throw File_error(path + " " + what, path);
   };
 
-  const std::string bytes = file_contents(path);
   require(bytes.compare(0, checkpoint_magic_size, checkpoint_magic<d>()) == 0,
           "is not a checkpoint of a deformable simplicial complex in " + std::to_string(d) +
               " dimensions: choose another file");
@@ -223,6 +229,11 @@ template <int d> Checkpoint<d> read_checkpoint_file(const std::string& path) {
   require(payload.is_complete() && has_consistent_sizes(checkpoint.state),
           "is inconsistent: it was not written by this package; choose another file");
   return checkpoint;
+}
+
+// Reads a checkpoint file. Throws `File_error` as `checkpoint_from_bytes()` does.
+template <int d> Checkpoint<d> read_checkpoint_file(const std::string& path) {
+  return checkpoint_from_bytes<d>(file_contents(path), path);
 }
 
 } // namespace internal

@@ -107,14 +107,8 @@ public:
     const double longest = m_destinations.remaining_distance(farthest);
     const std::vector<Vertex_handle> free =
         free_vertices_near(m_complex, vertices, number_of_layers(vertices[farthest], longest));
-    const auto flow = [&](Vertex_handle v) -> std::optional<Vector> {
-      if (pass > 1 || !m_options.flow)
-        return {};
-      const Vector displacement = m_complex.displacement(v, m_options.flow(v));
-      if (displacement.squared_length() < far * far * longest * longest)
-        return displacement;
-      return {};
-    };
+    const typename Flow_displacements<Complex>::Flow no_flow;
+    Flow_displacements<Complex> flow(m_complex, pass > 1 ? no_flow : m_options.flow, far * longest);
     const auto remaining = [&](Vertex_handle v) {
       return m_complex.displacement(v, m_destinations.final_position(v));
     };

@@ -36,6 +36,28 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
+// Returns the other vertices of the stars of given vertices, by increasing time stamp. If there are
+// many vertices, returns all other vertices of the complex, which is faster.
+template <class Complex>
+std::vector<typename Complex::Vertex_handle>
+vertices_around(const Complex& complex,
+                const std::vector<typename Complex::Vertex_handle>& vertices) {
+  Marks seen = vertex_marks(complex);
+  for (auto v : vertices)
+    seen.add(v);
+  std::vector<typename Complex::Vertex_handle> result;
+  if (are_many(complex, vertices.size())) {
+    for (typename Complex::Vertex_handle v : complex.finite_vertices())
+      seen.add(v, result);
+  } else {
+    for (auto c : stars_of(complex, vertices))
+      for (int i = 0; i < Complex::corners; ++i)
+        seen.add(c->vertex(i), result);
+  }
+  sort_by_time_stamp(result);
+  return result;
+}
+
 /*
 The harmonic extension of displacements from the interface to the surrounding space. Each component
 of the displacement solves the Laplace equation, by linear finite elements. The conductivity of a
@@ -126,26 +148,6 @@ private:
 
   template <class Point> static Vector coordinates(const Point& p) {
     return Vector(coordinates_of<d>(p).data());
-  }
-
-  // Returns the other vertices of the stars of the free vertices, by increasing time stamp. If
-  // there are many free vertices, returns all other vertices of the complex, which is faster.
-  static std::vector<Vertex_handle> vertices_around(const Complex& complex,
-                                                    const std::vector<Vertex_handle>& free) {
-    Marks seen = vertex_marks(complex);
-    for (Vertex_handle v : free)
-      seen.add(v);
-    std::vector<Vertex_handle> result;
-    if (are_many(complex, free.size())) {
-      for (Vertex_handle v : complex.finite_vertices())
-        seen.add(v, result);
-    } else {
-      for (auto c : stars_of(complex, free))
-        for (int i = 0; i < Complex::corners; ++i)
-          seen.add(c->vertex(i), result);
-    }
-    sort_by_time_stamp(result);
-    return result;
   }
 
   // Returns a function that computes the neighbors of a free vertex from its star, and stores the

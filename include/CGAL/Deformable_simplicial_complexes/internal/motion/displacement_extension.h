@@ -11,6 +11,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Less_time_stamp.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Flow_displacements.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Harmonic_extension.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/motion_by_flow.h>
 
@@ -34,15 +35,15 @@ extension of the deviation of the interface and the boundary. The other free ver
 harmonic extension of the displacements around them.
 
 `displacement(v)` is the remaining displacement of an interface vertex, and zero for boundary
-vertices. `flow(v)` is the displacement of any vertex by the flow, if it is known. `longest` is the
-length of the longest displacement.
+vertices. `flow` gives the displacements of vertices by the flow, where it is known. `longest` is
+the length of the longest displacement.
 */
-template <class Complex, class Displacement, class Flow>
+template <class Complex, class Displacement>
 std::vector<typename Complex::Approximate_vector>
 displacement_extension(const Complex& complex,
                        const std::vector<typename Complex::Vertex_handle>& free,
-                       const Displacement& displacement, const Flow& flow, double longest,
-                       const For_each_index& for_each_index) {
+                       const Displacement& displacement, Flow_displacements<Complex>& flow,
+                       double longest, const For_each_index& for_each_index) {
   using Vertex_handle = typename Complex::Vertex_handle;
   using Vector = typename Complex::Approximate_vector;
   static constexpr double part = 1e-6; // relative to the longest displacement
@@ -50,6 +51,7 @@ displacement_extension(const Complex& complex,
   if (auto followed = motion_by_flow(complex, free, displacement, flow, longest, negligible))
     return *std::move(followed);
   std::vector<Vertex_handle> guided, others;
+  flow.find(free);
   std::vector<Vector> flows; // displacements of guided vertices by the flow
   for (Vertex_handle v : free)
     if (const std::optional<Vector> known = flow(v)) {
@@ -58,6 +60,7 @@ displacement_extension(const Complex& complex,
     } else {
       others.push_back(v);
     }
+  flow.find(vertices_around(complex, guided));
   const auto is_free = [](Vertex_handle v, const std::vector<Vertex_handle>& list) {
     return std::binary_search(list.begin(), list.end(), v, Less_time_stamp());
   };

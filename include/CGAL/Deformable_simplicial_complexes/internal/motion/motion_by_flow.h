@@ -11,6 +11,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Extent.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Flow_displacements.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -32,14 +33,14 @@ the boundary. Returns `nullopt` if the flow is not known everywhere, the interfa
 flow, the boundary is fixed, some inner vertices are not free, or that distance is too small for the
 longest displacement.
 
-`displacement(v)` is the remaining displacement of an interface vertex, `flow(v)` the displacement
-of any vertex by the flow. `longest` is the length of the longest displacement. Differences up to
-`negligible` are ignored.
+`displacement(v)` is the remaining displacement of an interface vertex. `flow` gives the
+displacements of vertices by the flow. `longest` is the length of the longest displacement.
+Differences up to `negligible` are ignored.
 */
-template <class Complex, class Displacement, class Flow>
+template <class Complex, class Displacement>
 std::optional<std::vector<typename Complex::Approximate_vector>>
 motion_by_flow(const Complex& complex, const std::vector<typename Complex::Vertex_handle>& free,
-               const Displacement& displacement, const Flow& flow, double longest,
+               const Displacement& displacement, Flow_displacements<Complex>& flow, double longest,
                double negligible) {
   using Vertex_handle = typename Complex::Vertex_handle;
   using Vector = typename Complex::Approximate_vector;
@@ -48,21 +49,29 @@ motion_by_flow(const Complex& complex, const std::vector<typename Complex::Verte
   const auto is_negligible = [&](const Vector& d) {
     return d.squared_length() <= negligible * negligible;
   };
-  Extent<Complex::dimension> box;
+  if (!flow.is_given())
+    return {};
+  std::vector<Vertex_handle> boundary, interface_;
   std::size_t number_of_inner = 0;
-  bool fades = false;
   for (Vertex_handle v : complex.finite_vertices()) {
     number_of_inner += !v->is_interface() && !complex.is_boundary(v);
-    if (!complex.is_boundary(v))
-      continue;
+    if (complex.is_boundary(v))
+      boundary.push_back(v);
+    if (v->is_interface())
+      interface_.push_back(v);
+  }
+  if (free.size() != number_of_inner)
+    return {};
+  Extent<Complex::dimension> box;
+  bool fades = false;
+  flow.find(boundary);
+  for (Vertex_handle v : boundary) {
     box.add(complex.position(v));
     const std::optional<Vector> known = flow(v);
     if (!known || (v->boundary_class() & Boundary_class::fixed) != 0)
       return {};
     fades = fades || !is_negligible(*known);
   }
-  if (free.size() != number_of_inner)
-    return {};
   const auto distance = [&](Vertex_handle v) {
     double result = std::numeric_limits<double>::infinity();
     const auto p = complex.position(v);
@@ -71,9 +80,8 @@ motion_by_flow(const Complex& complex, const std::vector<typename Complex::Verte
     return result;
   };
   double room = std::numeric_limits<double>::infinity();
-  for (Vertex_handle v : complex.finite_vertices()) {
-    if (!v->is_interface())
-      continue;
+  flow.find(interface_);
+  for (Vertex_handle v : interface_) {
     const std::optional<Vector> known = flow(v);
     if (!known || !is_negligible(displacement(v) - *known))
       return {};
@@ -83,6 +91,7 @@ motion_by_flow(const Complex& complex, const std::vector<typename Complex::Verte
   }
   std::vector<Vector> result;
   result.reserve(free.size());
+  flow.find(free);
   for (Vertex_handle v : free) {
     const std::optional<Vector> known = flow(v);
     if (!known)

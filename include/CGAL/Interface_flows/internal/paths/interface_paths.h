@@ -30,9 +30,78 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
+// The forms of velocities that `advect_interface()` accepts. If several forms fit, the order is:
+// flow map, interface step, velocity field, interface velocity.
+template <class Complex, class Velocity, class Point = typename Complex::Approximate_point>
+constexpr bool is_flow_map = std::is_invocable_v<const Velocity&, Point, double, double>;
+template <class Complex, class Velocity, class Point = typename Complex::Approximate_point>
+constexpr bool is_interface_step =
+    std::is_invocable_v<const Velocity&, const Interface_snapshot<Complex>&,
+                        const std::vector<Point>&, double, double, std::vector<Point>&>;
+
+// Tells whether a velocity is a model of `VelocityFieldOfPoints`. The form is not tested for flow
+// maps, because generic function objects of three arguments may not compile with others.
+template <class Complex, class Velocity, class Point = typename Complex::Approximate_point,
+          class Vector = typename Complex::Approximate_vector>
+constexpr bool is_field_of_points = std::conjunction_v<
+    std::bool_constant<!is_flow_map<Complex, Velocity>>,
+    std::is_invocable<const Velocity&, const std::vector<Point>&, double, std::vector<Vector>&>>;
+
+// Tells whether a flow map defines the type `Is_invertible` as `Tag_true`.
+template <class Map, class = void> struct Is_invertible : Tag_false
+{
+};
+template <class Map>
+struct Is_invertible<Map, std::void_t<typename Map::Is_invertible>> : Map::Is_invertible
+{
+};
+
+template <class Complex, class Velocity, class Point = typename Complex::Approximate_point>
+constexpr bool is_velocity_field =
+    !is_flow_map<Complex, Velocity> && !is_interface_step<Complex, Velocity> &&
+    (is_field_of_points<Complex, Velocity> || std::is_invocable_v<const Velocity&, Point, double>);
+
+// Tells whether free vertices move with a velocity. This holds for fields and for flow maps that
+// are invertible.
+template <class Complex, class Velocity>
+constexpr bool is_flow_of_space = is_velocity_field<Complex, Velocity> ||
+                                  (is_flow_map<Complex, Velocity> &&
+                                   Is_invertible<Velocity>::value);
+
+// The type of the interface that a velocity needs: vertices only for fields and flow maps, vertices
+// and facets for the other forms.
+template <class Complex, class Velocity>
+using Interface_seen_by =
+    std::conditional_t<is_velocity_field<Complex, Velocity> || is_flow_map<Complex, Velocity>,
+                       Interface_vertices<Complex>, Interface_snapshot<Complex>>;
+
+// Returns the velocities of a field at points. On a torus, the field is evaluated at points of the
+// box. Throws Invalid_destination_error if their number is wrong.
+template <class Complex, class Velocity>
+std::vector<typename Complex::Approximate_vector>
+field_at(const typename Complex::Domain& domain,
+         const std::vector<typename Complex::Approximate_point>& points, double t,
+         const Velocity& velocity) {
+  std::vector<typename Complex::Approximate_vector> result;
+  if constexpr (is_field_of_points<Complex, Velocity>) {
+    std::vector<typename Complex::Approximate_point> in_box;
+    for (const auto& p : points)
+      in_box.push_back(domain.canonical(p));
+    velocity(in_box, t, result);
+    if (result.size() != points.size())
+      throw Invalid_destination_error("the number of velocities differs from the number of points: "
+                                      "give one velocity for each point",
+                                      {});
+  } else {
+    for (const auto& p : points)
+      result.push_back(velocity(domain.canonical(p), t));
+  }
+  return result;
+}
+
 // Returns the velocities of all vertices of an interface at the given positions. The velocity is a
-// field or an interface velocity. On a torus, a field is evaluated at points of the box. Throws
-// Invalid_destination_error if a velocity is not finite or their number is wrong.
+// field or an interface velocity. Throws Invalid_destination_error if a velocity is not finite or
+// their number is wrong.
 template <class Interface, class Velocity>
 std::vector<typename Interface::Complex::Approximate_vector>
 velocities_at(const Interface& interface_,
@@ -40,9 +109,8 @@ velocities_at(const Interface& interface_,
               double t, const Velocity& velocity) {
   using Complex = typename Interface::Complex;
   std::vector<typename Complex::Approximate_vector> result;
-  if constexpr (std::is_invocable_v<const Velocity&, typename Complex::Approximate_point, double>) {
-    for (const auto& p : positions)
-      result.push_back(velocity(interface_.domain.canonical(p), t));
+  if constexpr (is_velocity_field<Complex, Velocity>) {
+    result = field_at<Complex>(interface_.domain, positions, t, velocity);
   } else {
     velocity(interface_, positions, t, result);
     if (result.size() != positions.size())
@@ -136,6 +204,16 @@ Place follow_rate(const Place& start, double t, double dt, Integration_scheme sc
   return advance(advance(halfway, k3, dt / 3), k4, dt / 6);
 }
 
+// Returns points moved by `step` times their velocities.
+template <class Complex>
+std::vector<typename Complex::Approximate_point>
+advanced(std::vector<typename Complex::Approximate_point> points,
+         const std::vector<typename Complex::Approximate_vector>& velocities, double step) {
+  for (std::size_t i = 0; i < points.size(); ++i)
+    points[i] = points[i] + step * velocities[i];
+  return points;
+}
+
 // Returns the end points of the paths of all vertices, by one step of an explicit Runge-Kutta
 // method.
 template <class Interface, class Velocity>
@@ -146,74 +224,40 @@ integrate_with_fixed_steps(const Interface& interface_,
                            Integration_scheme scheme) {
   using Complex = typename Interface::Complex;
   using Points = std::vector<typename Complex::Approximate_point>;
-  using Vectors = std::vector<typename Complex::Approximate_vector>;
   const auto rate = [&](const Points& positions, double time) {
     return velocities_at(interface_, positions, time, velocity);
   };
-  const auto advance = [](Points positions, const Vectors& v, double step) {
-    for (std::size_t i = 0; i < positions.size(); ++i)
-      positions[i] = positions[i] + step * v[i];
-    return positions;
-  };
-  return follow_rate(start, t, dt, scheme, rate, advance);
+  return follow_rate(start, t, dt, scheme, rate, advanced<Complex>);
 }
 
-// The forms of velocities that `advect_interface()` accepts. If several forms fit, the order is:
-// flow map, interface step, velocity field, interface velocity.
-template <class Complex, class Velocity, class Point = typename Complex::Approximate_point>
-constexpr bool is_flow_map = std::is_invocable_v<const Velocity&, Point, double, double>;
-template <class Complex, class Velocity, class Point = typename Complex::Approximate_point>
-constexpr bool is_interface_step =
-    std::is_invocable_v<const Velocity&, const Interface_snapshot<Complex>&,
-                        const std::vector<Point>&, double, double, std::vector<Point>&>;
-
-// Tells whether a flow map defines the type `Is_invertible` as `Tag_true`.
-template <class Map, class = void> struct Is_invertible : Tag_false
-{
-};
-template <class Map>
-struct Is_invertible<Map, std::void_t<typename Map::Is_invertible>> : Map::Is_invertible
-{
-};
-
-template <class Complex, class Velocity, class Point = typename Complex::Approximate_point>
-constexpr bool is_velocity_field =
-    !is_flow_map<Complex, Velocity> && !is_interface_step<Complex, Velocity> &&
-    std::is_invocable_v<const Velocity&, Point, double>;
-
-// Tells whether free vertices move with a velocity. This holds for fields and for flow maps that
-// are invertible.
+// Returns the positions at t + dt of the points that are at given positions at t. The result only
+// guides free vertices, so `Integration_scheme::rk4` is used for fields. A position is not finite
+// where a velocity is not finite. \pre is_flow_of_space
 template <class Complex, class Velocity>
-constexpr bool is_flow_of_space = is_velocity_field<Complex, Velocity> ||
-                                  (is_flow_map<Complex, Velocity> &&
-                                   Is_invertible<Velocity>::value);
-
-// The type of the interface that a velocity needs: vertices only for fields and flow maps, vertices
-// and facets for the other forms.
-template <class Complex, class Velocity>
-using Interface_seen_by =
-    std::conditional_t<is_velocity_field<Complex, Velocity> || is_flow_map<Complex, Velocity>,
-                       Interface_vertices<Complex>, Interface_snapshot<Complex>>;
-
-// Returns the position at t + dt of the point that is at p at t. The result only guides free
-// vertices, so `Integration_scheme::rk4` is used for fields. The result is not finite where a
-// velocity is not finite. \pre is_flow_of_space
-template <class Complex, class Velocity>
-typename Complex::Approximate_point follow_flow(const typename Complex::Domain& domain,
-                                                const typename Complex::Approximate_point& p,
-                                                const Velocity& velocity, double t, double dt) {
+std::vector<typename Complex::Approximate_point>
+follow_flow(const typename Complex::Domain& domain,
+            const std::vector<typename Complex::Approximate_point>& start, const Velocity& velocity,
+            double t, double dt) {
+  using Points = std::vector<typename Complex::Approximate_point>;
   if constexpr (is_flow_map<Complex, Velocity>) {
-    return velocity(p, t, dt);
+    Points result;
+    for (const auto& p : start)
+      result.push_back(velocity(p, t, dt));
+    return result;
   } else {
-    using Point = typename Complex::Approximate_point;
-    using Vector = typename Complex::Approximate_vector;
-    const auto rate = [&](const Point& q, double time) -> Vector {
-      if (!has_finite_coordinates(q)) // do not evaluate the field at a point that is not finite
-        return q - ORIGIN;
-      return velocity(domain.canonical(q), time);
+    const auto rate = [&](const Points& points, double time) {
+      Points finite; // the field is not evaluated at other points
+      for (const auto& p : points)
+        if (has_finite_coordinates(p))
+          finite.push_back(p);
+      const auto velocities = field_at<Complex>(domain, finite, time, velocity);
+      std::vector<typename Complex::Approximate_vector> result;
+      auto next = velocities.begin();
+      for (const auto& p : points)
+        result.push_back(has_finite_coordinates(p) ? *next++ : p - ORIGIN);
+      return result;
     };
-    const auto advance = [](const Point& q, const Vector& v, double step) { return q + step * v; };
-    return follow_rate(p, t, dt, Integration_scheme::rk4, rate, advance);
+    return follow_rate(start, t, dt, Integration_scheme::rk4, rate, advanced<Complex>);
   }
 }
 

@@ -1,0 +1,61 @@
+"""Moving interfaces with topology changes.
+
+Space or the plane is divided into cells with labels. The interface is what lies between different
+labels. It moves with velocities or to destinations, its parts merge and split, and the mesh stays good.
+
+    import dsc, numpy as np
+    c = dsc.Complex3.from_function(lambda p: (np.linalg.norm(p, axis=1) < .5).astype(int),
+                                   box=[(-1, -1, -1), (1, 1, 1)], edge=.1)
+    report = c.offset(.02)
+"""
+
+from ._complex import (
+    Complex,
+    Complex2,
+    Complex3,
+    LabelFunction,
+    Progress,
+    Scheme,
+    Topology,
+    Velocity,
+)
+from ._errors import (
+    BusyError,
+    Error,
+    FileError,
+    Interrupted,
+    InvalidCellsError,
+    InvalidDestinationError,
+    InvalidPointsError,
+    InvalidSurfaceError,
+    TetrahedralizationError,
+)
+from ._film import Film
+from ._report import Cells, Changes, Interface, LabelChange, Report, TopologyEvent
+
+__all__ = [
+    "BusyError",
+    "Cells",
+    "Changes",
+    "Complex",
+    "Complex2",
+    "Complex3",
+    "Error",
+    "FileError",
+    "Film",
+    "Interface",
+    "Interrupted",
+    "InvalidCellsError",
+    "InvalidDestinationError",
+    "InvalidPointsError",
+    "InvalidSurfaceError",
+    "LabelChange",
+    "LabelFunction",
+    "Progress",
+    "Report",
+    "Scheme",
+    "TetrahedralizationError",
+    "Topology",
+    "TopologyEvent",
+    "Velocity",
+]

@@ -1,0 +1,577 @@
+"""Deformable simplicial complexes: space or the plane, divided into labelled cells."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any, Literal, TypeVar, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _dsc
+from ._film import Film
+from ._report import Cells, Changes, Interface, LabelChange, Points, Report, TopologyEvent
+
+Progress = Callable[[str], Union[bool, None]]
+"""Called about twenty times a second with the name of the current phase. False stops the function."""
+
+Velocity = Callable[[Points, float], npt.ArrayLike]
+"""Velocities at points at a time: arrays of shape (n, d)."""
+
+LabelFunction = Callable[[Points], npt.ArrayLike]
+"""Labels at points: integers of shape (n,) for points of shape (n, d)."""
+
+Topology = Union[
+    Literal["allow", "forbid"], Sequence[tuple[int, int]], Callable[[int, int, Points], bool]
+]
+"""Changes of topology: all, none, those between pairs of labels, or those that a function of the label,
+the new label and the place permits."""
+
+Scheme = Literal["euler", "rk2", "rk4", "adaptive"]
+
+Self = TypeVar("Self", bound="Complex")
+
+
+def _given(**options: Any) -> dict[str, Any]:
+    return {name: value for name, value in options.items() if value is not None}
+
+
+def _report(result: dict[str, Any]) -> Report:
+    result["labels"] = [LabelChange(**change) for change in result["labels"]]
+    result["events"] = [TopologyEvent(**event) for event in result["events"]]
+    return Report(**result)
+
+
+def _box(box: npt.ArrayLike, dimension: int) -> tuple[list[float], list[float]]:
+    corners = np.asarray(box, dtype=float)
+    if corners.shape != (2, dimension):
+        raise ValueError(f"box must be two corners, of shape (2, {dimension})")
+    return corners[0].tolist(), corners[1].tolist()
+
+
+class Complex:
+    """Common part of `Complex2` and `Complex3`. Use one of these classes.
+
+    All lengths are in the unit of the input. Functions that change a complex release the lock of the
+    interpreter, and stop within a fraction of a second after Ctrl-C. The complex is then valid. While
+    a thread changes a complex, other threads get a `BusyError`.
+    """
+
+    dimension: int
+    """2 or 3."""
+    _class: Any
+
+    def __init__(self, compiled: Any) -> None:
+        """Not for users. Make a complex by one of the class methods."""
+        if not isinstance(compiled, self._class):
+            raise TypeError(f"make a {type(self).__name__} by one of its class methods, from_...")
+        self._compiled = compiled
+
+    # Creation
+
+    @classmethod
+    def from_function(
+        cls: type[Self],
+        labels: LabelFunction,
+        box: npt.ArrayLike,
+        edge: float,
+        *,
+        progress: Progress | None = None,
+    ) -> Self:
+        """Fills a box with cells whose labels are given by a function, and fits the interface to it.
+
+        labels: the function, called with many points at once
+        box: two opposite corners, shape (2, d)
+        edge: approximate length of edges
+        """
+        return cls(cls._class.from_function(labels, _box(box, cls.dimension), edge, progress))
+
+    @classmethod
+    def from_bytes(cls: type[Self], data: bytes, *, progress: Progress | None = None) -> Self:
+        """Returns the complex of a result of `to_bytes()`, or of the bytes of a checkpoint file.
+
+        Raises `FileError` if the bytes are of another version or dimension, or damaged.
+        """
+        return cls(cls._class.from_bytes(data, progress))
+
+    @classmethod
+    def read(cls: type[Self], path: str | os.PathLike[str]) -> Self:
+        """Reads a checkpoint (.dsc), as `save()` or the program dsc writes it."""
+        with open(path, "rb") as file:
+            return cls.from_bytes(file.read())
+
+    # Access
+
+    @property
+    def number_of_vertices(self) -> int:
+        """Number of vertices."""
+        return int(self._compiled.number_of_vertices())
+
+    @property
+    def number_of_cells(self) -> int:
+        """Number of cells: tetrahedra in space, triangles in the plane."""
+        return int(self._compiled.number_of_cells())
+
+    @property
+    def labels(self) -> list[int]:
+        """Labels that occur, increasing."""
+        return list(self._compiled.labels())
+
+    @property
+    def volumes(self) -> dict[int, float]:
+        """Volume of each label; in the plane, the area."""
+        return dict(self._compiled.volumes())
+
+    @property
+    def components(self) -> dict[int, int]:
+        """Number of connected components of each label."""
+        return dict(self._compiled.components())
+
+    @property
+    def mean_interface_edge(self) -> float:
+        """Mean length of the interface edges when the complex was made; 0 without an interface."""
+        return float(self._compiled.mean_interface_edge())
+
+    @property
+    def qualities(self) -> npt.NDArray[np.float64]:
+        """Quality of each cell, in the order of `cells()`: 1 for a regular cell, 0 for a flat one."""
+        qualities: npt.NDArray[np.float64] = self._compiled.qualities()
+        return qualities
+
+    def interface(self) -> Interface:
+        """Returns the facets between cells of different labels."""
+        return Interface(*self._compiled.interface())
+
+    def cells(self) -> Cells:
+        """Returns all cells."""
+        return Cells(*self._compiled.cells())
+
+    def is_valid(self) -> bool:
+        """Returns whether all cells are positively oriented and the complex is consistent. Slow."""
+        return bool(self._compiled.is_valid())
+
+    # Storage
+
+    def to_bytes(self) -> bytes:
+        """Returns everything needed to continue with bitwise equal results."""
+        return bytes(self._compiled.to_bytes())
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes a checkpoint (.dsc). The file is complete or unchanged."""
+        data = self.to_bytes()
+        temporary = f"{os.fspath(path)}.{os.getpid()}.part"
+        try:
+            with open(temporary, "wb") as file:
+                file.write(data)
+            os.replace(temporary, path)
+        finally:
+            if os.path.exists(temporary):
+                os.remove(temporary)
+
+    def copy(self: Self) -> Self:
+        """Returns a copy. Both give bitwise equal results."""
+        return type(self)(self._compiled.copy())
+
+    def __copy__(self: Self) -> Self:
+        return self.copy()
+
+    def __deepcopy__(self: Self, memo: dict[int, Any]) -> Self:
+        return self.copy()
+
+    def __reduce__(self) -> tuple[Callable[[bytes], Complex], tuple[bytes]]:
+        return type(self).from_bytes, (self.to_bytes(),)
+
+    def __eq__(self, other: object) -> bool:
+        """Returns whether both complexes will give bitwise equal results."""
+        if type(self) is not type(other) or not isinstance(other, Complex):
+            return NotImplemented
+        return bool(self._compiled.equals(other._compiled))
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        return (
+            f"<{type(self).__name__}: {self.number_of_cells} cells, "
+            f"{self.number_of_vertices} vertices, labels {self.labels}>"
+        )
+
+    def _repr_html_(self) -> str:
+        film = Film(repr(self))
+        film.add(self)
+        return film._repr_html_()
+
+    # Motion
+
+    def advect(
+        self,
+        velocity: Velocity,
+        t: float,
+        dt: float,
+        *,
+        scheme: Scheme | None = None,
+        integration_tolerance: float | None = None,
+        adapt: bool = False,
+        interface_tolerance: float | None = None,
+        adaptation_interval: int | None = None,
+        topology: Topology | None = None,
+        threads: int | None = None,
+        progress: Progress | None = None,
+        **deformation: Any,
+    ) -> Report:
+        """Moves the interface with a velocity field for one time step. Space near it follows.
+
+        velocity: `velocity(points, t)` returns velocities of shape (n, d) for points of shape (n, d)
+        t, dt: time and length of the step; vertices should move by at most a quarter of an edge
+        scheme: integration of paths; default 'rk2', with `adapt` 'rk4'
+        integration_tolerance: for 'adaptive', in mean edges of the first interface
+        adapt: whether the interface gets facets as small as its curvature requires, for long runs of
+            flows that stretch it
+        interface_tolerance: largest distance from the smooth surface, in mean edges (with `adapt`)
+        adaptation_interval: number of steps between adaptations (with `adapt`)
+        topology: changes of topology; default 'allow'
+        threads: number of threads; the result does not depend on it
+        deformation: further options, as for `deform()`
+
+        Raises `InvalidDestinationError` if a velocity is not finite; nothing has moved then.
+        """
+        options = _given(
+            scheme=scheme,
+            integration_tolerance=integration_tolerance,
+            adapt=adapt,
+            interface_tolerance=interface_tolerance,
+            adaptation_interval=adaptation_interval,
+            topology=topology,
+            threads=threads,
+            **deformation,
+        )
+        return _report(self._compiled.advect(velocity, t, dt, options, progress))
+
+    def offset(
+        self,
+        distance: float,
+        *,
+        adapt: bool = False,
+        topology: Topology | None = None,
+        threads: int | None = None,
+        progress: Progress | None = None,
+        **deformation: Any,
+    ) -> Report:
+        """Moves the boundary of label 0 along its normals, outwards if the distance is positive.
+
+        The distance should be at most a quarter of an edge. Other parameters are those of `advect()`.
+        """
+        options = _given(adapt=adapt, topology=topology, threads=threads, **deformation)
+        return _report(self._compiled.offset(distance, options, progress))
+
+    def mean_curvature(
+        self,
+        dt: float,
+        *,
+        keep_volumes: bool = False,
+        adapt: bool = False,
+        topology: Topology | None = None,
+        threads: int | None = None,
+        progress: Progress | None = None,
+        **deformation: Any,
+    ) -> Report:
+        """Moves the interface by its mean curvature (in the plane, its curvature) for a time step.
+
+        dt: at least 0, about the square of an edge
+        keep_volumes: whether the volume of each label stays the same
+        Other parameters are those of `advect()`.
+        """
+        options = _given(adapt=adapt, topology=topology, threads=threads, **deformation)
+        return _report(self._compiled.mean_curvature(dt, keep_volumes, options, progress))
+
+    def deform(
+        self,
+        destinations: npt.ArrayLike,
+        *,
+        topology: Topology | None = None,
+        threads: int | None = None,
+        maximum_passes: int | None = None,
+        quality_threshold: float | None = None,
+        relabeling_threshold: float | None = None,
+        minimum_angle: float | None = None,
+        minimum_facet_angle: float | None = None,
+        manifold_interface: bool | None = None,
+        collision_order: bool | None = None,
+        progress: Progress | None = None,
+    ) -> Report:
+        """Moves the vertices of the interface to destinations.
+
+        destinations: shape (n, d), in the order of `interface().points`
+        topology, threads: as for `advect()`
+        maximum_passes: largest number of executions of the main loop
+        quality_threshold: moved cells of lower quality are improved, in [0, 1]
+        relabeling_threshold: trapped cells of lower quality may be relabeled, in [0, 1]
+        minimum_angle: moved cells with a smaller angle are removed, degrees in [0, 30]
+        minimum_facet_angle: facets with a smaller angle are removed, degrees in [0, 30]
+        manifold_interface: whether the boundary of each label stays a manifold
+        collision_order: whether vertices are moved in the order of their first collision
+        """
+        options = _given(
+            topology=topology,
+            threads=threads,
+            maximum_passes=maximum_passes,
+            quality_threshold=quality_threshold,
+            relabeling_threshold=relabeling_threshold,
+            minimum_angle=minimum_angle,
+            minimum_facet_angle=minimum_facet_angle,
+            manifold_interface=manifold_interface,
+            collision_order=collision_order,
+        )
+        points = np.asarray(destinations, dtype=float)
+        return _report(self._compiled.deform(points, options, progress))
+
+    def restore_volumes(
+        self,
+        volumes: Mapping[int, float],
+        *,
+        volume_tolerance: float | None = None,
+        number_of_iterations: int | None = None,
+        progress: Progress | None = None,
+        **deformation: Any,
+    ) -> bool:
+        """Moves the interface so that labels get given volumes. Returns whether they are reached.
+
+        volume_tolerance: relative
+        """
+        options = _given(
+            volume_tolerance=volume_tolerance,
+            number_of_iterations=number_of_iterations,
+            **deformation,
+        )
+        return bool(self._compiled.restore_volumes(dict(volumes), options, progress))
+
+    # Remeshing
+
+    def improve(
+        self,
+        *,
+        quality_threshold: float | None = None,
+        number_of_iterations: int | None = None,
+        aggressive: bool | None = None,
+        smooth_interface: bool | None = None,
+        threads: int | None = None,
+        progress: Progress | None = None,
+    ) -> Changes:
+        """Optimizes the cells. The interface stays the same.
+
+        quality_threshold: cells of lower quality are improved, in [0, 1]
+        number_of_iterations: largest number of rounds
+        aggressive: whether the worst cells are improved with much more effort, in space
+        smooth_interface: whether vertices may move where the interface is flat, in space
+        """
+        options = _given(
+            quality_threshold=quality_threshold,
+            number_of_iterations=number_of_iterations,
+            aggressive=aggressive,
+            smooth_interface=smooth_interface,
+            threads=threads,
+        )
+        return Changes(**self._compiled.improve(options, progress))
+
+    def improve_interface(
+        self,
+        *,
+        number_of_iterations: int | None = None,
+        aggressiveness: float | None = None,
+        split_length: float | None = None,
+        collapse_length: float | None = None,
+        feature_angle: float | None = None,
+        flip_angle: float | None = None,
+        swept_volume: float | None = None,
+        minimum_facet_angle: float | None = None,
+        quality_threshold: float | None = None,
+        curved_splits: bool | None = None,
+        split_junctions: bool | None = None,
+        progress: Progress | None = None,
+    ) -> Changes:
+        """Optimizes the facets of the interface, which changes its shape a little.
+
+        aggressiveness: amount of smoothing, in [0, 1)
+        split_length, collapse_length: longer edges are split and shorter ones collapsed, in mean edges
+        feature_angle: edges are sharp if normals differ by more, degrees in [0, 180]
+        flip_angle: edges can be flipped if normals differ by less, degrees in [0, 90]
+        swept_volume: bound on the volume that an operation sweeps, in cubes of the mean edge
+        minimum_facet_angle: facets with a smaller angle are removed, degrees in [0, 30]
+        curved_splits: whether new vertices are placed on the smooth surface
+        split_junctions: whether junctions of more than three labels are split, in the plane
+        """
+        options = _given(
+            number_of_iterations=number_of_iterations,
+            aggressiveness=aggressiveness,
+            split_length=split_length,
+            collapse_length=collapse_length,
+            feature_angle=feature_angle,
+            flip_angle=flip_angle,
+            swept_volume=swept_volume,
+            minimum_facet_angle=minimum_facet_angle,
+            quality_threshold=quality_threshold,
+            curved_splits=curved_splits,
+            split_junctions=split_junctions,
+        )
+        return Changes(**self._compiled.improve_interface(options, progress))
+
+    def control_detail(
+        self,
+        *,
+        split_length: float | None = None,
+        collapse_length: float | None = None,
+        collapse_quality: float | None = None,
+        change_interface: bool | None = None,
+        interface_split_length: float | None = None,
+        interface_collapse_length: float | None = None,
+        number_of_iterations: int | None = None,
+        progress: Progress | None = None,
+    ) -> Changes:
+        """Splits long edges and collapses short ones.
+
+        split_length, collapse_length: of edges off the interface, in mean edges of the interface
+        collapse_quality: no collapse makes a cell of lower quality, in [0, 1]
+        change_interface: whether edges of the interface are changed, too
+        interface_split_length, interface_collapse_length: of edges of the interface
+        """
+        options = _given(
+            split_length=split_length,
+            collapse_length=collapse_length,
+            collapse_quality=collapse_quality,
+            change_interface=change_interface,
+            interface_split_length=interface_split_length,
+            interface_collapse_length=interface_collapse_length,
+            number_of_iterations=number_of_iterations,
+        )
+        return Changes(**self._compiled.control_detail(options, progress))
+
+
+class Complex3(Complex):
+    """A complex in space: labelled tetrahedra, and the triangles between different labels."""
+
+    dimension = 3
+    _class = _dsc.Complex3
+
+    @classmethod
+    def from_surfaces(
+        cls,
+        surfaces: Iterable[tuple[npt.ArrayLike, npt.ArrayLike] | tuple[npt.ArrayLike, npt.ArrayLike, int]],
+        *,
+        box: npt.ArrayLike | None = None,
+        box_subdivision: int | None = None,
+        improve: bool | None = None,
+        progress: Progress | None = None,
+    ) -> Complex3:
+        """Fills a box around closed surfaces with tetrahedra.
+
+        surfaces: points (n, 3), triangles (m, 3), and a label; without labels, these are 1, 2, ...
+            Label 0 is the outside. Where solids overlap, the later one counts.
+        box: two opposite corners, shape (2, 3); by default a cube around the surfaces
+        box_subdivision: number of pieces of each edge of the box
+        improve: whether the tetrahedra are improved at the end
+
+        Raises `InvalidSurfaceError` if a surface is open or intersects itself or another one, and
+        `TetrahedralizationError` if TetGen fails.
+        """
+        labelled = [
+            (np.asarray(s[0], dtype=float), np.asarray(s[1]), s[2] if len(s) == 3 else i + 1)
+            for i, s in enumerate(surfaces)
+        ]
+        options = _given(
+            box=None if box is None else _box(box, 3),
+            box_subdivision=box_subdivision,
+            improve=improve,
+        )
+        return cls(_dsc.Complex3.from_surfaces(labelled, options, progress))
+
+    @classmethod
+    def from_tetrahedra(
+        cls,
+        points: npt.ArrayLike,
+        tetrahedra: npt.ArrayLike,
+        labels: npt.ArrayLike,
+        *,
+        surround: bool = False,
+        box: npt.ArrayLike | None = None,
+        improve: bool | None = None,
+        progress: Progress | None = None,
+    ) -> Complex3:
+        """Makes a complex of labelled tetrahedra, of shapes (n, 3), (m, 4) and (m,).
+
+        surround: whether the space around the tetrahedra is filled with tetrahedra of label 0, up to a
+            box; otherwise, the tetrahedra are the domain and must be positively oriented
+        box: two opposite corners, shape (2, 3) (with `surround`)
+        improve: whether the tetrahedra are improved at the end
+
+        Raises `InvalidCellsError` if the tetrahedra are no valid mesh.
+        """
+        options = _given(box=None if box is None else _box(box, 3), improve=improve)
+        return cls(
+            _dsc.Complex3.from_tetrahedra(
+                np.asarray(points, dtype=float),
+                np.asarray(tetrahedra),
+                np.asarray(labels),
+                not surround,
+                options,
+                progress,
+            )
+        )
+
+
+class Complex2(Complex):
+    """A complex in the plane: labelled triangles, and the segments between different labels."""
+
+    dimension = 2
+    _class = _dsc.Complex2
+
+    @classmethod
+    def from_polygons(
+        cls,
+        polygons: Iterable[Sequence[npt.ArrayLike] | tuple[Sequence[npt.ArrayLike], int]],
+        *,
+        box: npt.ArrayLike | None = None,
+        improve: bool | None = None,
+        progress: Progress | None = None,
+    ) -> Complex2:
+        """Fills a rectangle around polygons with triangles.
+
+        polygons: for each region a list of closed polylines of shape (n, 2), the outer boundary and
+            holes in any order, and a label; without labels, these are 1, 2, ... Label 0 is the outside.
+        box: two opposite corners, shape (2, 2); by default a square around the polygons
+        improve: whether the triangles are improved at the end
+
+        Raises `InvalidSurfaceError` if polygons intersect themselves or each other.
+        """
+        labelled = []
+        for i, polygon in enumerate(polygons):
+            has_label = isinstance(polygon, tuple) and len(polygon) == 2 and np.ndim(polygon[1]) == 0
+            rings, label = polygon if has_label else (polygon, i + 1)
+            labelled.append(([np.asarray(ring, dtype=float) for ring in rings], int(label)))
+        options = _given(box=None if box is None else _box(box, 2), improve=improve)
+        return cls(_dsc.Complex2.from_polygons(labelled, options, progress))
+
+    @classmethod
+    def from_triangles(
+        cls,
+        points: npt.ArrayLike,
+        triangles: npt.ArrayLike,
+        labels: npt.ArrayLike,
+        *,
+        improve: bool | None = None,
+        progress: Progress | None = None,
+    ) -> Complex2:
+        """Makes a complex of labelled triangles, of shapes (n, 2), (m, 3) and (m,), which are the domain.
+
+        improve: whether the triangles are improved at the end
+
+        Raises `InvalidCellsError` if the triangles are no valid mesh.
+        """
+        return cls(
+            _dsc.Complex2.from_triangles(
+                np.asarray(points, dtype=float),
+                np.asarray(triangles),
+                np.asarray(labels),
+                _given(improve=improve),
+                progress,
+            )
+        )

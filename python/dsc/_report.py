@@ -1,0 +1,113 @@
+"""Results of the functions that change a complex."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+Points = npt.NDArray[np.float64]
+Indices = npt.NDArray[np.int64]
+Labels = npt.NDArray[np.int32]
+Ids = npt.NDArray[np.uint64]
+
+
+@dataclass(frozen=True)
+class Interface:
+    """Facets between cells of different labels: triangles in space, segments in the plane."""
+
+    points: Points
+    """Positions of the vertices, shape (n, d)."""
+    facets: Indices
+    """Vertices of the facets, shape (m, d): counterclockwise seen from the side of the smaller label."""
+    labels: Labels
+    """Larger and smaller label at each facet, shape (m, 2)."""
+    ids: Ids
+    """Numbers that identify the vertices while they exist, shape (n,)."""
+
+
+@dataclass(frozen=True)
+class Cells:
+    """All cells: tetrahedra in space, triangles in the plane."""
+
+    points: Points
+    """Positions of the vertices, shape (n, d)."""
+    cells: Indices
+    """Vertices of the cells, shape (m, d + 1), positively oriented."""
+    labels: Labels
+    """Labels of the cells, shape (m,)."""
+    ids: Ids
+    """Numbers that identify the vertices while they exist, shape (n,)."""
+
+
+@dataclass(frozen=True)
+class TopologyEvent:
+    """A change of connected components of a label."""
+
+    kind: str
+    """'merged', 'split', 'vanished' or 'appeared'."""
+    label: int
+    """Label of the components."""
+    volumes_before: list[float]
+    """Volumes of the components before; empty if a component appeared."""
+    volumes_after: list[float]
+    """Volumes of the components after; empty if a component vanished."""
+    where: Points
+    """A place of the change, shape (d,)."""
+    pass_number: int
+    """Pass of the deformation; the first one is 1."""
+
+
+@dataclass(frozen=True)
+class LabelChange:
+    """Components and volume of a label before and after a deformation."""
+
+    label: int
+    components_before: int
+    components_after: int
+    merged: int
+    split: int
+    vanished: int
+    appeared: int
+    volume_before: float
+    volume_after: float
+
+
+@dataclass(frozen=True)
+class Changes:
+    """Numbers of changes of the mesh."""
+
+    split_edges: int
+    collapsed_edges: int
+    flipped: int
+    smoothed_vertices: int
+    inserted_vertices: int
+
+
+@dataclass(frozen=True)
+class Report(Changes):
+    """Report of a deformation. It names everything that was not reached or was lost."""
+
+    complete: bool
+    """Whether all vertices have reached their destinations."""
+    unfinished_points: Points
+    """Positions of the vertices that did not reach their destinations, shape (k, d)."""
+    unfinished_distances: npt.NDArray[np.float64]
+    """Their remaining distances, shape (k,)."""
+    flat_cells: int
+    """Number of cells whose quality is below 1e-3."""
+    vanished_vertices: int
+    """Number of vertices that were removed, or left the interface, before they arrived."""
+    stopped_at_boundary: int
+    """Number of vertices with destinations outside the domain."""
+    passes: int
+    """Number of executions of the main loop."""
+    relocated_vertices: int
+    """Number of vertices that were moved from their destinations to remove small angles."""
+    relabeled_cells: int
+    """Number of cells that changed their label."""
+    labels: list[LabelChange]
+    """Changes of each label."""
+    events: list[TopologyEvent]
+    """Changes of components."""

@@ -1,0 +1,354 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DSC_PYTHON_BIND_COMPLEX_H
+#define DSC_PYTHON_BIND_COMPLEX_H
+
+#include "Guarded.h"
+#include "callbacks.h"
+#include "options.h"
+#include "reports.h"
+
+#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_bytes.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
+#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
+#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
+#include <CGAL/Deformable_simplicial_complexes/restore_volumes.h>
+#include <CGAL/Deformable_simplicial_complexes/topology_control.h>
+#include <CGAL/Interface_flows/Mean_curvature_flow.h>
+#include <CGAL/Interface_flows/Normal_offset.h>
+#include <CGAL/Interface_flows/advect_adaptively.h>
+#include <CGAL/Interface_flows/advect_interface.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace dsc_python {
+
+/// Returns a complex for Python. `make()` makes it, as a long function.
+template <class Make> auto guarded(const py::object& progress, const Make& make) {
+  using Complex = decltype(make());
+  const Long_function function(progress);
+  return std::make_unique<Guarded<Complex>>(make());
+}
+
+/// The functions of a complex for Python. Coordinates and measures are those of the user.
+template <class Complex> class Complex_functions
+{
+public:
+  using Object = Guarded<Complex>;
+  static constexpr int d = Complex::dimension;
+
+  static py::tuple interface_(const Object& object) {
+    const Complex& complex = object.read();
+    const DSC::Interface_snapshot<Complex> snapshot(complex);
+    const auto& facets = snapshot.facets();
+    return py::make_tuple(
+        Space<Complex>(complex).array(snapshot.positions(complex)),
+        array_of<std::int64_t>(facets.size(), d,
+                               [&](std::size_t i, std::size_t j) { return facets[i].vertices[j]; }),
+        array_of<std::int32_t>(facets.size(), 2,
+                               [&](std::size_t i, std::size_t j) {
+                                 return j == 0 ? facets[i].behind : facets[i].in_front;
+                               }),
+        ids_of(snapshot.vertices));
+  }
+
+  static py::tuple cells(const Object& object) {
+    const Complex& complex = object.read();
+    const auto vertices = complex.vertices();
+    const auto cells = complex.cells();
+    const DSC::Vertex_numbers numbers(complex, vertices);
+    std::vector<typename Complex::Approximate_point> positions;
+    for (const auto v : vertices)
+      positions.push_back(complex.position(v));
+    return py::make_tuple(
+        Space<Complex>(complex).array(positions),
+        array_of<std::int64_t>(
+            cells.size(), d + 1,
+            [&](std::size_t i, std::size_t j) { return numbers(cells[i]->vertex(int(j))); }),
+        array_of<std::int32_t>(cells.size(), [&](std::size_t i) { return cells[i]->label(); }),
+        ids_of(vertices));
+  }
+
+  static py::array_t<double> qualities(const Object& object) {
+    const Complex& complex = object.read();
+    const auto cells = complex.cells();
+    return array_of<double>(cells.size(), [&](std::size_t i) { return complex.quality(cells[i]); });
+  }
+
+  static std::map<int, double> volumes(const Object& object) {
+    const Complex& complex = object.read();
+    const Space<Complex> space(complex);
+    std::map<int, double> result;
+    for (const int label : complex.labels())
+      result[label] = space.measure(complex.measure(label));
+    return result;
+  }
+
+  static std::map<int, std::size_t> components(const Object& object) {
+    const Complex& complex = object.read();
+    std::map<int, std::size_t> result;
+    for (const int label : complex.labels())
+      result[label] = complex.number_of_components(label);
+    return result;
+  }
+
+  static py::bytes to_bytes(const Object& object) {
+    return CGAL::IO::checkpoint_to_bytes(object.read().state());
+  }
+
+  static std::unique_ptr<Object> from_bytes(const std::string& bytes, const py::object& progress) {
+    return guarded(progress, [&] {
+      Complex complex;
+      complex.restore(CGAL::IO::checkpoint_from_bytes<d>(bytes).state);
+      return complex;
+    });
+  }
+
+  static py::dict advect(Object& object, const py::function& velocity, double t, double dt,
+                         const py::dict& options, const py::object& progress) {
+    return move(
+        object, false, options, progress, dt,
+        [&](const Space<Complex>& space) { return Velocity_function<Complex>(velocity, space); },
+        t);
+  }
+
+  static py::dict offset(Object& object, double distance, const py::dict& options,
+                         const py::object& progress) {
+    return move(object, false, options, progress, 1., [&](const Space<Complex>& space) {
+      return DSC::Normal_offset{distance / space.scale()};
+    });
+  }
+
+  static py::dict mean_curvature(Object& object, double dt, bool keeps_volumes,
+                                 const py::dict& options, const py::object& progress) {
+    // The flow shrinks areas at a constant rate, so that time has the unit of an area.
+    const double scale = Space<Complex>(object.read()).scale();
+    return move(object, true, options, progress, dt / (scale * scale),
+                [&](const Space<Complex>&) { return DSC::Mean_curvature_flow(keeps_volumes); });
+  }
+
+  static py::dict deform(Object& object, const Array<double>& destinations, const py::dict& options,
+                         const py::object& progress) {
+    const Complex& complex = object.read();
+    const Space<Complex> space(complex);
+    DSC::Deformation_options<Complex> deformation;
+    Options rest(options);
+    read_deformation(rest, space, deformation);
+    rest.require_all_read();
+    const auto points = space.points(destinations, "destinations");
+    const auto report = object.change(progress, [&](Complex& changed) {
+      const DSC::Interface_vertices<Complex> interface_vertices(changed);
+      return DSC::deform_interface_to(changed, interface_vertices, points, deformation);
+    });
+    return report_to_dict(report, complex);
+  }
+
+  static bool restore_volumes(Object& object, std::map<int, double> volumes,
+                              const py::dict& options, const py::object& progress) {
+    const Space<Complex> space(object.read());
+    DSC::Volume_restoration_options<Complex> restoration;
+    Options rest(options);
+    rest.read("volume_tolerance", restoration.volume_tolerance);
+    rest.read("number_of_iterations", restoration.number_of_iterations);
+    read_deformation(rest, space, restoration.deformation);
+    rest.require_all_read();
+    for (auto& [label, volume] : volumes)
+      volume /= space.measure(1);
+    return object.change(progress, [&](Complex& complex) {
+      return DSC::restore_volumes(complex, volumes, restoration).complete;
+    });
+  }
+
+  static py::dict improve(Object& object, const py::dict& options, const py::object& progress) {
+    DSC::Mesh_improvement_options<Complex> improvement;
+    Options rest(options);
+    rest.read("quality_threshold", improvement.quality_threshold);
+    rest.read("number_of_iterations", improvement.number_of_iterations);
+    rest.read("aggressive", improvement.aggressive);
+    rest.read("smooth_interface", improvement.smooth_interface);
+    rest.read("threads", improvement.number_of_threads);
+    rest.require_all_read();
+    return report_to_dict(object.change(
+        progress, [&](Complex& complex) { return DSC::improve_mesh(complex, improvement); }));
+  }
+
+  static py::dict improve_interface(Object& object, const py::dict& options,
+                                    const py::object& progress) {
+    DSC::Interface_improvement_options<Complex> improvement;
+    Options rest(options);
+    rest.read("number_of_iterations", improvement.number_of_iterations);
+    rest.read("aggressiveness", improvement.aggressiveness);
+    rest.read("split_length", improvement.interface_split_length);
+    rest.read("collapse_length", improvement.interface_collapse_length);
+    rest.read("feature_angle", improvement.feature_angle);
+    rest.read("flip_angle", improvement.flip_angle);
+    rest.read("swept_volume", improvement.swept_volume);
+    rest.read("minimum_facet_angle", improvement.minimum_facet_angle);
+    rest.read("quality_threshold", improvement.quality_threshold);
+    rest.read("curved_splits", improvement.curved_splits);
+    rest.read("split_junctions", improvement.split_junctions);
+    rest.require_all_read();
+    return report_to_dict(object.change(
+        progress, [&](Complex& complex) { return DSC::improve_interface(complex, improvement); }));
+  }
+
+  static py::dict control_detail(Object& object, const py::dict& options,
+                                 const py::object& progress) {
+    DSC::Detail_options<Complex> detail;
+    Options rest(options);
+    rest.read("split_length", detail.split_length);
+    rest.read("collapse_length", detail.collapse_length);
+    rest.read("collapse_quality", detail.collapse_quality);
+    rest.read("change_interface", detail.change_interface);
+    rest.read("interface_split_length", detail.interface_split_length);
+    rest.read("interface_collapse_length", detail.interface_collapse_length);
+    rest.read("number_of_iterations", detail.number_of_iterations);
+    rest.require_all_read();
+    return report_to_dict(object.change(
+        progress, [&](Complex& complex) { return DSC::control_detail(complex, detail); }));
+  }
+
+private:
+  using Deformation_options = DSC::Deformation_options<Complex>;
+
+  template <class Vertices> static py::array_t<std::uint64_t> ids_of(const Vertices& vertices) {
+    return array_of<std::uint64_t>(vertices.size(),
+                                   [&](std::size_t i) { return vertices[i]->time_stamp(); });
+  }
+
+  /// Moves the interface for one time step. With the option `adapt`, also adapts it.
+  template <class Flow_in>
+  static py::dict move(Object& object, bool contracts, const py::dict& options,
+                       const py::object& progress, double dt, const Flow_in& flow_in,
+                       double t = 0) {
+    const Complex& complex = object.read();
+    const Space<Complex> space(complex);
+    const auto flow = flow_in(space);
+    Options rest(options);
+    bool adapts = false;
+    rest.read("adapt", adapts);
+    DSC::Adaptive_advection_options<Complex> adaptive(contracts);
+    DSC::Advection_options<Complex> plain;
+    if (adapts) {
+      rest.read("interface_tolerance", adaptive.interface_tolerance);
+      rest.read("adaptation_interval", adaptive.adaptation_interval);
+      rest.read("feature_angle", adaptive.feature_angle);
+    }
+    DSC::Advection_options<Complex>& advection = adapts ? adaptive.advection : plain;
+    read_advection(rest, space, advection);
+    rest.require_all_read();
+    const auto report = object.change(progress, [&](Complex& changed) {
+      return adapts ? DSC::advect_adaptively(changed, flow, t, dt, adaptive)
+                    : DSC::advect_interface(changed, flow, t, dt, plain);
+    });
+    return report_to_dict(report, complex);
+  }
+
+  static void read_advection(Options& options, const Space<Complex>& space,
+                             DSC::Advection_options<Complex>& advection) {
+    static const std::map<std::string, DSC::Integration_scheme> schemes = {
+        {"euler", DSC::Integration_scheme::euler},
+        {"rk2", DSC::Integration_scheme::rk2},
+        {"rk4", DSC::Integration_scheme::rk4},
+        {"adaptive", DSC::Integration_scheme::adaptive}};
+    std::string scheme;
+    options.read("scheme", scheme);
+    if (!scheme.empty()) {
+      const auto found = schemes.find(scheme);
+      if (found == schemes.end())
+        throw py::value_error("scheme must be 'euler', 'rk2', 'rk4' or 'adaptive', not '" + scheme +
+                              "'");
+      advection.scheme = found->second;
+    }
+    options.read("integration_tolerance", advection.integration_tolerance);
+    read_deformation(options, space, advection.deformation);
+  }
+
+  static void read_deformation(Options& options, const Space<Complex>& space,
+                               Deformation_options& deformation) {
+    options.read("threads", deformation.number_of_threads);
+    options.read("maximum_passes", deformation.maximum_number_of_passes);
+    options.read("quality_threshold", deformation.quality_threshold);
+    options.read("relabeling_threshold", deformation.relabeling_threshold);
+    options.read("minimum_angle", deformation.minimum_angle);
+    options.read("minimum_facet_angle", deformation.minimum_facet_angle);
+    options.read("manifold_interface", deformation.manifold_interface);
+    options.read("collision_order", deformation.collision_order);
+    read_topology(options.take("topology"), space, deformation);
+  }
+
+  /// Reads 'allow', 'forbid', pairs of labels, or a function.
+  static void read_topology(const py::object& topology, const Space<Complex>& space,
+                            Deformation_options& deformation) {
+    if (topology.is_none())
+      return;
+    if (py::isinstance<py::function>(topology)) {
+      deformation.topology_control = Topology_function<Complex>(topology, space);
+    } else if (py::isinstance<py::str>(topology)) {
+      const auto name = topology.cast<std::string>();
+      if (name == "forbid")
+        deformation.forbid_topology_changes();
+      else if (name != "allow")
+        throw py::value_error("topology must be 'allow', 'forbid', pairs of labels or a function, "
+                              "not '" +
+                              name + "'");
+    } else {
+      try {
+        deformation.topology_control =
+            DSC::Allow_topology_changes_between(topology.cast<std::vector<std::pair<int, int>>>());
+      } catch (const py::cast_error&) {
+        throw py::type_error("topology must be 'allow', 'forbid', pairs of labels or a function");
+      }
+    }
+  }
+};
+
+/// Adds the class of a complex to the module. Constructors that depend on the dimension are added
+/// by the caller.
+template <class Complex>
+py::class_<Guarded<Complex>> bind_complex(py::module_& module, const char* name) {
+  using Functions = Complex_functions<Complex>;
+  using Object = Guarded<Complex>;
+  return py::class_<Object>(module, name)
+      .def_static("from_bytes", &Functions::from_bytes)
+      .def("to_bytes", &Functions::to_bytes)
+      .def("copy",
+           [](const Object& object) { return std::make_unique<Object>(Complex(object.read())); })
+      .def("equals",
+           [](const Object& a, const Object& b) { return a.read().state() == b.read().state(); })
+      .def("number_of_vertices",
+           [](const Object& object) { return object.read().number_of_vertices(); })
+      .def("number_of_cells", [](const Object& object) { return object.read().number_of_cells(); })
+      .def("labels", [](const Object& object) { return object.read().labels(); })
+      .def("mean_interface_edge",
+           [](const Object& object) {
+             return object.read().mean_interface_edge() * Space<Complex>(object.read()).scale();
+           })
+      .def("is_valid", [](const Object& object) { return object.read().is_valid(); })
+      .def("interface", &Functions::interface_)
+      .def("cells", &Functions::cells)
+      .def("qualities", &Functions::qualities)
+      .def("volumes", &Functions::volumes)
+      .def("components", &Functions::components)
+      .def("advect", &Functions::advect)
+      .def("offset", &Functions::offset)
+      .def("mean_curvature", &Functions::mean_curvature)
+      .def("deform", &Functions::deform)
+      .def("restore_volumes", &Functions::restore_volumes)
+      .def("improve", &Functions::improve)
+      .def("improve_interface", &Functions::improve_interface)
+      .def("control_detail", &Functions::control_detail);
+}
+
+} // namespace dsc_python
+
+#endif // DSC_PYTHON_BIND_COMPLEX_H

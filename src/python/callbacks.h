@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DSC_PYTHON_CALLBACKS_H
+#define DSC_PYTHON_CALLBACKS_H
+
+#include "Space.h"
+
+#include <pybind11/stl.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace dsc_python {
+
+/// A function of Python whose copies share one reference, since the lock of the interpreter is not
+/// held where options are copied.
+class Shared_function
+{
+public:
+  explicit Shared_function(py::function function)
+      : m_function(std::make_shared<py::function>(std::move(function))) {}
+
+  template <class... Arguments> py::object operator()(Arguments&&... arguments) const {
+    return (*m_function)(std::forward<Arguments>(arguments)...);
+  }
+
+private:
+  std::shared_ptr<py::function> m_function;
+};
+
+/// Velocity field that a Python function gives: `function(points, t)` returns the velocities at
+/// the points, both as arrays of shape (n, d). Model of `VelocityFieldOfPoints`.
+template <class Complex> class Velocity_function
+{
+public:
+  using Point = typename Complex::Approximate_point;
+  using Vector = typename Complex::Approximate_vector;
+
+  Velocity_function(py::function function, const Space<Complex>& space)
+      : m_function(std::move(function)), m_space(space) {}
+
+  void operator()(const std::vector<Point>& points, double t,
+                  std::vector<Vector>& velocities) const {
+    const py::gil_scoped_acquire lock;
+    const Array<double> result = array_returned(m_function(m_space.array(points), t));
+    const auto rows = rows_of<double, Complex::dimension>(result, "the velocities");
+    if (rows.size() != points.size())
+      throw py::value_error("the velocity function returned " + std::to_string(rows.size()) +
+                            " velocities for " + std::to_string(points.size()) + " points");
+    velocities.clear();
+    for (const auto& row : rows)
+      velocities.push_back(
+          m_space.from_user(CGAL::Deformable_simplicial_complexes::vector_of<Complex>(row)));
+  }
+
+private:
+  static Array<double> array_returned(const py::object& object) {
+    const Array<double> result = Array<double>::ensure(object);
+    if (!result)
+      throw py::error_already_set();
+    return result;
+  }
+
+  Shared_function m_function;
+  Space<Complex> m_space;
+};
+
+/// Function of labels that a Python function gives: `function(points)` returns the labels at the
+/// points, integers of shape (n,), for points of shape (n, d).
+template <class Complex> class Label_function
+{
+public:
+  using Point = typename Complex::Approximate_point;
+
+  explicit Label_function(py::function function) : m_function(std::move(function)) {}
+
+  std::vector<int> operator()(const std::vector<Point>& points) const {
+    const py::gil_scoped_acquire lock;
+    const py::array_t<double> array =
+        array_of<double>(points.size(), Complex::dimension,
+                         [&](std::size_t i, std::size_t j) { return points[i][int(j)]; });
+    const std::vector<int> labels = labels_of(py::array::ensure(m_function(array)), "the labels");
+    if (labels.size() != points.size())
+      throw py::value_error("the label function returned " + std::to_string(labels.size()) +
+                            " labels for " + std::to_string(points.size()) + " points");
+    return labels;
+  }
+
+private:
+  Shared_function m_function;
+};
+
+/// Topology control that a Python function gives: `function(label, new_label, point)` returns
+/// whether space at the point may pass from one label to the other.
+template <class Complex> class Topology_function
+{
+public:
+  Topology_function(py::function function, const Space<Complex>& space)
+      : m_function(std::move(function)), m_space(space) {}
+
+  bool operator()(const Complex& complex, typename Complex::Cell_handle cell, int label) const {
+    typename Complex::Approximate_vector sum(CGAL::NULL_VECTOR);
+    for (int i = 0; i < Complex::corners; ++i)
+      sum = sum + (complex.corner(cell, i) - CGAL::ORIGIN);
+    const auto center = m_space.to_user(CGAL::ORIGIN + sum / Complex::corners);
+    const py::gil_scoped_acquire lock;
+    const py::array_t<double> point = array_of<double>(
+        std::size_t(Complex::dimension), [&](std::size_t i) { return center[int(i)]; });
+    return bool(py::bool_(m_function(cell->label(), label, point)));
+  }
+
+private:
+  Shared_function m_function;
+  Space<Complex> m_space;
+};
+
+} // namespace dsc_python
+
+#endif // DSC_PYTHON_CALLBACKS_H

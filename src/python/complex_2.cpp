@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "bind_complex.h"
+#include "module.h"
+#include "options_of_construction.h"
+
+#include <CGAL/Deformable_simplicial_complexes/compiled_2.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
+
+namespace dsc_python {
+namespace {
+
+using Complex = CGAL::Deformable_simplicial_complex_2<>;
+using Point = Complex::Point_2;
+
+std::vector<Point> points_of(const Array<double>& array, const std::string& name) {
+  std::vector<Point> result;
+  for (const auto& row : rows_of<double, 2>(array, name))
+    result.emplace_back(row[0], row[1]);
+  return result;
+}
+
+/// \param polygons closed polylines (n, 2) and label of each region
+auto from_polygons(const std::vector<std::pair<std::vector<Array<double>>, int>>& polygons,
+                   const py::dict& options, const py::object& progress) {
+  std::vector<DSC::Labelled_curve_2<Point>> input;
+  for (const auto& [rings, label] : polygons) {
+    input.emplace_back();
+    input.back().label = label;
+    for (const Array<double>& ring : rings)
+      input.back().add_polyline(points_of(ring, "a polygon"));
+  }
+  const auto construction = construction_options<2>(options);
+  return guarded(progress, [&] {
+    return DSC::make_deformable_simplicial_complex_2<Complex>(input, construction);
+  });
+}
+
+auto from_triangles(const Array<double>& points, const py::array& triangles,
+                    const py::array& labels, const py::dict& options, const py::object& progress) {
+  const auto corners = points_of(points, "points");
+  const auto cells = index_rows_of<3>(triangles, "triangles");
+  const auto cell_labels = labels_of(labels, "labels");
+  const auto construction = construction_options<2>(options);
+  return guarded(progress, [&] {
+    return DSC::make_deformable_simplicial_complex_2<Complex>(corners, cells, cell_labels,
+                                                              construction);
+  });
+}
+
+auto from_function(const py::function& label_at, const Box<2>& box, double edge,
+                   const py::object& progress) {
+  const Label_function<Complex> labels(label_at);
+  return guarded(progress, [&] {
+    return DSC::make_deformable_simplicial_complex_2<Complex>(bbox_of(box), edge, labels);
+  });
+}
+
+} // namespace
+
+void bind_complex_2(py::module_& module) {
+  bind_complex<Complex>(module, "Complex2")
+      .def_static("from_polygons", &from_polygons)
+      .def_static("from_triangles", &from_triangles)
+      .def_static("from_function", &from_function);
+}
+
+} // namespace dsc_python

@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Guarded.h"
+#include "arrays.h"
+#include "module.h"
+
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+
+namespace dsc_python {
+namespace {
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
+/// Raises an exception of a class of the Python package, which has attributes.
+void raise(const char* name, const std::exception& error, const py::dict& attributes = py::dict()) {
+  const py::object type = py::module_::import("dsc._errors").attr(name);
+  const py::object exception = type(error.what());
+  for (const auto& [key, value] : attributes)
+    py::setattr(exception, key, value);
+  PyErr_SetObject(type.ptr(), exception.ptr());
+}
+
+py::array_t<std::int64_t> indices(const std::vector<std::size_t>& values) {
+  return array_of<std::int64_t>(values.size(), [&](std::size_t i) { return values[i]; });
+}
+
+void translate(std::exception_ptr exception) {
+  using namespace pybind11::literals;
+  if (exception == nullptr)
+    return;
+  try {
+    std::rethrow_exception(exception);
+  } catch (const DSC::Interrupted_error& error) {
+    raise("Interrupted", error);
+  } catch (const Busy_error& error) {
+    raise("BusyError", error);
+  } catch (const DSC::Invalid_surface_error& error) {
+    raise("InvalidSurfaceError", error,
+          py::dict("surface"_a = error.surface(), "other_surface"_a = error.other_surface(),
+                   "facets"_a = indices(error.facets()), "vertices"_a = indices(error.vertices())));
+  } catch (const DSC::Invalid_cells_error& error) {
+    raise("InvalidCellsError", error,
+          py::dict("cells"_a = indices(error.tetrahedra()),
+                   "vertices"_a = indices(error.vertices())));
+  } catch (const DSC::Invalid_points_error& error) {
+    raise("InvalidPointsError", error, py::dict("points"_a = indices(error.points())));
+  } catch (const DSC::Invalid_destination_error& error) {
+    raise("InvalidDestinationError", error, py::dict("vertices"_a = indices(error.vertices())));
+  } catch (const DSC::Tetrahedralization_error& error) {
+    raise("TetrahedralizationError", error, py::dict("code"_a = error.code()));
+  } catch (const DSC::File_error& error) {
+    raise("FileError", error, py::dict("path"_a = error.path()));
+  } catch (const DSC::Error& error) {
+    raise("Error", error);
+  }
+}
+
+} // namespace
+
+void bind_exceptions(py::module_&) { py::register_exception_translator(&translate); }
+
+} // namespace dsc_python

@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DSC_PYTHON_REPORTS_H
+#define DSC_PYTHON_REPORTS_H
+
+#include "Space.h"
+
+#include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+
+#include <pybind11/stl.h>
+
+namespace dsc_python {
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
+inline const char* name_of(DSC::Component_event::Kind kind) {
+  switch (kind) {
+  case DSC::Component_event::Kind::merged:
+    return "merged";
+  case DSC::Component_event::Kind::split:
+    return "split";
+  case DSC::Component_event::Kind::vanished:
+    return "vanished";
+  default:
+    return "appeared";
+  }
+}
+
+template <class Complex>
+py::dict event_to_dict(const DSC::Topology_event<Complex>& event, const Space<Complex>& space) {
+  const auto volumes = [&](const auto& components) {
+    py::list result;
+    for (const auto& component : components)
+      result.append(space.measure(component.volume));
+    return result;
+  };
+  const auto where = space.to_user(event.where);
+  py::dict result;
+  result["kind"] = name_of(event.kind);
+  result["label"] = event.label;
+  result["volumes_before"] = volumes(event.before);
+  result["volumes_after"] = volumes(event.after);
+  result["where"] = array_of<double>(std::size_t(Complex::dimension),
+                                     [&](std::size_t i) { return where[int(i)]; });
+  result["pass_number"] = event.pass;
+  return result;
+}
+
+/// Returns the report of a deformation, in units of the user.
+template <class Complex>
+py::dict report_to_dict(const DSC::Deformation_report<Complex>& report, const Complex& complex) {
+  const Space<Complex> space(complex);
+  std::vector<typename Complex::Approximate_point> positions;
+  for (const auto& vertex : report.unfinished)
+    positions.push_back(complex.position(vertex.vertex));
+  py::list labels, events;
+  for (const auto& change : report.labels) {
+    py::dict entry;
+    entry["label"] = change.label;
+    entry["components_before"] = change.before;
+    entry["components_after"] = change.after;
+    entry["merged"] = change.merged;
+    entry["split"] = change.split;
+    entry["vanished"] = change.vanished;
+    entry["appeared"] = change.appeared;
+    entry["volume_before"] = space.measure(change.volume_before);
+    entry["volume_after"] = space.measure(change.volume_after);
+    labels.append(entry);
+  }
+  for (const auto& event : report.events)
+    events.append(event_to_dict(event, space));
+  py::dict result;
+  result["complete"] = report.complete;
+  result["unfinished_points"] = space.array(positions);
+  result["unfinished_distances"] = array_of<double>(report.unfinished.size(), [&](std::size_t i) {
+    return report.unfinished[i].distance * space.scale();
+  });
+  result["flat_cells"] = report.flat.size();
+  result["vanished_vertices"] = report.vanished;
+  result["stopped_at_boundary"] = report.stopped_at_boundary;
+  result["passes"] = report.passes;
+  result["split_edges"] = report.split;
+  result["collapsed_edges"] = report.collapsed;
+  result["flipped"] = report.flipped;
+  result["smoothed_vertices"] = report.smoothed;
+  result["inserted_vertices"] = report.inserted;
+  result["relocated_vertices"] = report.relocated;
+  result["relabeled_cells"] = report.relabeled;
+  result["labels"] = labels;
+  result["events"] = events;
+  return result;
+}
+
+/// Returns the numbers of changes of a mesh.
+inline py::dict report_to_dict(const DSC::Improvement_report& report) {
+  py::dict result;
+  result["split_edges"] = report.split;
+  result["collapsed_edges"] = report.collapsed;
+  result["flipped"] = report.flipped;
+  result["smoothed_vertices"] = report.smoothed;
+  result["inserted_vertices"] = report.inserted;
+  return result;
+}
+
+} // namespace dsc_python
+
+#endif // DSC_PYTHON_REPORTS_H
