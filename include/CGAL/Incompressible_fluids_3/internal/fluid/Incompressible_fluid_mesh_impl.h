@@ -107,10 +107,15 @@ Incompressible_fluid<Complex, Solver>::move(const Flow& flow, const Contacts& co
     if (!mesh.is_on_interface[i])
       inside.emplace(mesh.vertices[i]->time_stamp(), point(destinations[i]));
   Deformation_options<Complex> options = chosen.deformation;
-  options.flow = [&inside](Vertex_handle v) {
+  options.flow = [&inside](const std::vector<Vertex_handle>& vertices) {
     static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    const auto found = inside.find(v->time_stamp());
-    return found != inside.end() ? found->second : Approximate_point(unknown, unknown, unknown);
+    std::vector<Approximate_point> result;
+    for (Vertex_handle v : vertices) {
+      const auto found = inside.find(v->time_stamp());
+      result.push_back(found != inside.end() ? found->second
+                                             : Approximate_point(unknown, unknown, unknown));
+    }
+    return result;
   };
   return change_mesh([&](Any_visitor<Complex>* visitor) {
     options.visitor = visitor;
