@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Offsets the Stanford bunny outwards by ten steps and back by ten steps, and renders pictures.
+# Offsets the Stanford bunny outwards by ten steps and back by ten steps, and renders pictures and a page
+# for a browser.
 # Usage: scripts/main_job.sh [OUTPUT_DIR]
 set -euo pipefail
 output=$(realpath --canonicalize-missing "${1:-build/bunny}")
@@ -23,6 +24,7 @@ build/dsc offset build/data/bunny00.off --triangles 14000 --distance 0.25e --ste
 build/dsc offset --resume "$output/checkpoint.dsc" --distance=-0.25e --steps 10 \
   --threads "$jobs" --output "$output" --report "$output/back.json"
 
+build/dsc view "$output" -o "$output/bunny.html"
 xvfb-run -a /usr/bin/python3 scripts/render.py "$output"
 echo "Pictures in $output:"
 find "$output" -name '*.png' | sort

@@ -6,13 +6,14 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 jobs=$(nproc)
 
-scripts/install_dependencies.sh
+scripts/install_dependencies.sh chromium mypy pybind11-dev python3-dev python3-mypy python3-numpy python3-pytest
 
 # -O1 saves a third of the compilation time. scripts/check_more.sh builds the benchmarks, because nothing
 # runs them here.
 echo "== Release: the program, the installed package and examples"
 cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" \
-  -DDSC_BUILD_UNIT_TESTS=OFF -DDSC_BUILD_BENCHMARKS=OFF -DDSC_SHARE_COMPILATION=ON
+  -DDSC_BUILD_UNIT_TESTS=OFF -DDSC_BUILD_BENCHMARKS=OFF -DDSC_SHARE_COMPILATION=ON \
+  -DDSC_BUILD_PYTHON=ON -DPython_EXECUTABLE=/usr/bin/python3
 cmake --build build --parallel "$jobs"
 ctest --test-dir build --output-on-failure --no-tests=error --parallel "$jobs"
 
@@ -26,14 +27,14 @@ echo "== Debug, with the checks of CGAL and of the standard library: the headers
 cmake -S . -B build-checked -G Ninja -DCMAKE_BUILD_TYPE=Debug \
   -DCMAKE_CXX_FLAGS_DEBUG="-O1 -D_GLIBCXX_ASSERTIONS" \
   -DDSC_BUILD_PROGRAM=OFF -DDSC_BUILD_EXAMPLES=OFF -DDSC_BUILD_BENCHMARKS=OFF \
-  -DDSC_SHARE_COMPILATION=ON
+  -DDSC_BUILD_PYTHON=OFF -DDSC_SHARE_COMPILATION=ON
 cmake --build build-checked --parallel "$jobs"
 ctest --test-dir build-checked --output-on-failure --no-tests=error --parallel "$jobs"
 
 echo "== With the address and undefined behaviour sanitizers: damaged files and random changes"
 sanitized=(test_fuzzed_readers test_random_abuse)
 cmake -S . -B build-sanitized -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O0 -g1" -DDSC_BUILD_COMPILED=OFF \
-  -DDSC_SANITIZE=ON -DDSC_BUILD_PROGRAM=OFF -DDSC_BUILD_EXAMPLES=OFF -DDSC_BUILD_BENCHMARKS=OFF
+  -DDSC_SANITIZE=ON -DDSC_BUILD_PYTHON=OFF -DDSC_BUILD_PROGRAM=OFF -DDSC_BUILD_EXAMPLES=OFF -DDSC_BUILD_BENCHMARKS=OFF
 cmake --build build-sanitized --parallel "$jobs" --target "${sanitized[@]}"
 ctest --test-dir build-sanitized --output-on-failure --no-tests=error --parallel "$jobs" \
   --tests-regex "^($(IFS='|'; echo "${sanitized[*]}"))\."

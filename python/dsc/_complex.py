@@ -16,11 +16,11 @@ from ._report import Cells, Changes, Interface, LabelChange, Points, Report, Top
 Progress = Callable[[str], Union[bool, None]]
 """Called about twenty times a second with the name of the current phase. False stops the function."""
 
-Velocity = Callable[[Points, float], npt.ArrayLike]
-"""Velocities at points at a time: arrays of shape (n, d)."""
+Velocity = Callable[[Points, float], Any]
+"""Velocities at points at a time: array of shape (n, d) for points of shape (n, d)."""
 
-LabelFunction = Callable[[Points], npt.ArrayLike]
-"""Labels at points: integers of shape (n,) for points of shape (n, d)."""
+LabelFunction = Callable[[Points], Any]
+"""Labels at points: array of integers of shape (n,) for points of shape (n, d)."""
 
 Topology = Union[
     Literal["allow", "forbid"], Sequence[tuple[int, int]], Callable[[int, int, Points], bool]
@@ -41,6 +41,13 @@ def _report(result: dict[str, Any]) -> Report:
     result["labels"] = [LabelChange(**change) for change in result["labels"]]
     result["events"] = [TopologyEvent(**event) for event in result["events"]]
     return Report(**result)
+
+
+def _labels(labels: Iterable[int] | None, number: int) -> list[int]:
+    result = list(range(1, number + 1) if labels is None else labels)
+    if len(result) != number:
+        raise ValueError(f"there are {len(result)} labels for {number} regions")
+    return result
 
 
 def _box(box: npt.ArrayLike, dimension: int) -> tuple[list[float], list[float]]:
@@ -455,7 +462,8 @@ class Complex3(Complex):
     @classmethod
     def from_surfaces(
         cls,
-        surfaces: Iterable[tuple[npt.ArrayLike, npt.ArrayLike] | tuple[npt.ArrayLike, npt.ArrayLike, int]],
+        surfaces: Iterable[tuple[npt.ArrayLike, npt.ArrayLike]],
+        labels: Iterable[int] | None = None,
         *,
         box: npt.ArrayLike | None = None,
         box_subdivision: int | None = None,
@@ -464,8 +472,8 @@ class Complex3(Complex):
     ) -> Complex3:
         """Fills a box around closed surfaces with tetrahedra.
 
-        surfaces: points (n, 3), triangles (m, 3), and a label; without labels, these are 1, 2, ...
-            Label 0 is the outside. Where solids overlap, the later one counts.
+        surfaces: points (n, 3) and triangles (m, 3) of each surface
+        labels: labels of the solids; by default 1, 2, ... Label 0 is the outside.
         box: two opposite corners, shape (2, 3); by default a cube around the surfaces
         box_subdivision: number of pieces of each edge of the box
         improve: whether the tetrahedra are improved at the end
@@ -473,10 +481,8 @@ class Complex3(Complex):
         Raises `InvalidSurfaceError` if a surface is open or intersects itself or another one, and
         `TetrahedralizationError` if TetGen fails.
         """
-        labelled = [
-            (np.asarray(s[0], dtype=float), np.asarray(s[1]), s[2] if len(s) == 3 else i + 1)
-            for i, s in enumerate(surfaces)
-        ]
+        soups = [(np.asarray(p, dtype=float), np.asarray(t)) for p, t in surfaces]
+        labelled = [(p, t, label) for (p, t), label in zip(soups, _labels(labels, len(soups)))]
         options = _given(
             box=None if box is None else _box(box, 3),
             box_subdivision=box_subdivision,
@@ -499,7 +505,7 @@ class Complex3(Complex):
         """Makes a complex of labelled tetrahedra, of shapes (n, 3), (m, 4) and (m,).
 
         surround: whether the space around the tetrahedra is filled with tetrahedra of label 0, up to a
-            box; otherwise, the tetrahedra are the domain and must be positively oriented
+            box; otherwise, the tetrahedra are the domain
         box: two opposite corners, shape (2, 3) (with `surround`)
         improve: whether the tetrahedra are improved at the end
 
@@ -527,7 +533,8 @@ class Complex2(Complex):
     @classmethod
     def from_polygons(
         cls,
-        polygons: Iterable[Sequence[npt.ArrayLike] | tuple[Sequence[npt.ArrayLike], int]],
+        polygons: Iterable[Sequence[npt.ArrayLike]],
+        labels: Iterable[int] | None = None,
         *,
         box: npt.ArrayLike | None = None,
         improve: bool | None = None,
@@ -535,18 +542,16 @@ class Complex2(Complex):
     ) -> Complex2:
         """Fills a rectangle around polygons with triangles.
 
-        polygons: for each region a list of closed polylines of shape (n, 2), the outer boundary and
-            holes in any order, and a label; without labels, these are 1, 2, ... Label 0 is the outside.
+        polygons: for each region a list of closed polylines of shape (n, 2): the outer boundary and
+            holes, in any order
+        labels: labels of the regions; by default 1, 2, ... Label 0 is the outside.
         box: two opposite corners, shape (2, 2); by default a square around the polygons
         improve: whether the triangles are improved at the end
 
         Raises `InvalidSurfaceError` if polygons intersect themselves or each other.
         """
-        labelled = []
-        for i, polygon in enumerate(polygons):
-            has_label = isinstance(polygon, tuple) and len(polygon) == 2 and np.ndim(polygon[1]) == 0
-            rings, label = polygon if has_label else (polygon, i + 1)
-            labelled.append(([np.asarray(ring, dtype=float) for ring in rings], int(label)))
+        regions = [[np.asarray(ring, dtype=float) for ring in rings] for rings in polygons]
+        labelled = list(zip(regions, _labels(labels, len(regions))))
         options = _given(box=None if box is None else _box(box, 2), improve=improve)
         return cls(_dsc.Complex2.from_polygons(labelled, options, progress))
 

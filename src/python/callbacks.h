@@ -46,7 +46,7 @@ public:
   void operator()(const std::vector<Point>& points, double t,
                   std::vector<Vector>& velocities) const {
     const py::gil_scoped_acquire lock;
-    const Array<double> result = array_returned(m_function(m_space.array(points), t));
+    const Array<double> result(m_function(m_space.array(points), t));
     const auto rows = rows_of<double, Complex::dimension>(result, "the velocities");
     if (rows.size() != points.size())
       throw py::value_error("the velocity function returned " + std::to_string(rows.size()) +
@@ -58,13 +58,6 @@ public:
   }
 
 private:
-  static Array<double> array_returned(const py::object& object) {
-    const Array<double> result = Array<double>::ensure(object);
-    if (!result)
-      throw py::error_already_set();
-    return result;
-  }
-
   Shared_function m_function;
   Space<Complex> m_space;
 };
@@ -83,7 +76,7 @@ public:
     const py::array_t<double> array =
         array_of<double>(points.size(), Complex::dimension,
                          [&](std::size_t i, std::size_t j) { return points[i][int(j)]; });
-    const std::vector<int> labels = labels_of(py::array::ensure(m_function(array)), "the labels");
+    const std::vector<int> labels = labels_of(py::array(m_function(array)), "the labels");
     if (labels.size() != points.size())
       throw py::value_error("the label function returned " + std::to_string(labels.size()) +
                             " labels for " + std::to_string(points.size()) + " points");

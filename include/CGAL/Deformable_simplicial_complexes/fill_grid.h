@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/fit_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/building/torus_grid.h>
@@ -37,8 +38,10 @@ Complex fill_grid(Complex result, const Grid<Complex::dimension>& grid, const La
   for (auto c : cells)
     barycenters.push_back(barycenter(result, c));
   const auto labels = labels_at(result, label_at, std::move(barycenters));
-  for (std::size_t i = 0; i < cells.size(); ++i)
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    Progress_scope::check();
     result.relabel(cells[i], labels[i]);
+  }
   result.measure_interface_edges();
   fit_interface(result, label_at, np);
   result.measure_interface_edges();

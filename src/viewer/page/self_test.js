@@ -172,8 +172,8 @@ class SelfTest {
     if (this.viewer.film.dimension === 3 || this.film.cells) {
       this.changes('wireframe', () => this.set(element('wire'), true), () => this.set(element('wire'), false));
     }
-    this.pointer('wheel', 0.5, 0.5, { deltaY: 200 });
-    this.pointer('wheel', 0.5, 0.5, { deltaY: 200 });
+    // The box may be several times as large as the interface.
+    for (let i = 0; i < 8; i++) this.pointer('wheel', 0.5, 0.5, { deltaY: 200 });
     this.changes('box', () => this.set(element('box'), true), () => this.set(element('box'), false));
     element('reset').click();
     if (this.film.dimension === 2) return;

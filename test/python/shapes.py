@@ -1,0 +1,38 @@
+"""Small complexes for tests."""
+
+from __future__ import annotations
+
+import dsc
+import numpy as np
+import numpy.typing as npt
+
+
+def is_in_balls(points: npt.NDArray[np.float64], *balls: tuple[list[float], float]) -> npt.NDArray[np.int64]:
+    """Returns 1 in the balls (centers, radii) and 0 elsewhere."""
+    inside = np.zeros(len(points), dtype=bool)
+    for center, radius in balls:
+        inside |= np.linalg.norm(points - np.array(center), axis=1) < radius
+    return inside.astype(np.int64)
+
+
+def ball(edge: float = 0.2) -> dsc.Complex3:
+    """Returns a ball of radius .5 in the cube (-1, 1)³."""
+    return dsc.Complex3.from_function(
+        lambda points: is_in_balls(points, ([0, 0, 0], 0.5)), box=[(-1, -1, -1), (1, 1, 1)], edge=edge
+    )
+
+
+def disk(edge: float = 0.1) -> dsc.Complex2:
+    """Returns a disk of radius .5 in the square (-1, 1)²."""
+    return dsc.Complex2.from_function(
+        lambda points: is_in_balls(points, ([0, 0], 0.5)), box=[(-1, -1), (1, 1)], edge=edge
+    )
+
+
+CUBE_POINTS = np.array([[x, y, z] for x in (0.0, 1.0) for y in (0.0, 1.0) for z in (0.0, 1.0)])
+CUBE_TRIANGLES = np.array(
+    [
+        [0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1],
+        [2, 3, 7], [2, 7, 6], [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3],
+    ]
+)  # fmt: skip

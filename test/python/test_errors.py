@@ -1,0 +1,152 @@
+"""Exceptions: their classes, offending simplices, and what holds afterwards."""
+
+from __future__ import annotations
+
+import dsc
+import numpy as np
+import pytest
+from shapes import CUBE_POINTS, CUBE_TRIANGLES, ball, disk
+
+
+def test_an_open_surface():
+    with pytest.raises(dsc.InvalidSurfaceError, match="not closed") as error:
+        dsc.Complex3.from_surfaces([(CUBE_POINTS, CUBE_TRIANGLES[:-1])])
+    assert error.value.surface == 0
+    assert len(error.value.facets) > 0 and error.value.facets.dtype == np.int64
+    assert len(error.value.vertices) == 6  # ends of three edges
+
+
+def test_crossing_surfaces():
+    surfaces = [(CUBE_POINTS, CUBE_TRIANGLES), (CUBE_POINTS + 0.5, CUBE_TRIANGLES)]
+    with pytest.raises(dsc.InvalidSurfaceError) as error:
+        dsc.Complex3.from_surfaces(surfaces)
+    assert {error.value.surface, error.value.other_surface} == {0, 1}
+    assert len(error.value.facets) % 2 == 0 and len(error.value.facets) > 0
+
+
+def test_flat_cells():
+    points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]
+    with pytest.raises(dsc.InvalidCellsError) as error:
+        dsc.Complex3.from_tetrahedra(points, [[0, 1, 2, 3]], [1])
+    assert error.value.cells.tolist() == [0]
+
+
+def test_crossing_polygons():
+    with pytest.raises(dsc.InvalidSurfaceError):
+        dsc.Complex2.from_polygons([[[(0, 0), (1, 1), (1, 0), (0, 1)]]])
+
+
+def test_velocities_that_are_not_finite():
+    c = disk()
+    before = c.copy()
+    with pytest.raises(dsc.InvalidDestinationError) as error:
+        c.advect(lambda p, t: np.full_like(p, np.nan), 0, 0.1)
+    assert len(error.value.vertices) == len(before.interface().points)
+    assert c == before
+
+
+def test_destinations_of_a_wrong_number():
+    c = disk()
+    with pytest.raises(dsc.Error):
+        c.deform(c.interface().points[:-1])
+
+
+@pytest.mark.parametrize("wrong", [lambda p, t: p[:, :1], lambda p, t: p[:-1], lambda p, t: "no numbers"])
+def test_velocities_of_a_wrong_shape(wrong):
+    c = disk()
+    before = c.copy()
+    with pytest.raises(ValueError):
+        c.advect(wrong, 0, 0.1)
+    assert c == before
+
+
+def test_an_exception_of_the_velocity_passes_through():
+    c = ball()
+    before = c.copy()
+
+    def velocity(points, t):
+        raise KeyError("mine")
+
+    with pytest.raises(KeyError, match="mine"):
+        c.advect(velocity, 0, 0.1)
+    assert c == before
+    c.offset(0.01)  # the complex can be changed again
+
+
+def test_an_exception_of_the_topology_function_passes_through():
+    from test_complex import grow, one_label, two_disks
+
+    def control(label, new_label, point):
+        raise KeyError("mine")
+
+    c = one_label(two_disks())
+    with pytest.raises(KeyError, match="mine"):
+        grow(c, topology=control)
+    assert c.is_valid()
+
+
+@pytest.mark.parametrize("labels", [[0.0], [1.5], ["a"], [2**40]])
+def test_labels_that_are_not_integers(labels):
+    points = [[0, 0], [1, 0], [0, 1]]
+    with pytest.raises((TypeError, ValueError)):
+        dsc.Complex2.from_triangles(points, [[0, 1, 2]], labels)
+
+
+@pytest.mark.parametrize("triangles", [[[0.0, 1, 2]], [[0, 1]], [[0, 1, -1]], [0, 1, 2]])
+def test_triangles_of_a_wrong_form(triangles):
+    with pytest.raises((TypeError, ValueError)):
+        dsc.Complex2.from_triangles([[0, 0], [1, 0], [0, 1]], triangles, [1])
+
+
+def test_an_index_out_of_range():
+    with pytest.raises(dsc.InvalidCellsError):
+        dsc.Complex2.from_triangles([[0, 0], [1, 0], [0, 1]], [[0, 1, 3]], [1])
+
+
+@pytest.mark.parametrize(
+    "options, error",
+    [
+        ({"unknown": 1}, TypeError),
+        ({"topology": "perhaps"}, ValueError),
+        ({"topology": 3}, TypeError),
+        ({"scheme": "rk9"}, ValueError),
+        ({"minimum_angle": 80}, dsc.Error),
+        ({"quality_threshold": 2.0}, dsc.Error),
+        ({"threads": "two"}, TypeError),
+        ({"threads": -1}, TypeError),
+    ],
+)
+def test_wrong_options(options, error):
+    c = disk()
+    before = c.copy()
+    with pytest.raises(error):
+        c.advect(lambda p, t: p, 0, 0.01, **options)
+    assert c == before
+
+
+@pytest.mark.parametrize("box", [[(0, 0)], [(0, 0, 0), (1, 1, 1)], 3])
+def test_a_wrong_box(box):
+    with pytest.raises(ValueError):
+        dsc.Complex2.from_function(lambda p: np.zeros(len(p), dtype=int), box=box, edge=0.1)
+
+
+def test_an_empty_box():
+    with pytest.raises(dsc.Error):
+        dsc.Complex2.from_function(lambda p: np.zeros(len(p), dtype=int), box=[(0, 0), (0, 1)], edge=0.1)
+
+
+def test_too_few_labels():
+    with pytest.raises(ValueError):
+        dsc.Complex2.from_function(lambda p: np.zeros(1, dtype=int), box=[(0, 0), (1, 1)], edge=0.3)
+
+
+def test_the_constructor_is_not_for_users():
+    with pytest.raises(TypeError, match="class methods"):
+        dsc.Complex3(3)
+
+
+def test_all_errors_have_a_common_base():
+    for name in ("InvalidSurfaceError", "InvalidCellsError", "InvalidPointsError", "FileError",
+                 "InvalidDestinationError", "TetrahedralizationError"):  # fmt: skip
+        assert issubclass(getattr(dsc, name), dsc.Error)
+    assert not issubclass(dsc.Interrupted, dsc.Error)
