@@ -43,37 +43,13 @@ Json balance_json(const Fluid::Balance& balance) {
           {"angular_momentum", vector_json(balance.angular_momentum)}};
 }
 
-const char* name_of(DSC::Component_event::Kind kind) {
-  using Kind = DSC::Component_event::Kind;
-  switch (kind) {
-  case Kind::merged:
-    return "merged";
-  case Kind::split:
-    return "split";
-  case Kind::vanished:
-    return "vanished";
-  case Kind::appeared:
-    break;
-  }
-  return "appeared";
-}
-
 /// Returns the topology changes, with the state of the liquids before and after them.
 Json events_json(const Fluid::Report& report) {
   Json result = Json::array();
   for (const auto& event : report.deformation.events) {
-    Json before = Json::array(), after = Json::array();
-    for (const auto& part : event.before)
-      before.push_back(part.volume);
-    for (const auto& part : event.after)
-      after.push_back(part.volume);
-    result.push_back({{"kind", name_of(event.kind)},
-                      {"label", event.label},
-                      {"where", vector_json(event.where)},
-                      {"volumes_before", before},
-                      {"volumes_after", after},
-                      {"before", balance_json(report.moved)},
-                      {"after", balance_json(report.after)}});
+    Json entry = event_json(event, {event.where.x(), event.where.y(), event.where.z()}, 3);
+    entry.update({{"before", balance_json(report.moved)}, {"after", balance_json(report.after)}});
+    result.push_back(std::move(entry));
   }
   return result;
 }

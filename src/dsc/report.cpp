@@ -75,6 +75,9 @@ void Report::add(const Run_position& position, const Step_outcome& outcome,
                {"collapsed", outcome.collapsed},
                {"flipped", outcome.flipped},
                {"relabeled", outcome.relabeled}});
+  step["events"] = Json::array();
+  for (const Step_event& event : outcome.events)
+    step["events"].push_back(event_json(event.change, event.where, statistics.dimension));
   if (outcome.distance_to_start)
     step["distance_to_start"] = {{"mean", outcome.distance_to_start->mean},
                                  {"maximum", outcome.distance_to_start->maximum}};

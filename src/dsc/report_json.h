@@ -25,6 +25,11 @@ template <class T> T value_of(const Json& json) { return json.is_null() ? T() : 
 /// Returns the statistics that all reports contain.
 Json statistics_json(const Statistics& statistics);
 
+/// Returns a change of connected components and its place. In the plane, the place has two
+/// coordinates.
+Json event_json(const DSC::Component_event& event, const std::array<double, 3>& where,
+                int dimension);
+
 /// Replaces a file atomically, so that it is complete whenever the program ends.
 /// \throws std::runtime_error if the file cannot be written
 void write_json(const std::string& path, const Json& json);

@@ -5,6 +5,7 @@
 #ifndef DSC_STATISTICS_H
 #define DSC_STATISTICS_H
 
+#include <CGAL/Deformable_simplicial_complexes/Component_event.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 
 #include <array>
@@ -50,6 +51,14 @@ struct Distance_statistics
   double maximum;
 };
 
+/// A change of connected components, in coordinates of the user. The last coordinate of the place
+/// is 0 in the plane.
+struct Step_event
+{
+  DSC::Component_event change;
+  std::array<double, 3> where;
+};
+
 /// The outcome of a step. All values are zero before the first step.
 struct Step_outcome
 {
@@ -63,6 +72,7 @@ struct Step_outcome
   std::size_t collapsed = 0;
   std::size_t flipped = 0;
   std::size_t relabeled = 0;
+  std::vector<Step_event> events;
   std::optional<Distance_statistics> distance_to_start; ///< of the interface, after whole periods
 };
 

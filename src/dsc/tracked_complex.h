@@ -12,9 +12,11 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dsc {
@@ -113,8 +115,28 @@ double seconds_of_sweep(const Cells& cells, const Evaluate& evaluate) {
   return std::max(seconds[seconds.size() / 2], 1e-9);
 }
 
+/// Returns the changes of components in a report of the library.
+template <class Complex, class Report>
+std::vector<Step_event> step_events(const Complex& complex, const Report& report) {
+  const auto& normalization = complex.normalization();
+  const double scale = std::pow(normalization.scale, Complex::dimension);
+  std::vector<Step_event> result;
+  for (const auto& event : report.events) {
+    Step_event entry{event, {}};
+    for (auto* components : {&entry.change.before, &entry.change.after})
+      for (auto& component : *components)
+        component.volume *= scale;
+    for (int i = 0; i < Complex::dimension; ++i)
+      entry.where[std::size_t(i)] =
+          normalization.translation[i] + normalization.scale * event.where[i];
+    result.push_back(std::move(entry));
+  }
+  return result;
+}
+
 /// Returns the outcome of a step from the report of the library.
-template <class Report> Step_outcome step_outcome(double seconds, const Report& report) {
+template <class Complex, class Report>
+Step_outcome step_outcome(double seconds, const Complex& complex, const Report& report) {
   return {seconds,
           report.complete,
           report.unfinished.size(),
@@ -125,6 +147,7 @@ template <class Report> Step_outcome step_outcome(double seconds, const Report& 
           report.collapsed,
           report.flipped,
           report.relabeled,
+          step_events(complex, report),
           std::nullopt};
 }
 

@@ -175,7 +175,7 @@ Step_outcome Tracked_complex_3::advance(const Step_options& options, double time
     improve_interface(complex, options.aggressiveness);
   const auto report =
       std::visit(Step{complex, time, threads, options.improves_interface}, options.motion);
-  return step_outcome(seconds_since(start), report);
+  return step_outcome(seconds_since(start), complex, report);
 }
 
 bool Tracked_complex_3::has_room() const { return DSC::has_room_around_interface(complex); }

@@ -282,11 +282,14 @@ class SelfTest {
       this.set(element('speed'), option.value);
       this.check(playback.rate === Number(option.value), `speed ${option.value}`);
     }
+    // At one frame per second, a short film does not end before it is paused.
+    this.set(element('speed'), '1');
     element('play').click();
-    await this.until(() => this.viewer.frame.index > 0, 'playing');
+    this.check(playback.playing, 'playing');
     element('play').click();
     this.check(!playback.playing, 'pause');
-    await this.show(Math.max(0, last - 1));
+    this.set(element('speed'), '20');
+    await this.show(0);
     element('play').click();
     await this.until(() => !playback.playing, 'playing to the end');
     this.check(this.viewer.frame.index === last, 'playing stops before the last frame');
