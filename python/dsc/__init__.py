@@ -23,6 +23,7 @@ from ._errors import (
     BusyError,
     Error,
     FileError,
+    FluidStepError,
     Interrupted,
     InvalidCellsError,
     InvalidDestinationError,
@@ -31,9 +32,11 @@ from ._errors import (
     TetrahedralizationError,
 )
 from ._film import Film
+from ._fluid import Balance, Fluid, FluidReport, Gas, Liquid, Source
 from ._report import Cells, Changes, Interface, LabelChange, Report, TopologyEvent
 
 __all__ = [
+    "Balance",
     "BusyError",
     "Cells",
     "Changes",
@@ -43,6 +46,10 @@ __all__ = [
     "Error",
     "FileError",
     "Film",
+    "Fluid",
+    "FluidReport",
+    "FluidStepError",
+    "Gas",
     "Interface",
     "Interrupted",
     "InvalidCellsError",
@@ -51,9 +58,11 @@ __all__ = [
     "InvalidSurfaceError",
     "LabelChange",
     "LabelFunction",
+    "Liquid",
     "Progress",
     "Report",
     "Scheme",
+    "Source",
     "TetrahedralizationError",
     "Topology",
     "TopologyEvent",

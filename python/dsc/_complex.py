@@ -524,6 +524,49 @@ class Complex3(Complex):
         )
 
 
+    @classmethod
+    def from_image(
+        cls,
+        labels: npt.ArrayLike,
+        spacing: float | Sequence[float] = 1.0,
+        origin: Sequence[float] = (0, 0, 0),
+        *,
+        edge: float | None = None,
+        fill: bool = False,
+        improve: bool | None = None,
+        progress: Progress | None = None,
+    ) -> Complex3:
+        """Makes a complex from labelled voxels. The interface is smooth and keeps the volumes of labels.
+
+        labels: integers of shape (nx, ny, nz), with axes x, y, z, as nibabel gives them; transpose
+            arrays of SimpleITK. Label 0 is the outside.
+        spacing: sides of a voxel
+        origin: center of the voxel (0, 0, 0)
+        edge: approximate length of interface edges; by default 2.5 times the longest side of a voxel
+        fill: whether the voxels are the whole domain, so that the interface may end on its boundary;
+            otherwise a box is around the voxels
+        improve: whether the tetrahedra are improved at the end
+
+        Raises `Error` if all labels are 0, a label is negative, or labels reach the box.
+        """
+        voxels = np.asarray(labels)
+        sides = np.broadcast_to(np.asarray(spacing, dtype=float), 3).tolist()
+        if voxels.ndim != 3:
+            raise ValueError("labels must have three axes")
+        return cls(
+            _dsc.complex_from_image_3(
+                voxels.ravel(order="F"),
+                voxels.shape,
+                sides,
+                [float(x) for x in origin],
+                0.0 if edge is None else edge,
+                fill,
+                _given(improve=improve),
+                progress,
+            )
+        )
+
+
 class Complex2(Complex):
     """A complex in the plane: labelled triangles, and the segments between different labels."""
 
@@ -577,6 +620,38 @@ class Complex2(Complex):
                 np.asarray(triangles),
                 np.asarray(labels),
                 _given(improve=improve),
+                progress,
+            )
+        )
+
+    @classmethod
+    def from_image(
+        cls,
+        labels: npt.ArrayLike,
+        spacing: float = 1.0,
+        origin: Sequence[float] = (0, 0),
+        *,
+        edge: float | None = None,
+        progress: Progress | None = None,
+    ) -> Complex2:
+        """Makes a complex from labelled pixels, which fill the domain. The labels keep their areas.
+
+        labels: integers of shape (nx, ny), with axes x and y; for a picture of rows from top to bottom,
+            use `picture[::-1].T`
+        spacing: side of a pixel
+        origin: center of the pixel (0, 0)
+        edge: approximate length of the segments of the interface; by default 2.5 pixels
+        """
+        pixels = np.asarray(labels)
+        if pixels.ndim != 2:
+            raise ValueError("labels must have two axes")
+        return cls(
+            _dsc.Complex2.from_image(
+                pixels[:, ::-1].T.ravel(),
+                *pixels.shape,
+                spacing,
+                [float(x) for x in origin],
+                2.5 * spacing if edge is None else edge,
                 progress,
             )
         )

@@ -65,6 +65,13 @@ class FileError(Error):
     """The file."""
 
 
+class FluidStepError(Error):
+    """A time step of a fluid failed, also in short parts. The fluid is as before the step."""
+
+    step: int
+    """Number of the step; the first one is 1."""
+
+
 class BusyError(RuntimeError):
     """The complex is being changed by another thread, or by the function that calls this one."""
 

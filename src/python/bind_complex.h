@@ -217,6 +217,20 @@ public:
         progress, [&](Complex& complex) { return DSC::control_detail(complex, detail); }));
   }
 
+  /// Reads the options of deformations.
+  static void read_deformation(Options& options, const Space<Complex>& space,
+                               DSC::Deformation_options<Complex>& deformation) {
+    options.read("threads", deformation.number_of_threads);
+    options.read("maximum_passes", deformation.maximum_number_of_passes);
+    options.read("quality_threshold", deformation.quality_threshold);
+    options.read("relabeling_threshold", deformation.relabeling_threshold);
+    options.read("minimum_angle", deformation.minimum_angle);
+    options.read("minimum_facet_angle", deformation.minimum_facet_angle);
+    options.read("manifold_interface", deformation.manifold_interface);
+    options.read("collision_order", deformation.collision_order);
+    read_topology(options.take("topology"), space, deformation);
+  }
+
 private:
   using Deformation_options = DSC::Deformation_options<Complex>;
 
@@ -271,19 +285,6 @@ private:
     }
     options.read("integration_tolerance", advection.integration_tolerance);
     read_deformation(options, space, advection.deformation);
-  }
-
-  static void read_deformation(Options& options, const Space<Complex>& space,
-                               Deformation_options& deformation) {
-    options.read("threads", deformation.number_of_threads);
-    options.read("maximum_passes", deformation.maximum_number_of_passes);
-    options.read("quality_threshold", deformation.quality_threshold);
-    options.read("relabeling_threshold", deformation.relabeling_threshold);
-    options.read("minimum_angle", deformation.minimum_angle);
-    options.read("minimum_facet_angle", deformation.minimum_facet_angle);
-    options.read("manifold_interface", deformation.manifold_interface);
-    options.read("collision_order", deformation.collision_order);
-    read_topology(options.take("topology"), space, deformation);
   }
 
   /// Reads 'allow', 'forbid', pairs of labels, or a function.

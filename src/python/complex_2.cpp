@@ -58,12 +58,28 @@ auto from_function(const py::function& label_at, const Box<2>& box, double edge,
   });
 }
 
+/// \param labels the pixels row by row from top to bottom
+auto from_image(const py::array& labels, std::size_t width, std::size_t height, double spacing,
+                const std::array<double, 2>& origin, double edge, const py::object& progress) {
+  const DSC::Labelled_image_2 image{width, height, labels_of(labels, "labels")};
+  if (!(spacing > 0))
+    throw py::value_error("the spacing must be positive");
+  return guarded(progress, [&] {
+    Complex complex = DSC::make_deformable_simplicial_complex_2<Complex>(image, edge / spacing);
+    // Pixels have the side 1, and the origin is the lower left corner of the image.
+    complex.set_normalization(
+        {Complex::Approximate_vector(origin[0] - spacing / 2, origin[1] - spacing / 2), spacing});
+    return complex;
+  });
+}
+
 } // namespace
 
 void bind_complex_2(py::module_& module) {
   bind_complex<Complex>(module, "Complex2")
       .def_static("from_polygons", &from_polygons)
       .def_static("from_triangles", &from_triangles)
+      .def_static("from_image", &from_image)
       .def_static("from_function", &from_function);
 }
 

@@ -8,6 +8,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Incompressible_fluids_3/fluid_errors.h>
 
 namespace dsc_python {
 namespace {
@@ -53,6 +54,8 @@ void translate(std::exception_ptr exception) {
     raise("TetrahedralizationError", error, py::dict("code"_a = error.code()));
   } catch (const DSC::File_error& error) {
     raise("FileError", error, py::dict("path"_a = error.path()));
+  } catch (const DSC::Fluid_step_error& error) {
+    raise("FluidStepError", error, py::dict("step"_a = error.step()));
   } catch (const DSC::Error& error) {
     raise("Error", error);
   }

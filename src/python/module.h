@@ -13,7 +13,9 @@ namespace dsc_python {
 void bind_exceptions(pybind11::module_& module);
 void bind_complex_2(pybind11::module_& module);
 void bind_complex_3(pybind11::module_& module);
+void bind_image_3(pybind11::module_& module);
 void bind_film(pybind11::module_& module);
+void bind_fluid(pybind11::module_& module);
 
 } // namespace dsc_python
 

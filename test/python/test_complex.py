@@ -87,6 +87,45 @@ def test_labels_of_polygons():
     assert c.labels == [0, 3, 5]
 
 
+def test_voxels():
+    x, y, z = np.meshgrid(np.arange(20), np.arange(24), np.arange(28), indexing="ij")
+    inside = (x - 9.5) ** 2 + (y - 11.5) ** 2 + (z - 13.5) ** 2 < 36
+    spacing, origin = (0.5, 0.5, 0.25), (10, 20, 30)
+    c = dsc.Complex3.from_image(inside.astype(np.uint8), spacing, origin)
+    assert c.labels == [0, 1] and c.is_valid()
+    assert c.volumes[1] == pytest.approx(inside.sum() / 16, rel=1e-3)
+    center = c.interface().points.mean(axis=0)
+    assert center == pytest.approx([10 + 9.5 / 2, 20 + 11.5 / 2, 30 + 13.5 / 4], abs=0.1)
+    before = c.volumes[1]
+    c.offset(0.1)  # in the unit of the user, although the complex has another origin
+    area = (c.volumes[1] - before) / 0.1
+    assert area == pytest.approx(4 * np.pi * (36 * 0.5**2) ** 0.5 * 2, rel=0.5)
+
+
+def test_voxels_that_fill_the_domain():
+    labels = np.zeros((8, 8, 8), dtype=int)
+    labels[4:] = 3
+    c = dsc.Complex3.from_image(labels, fill=True)
+    assert c.volumes == pytest.approx({0: 256, 3: 256}, rel=1e-3)
+
+
+def test_pixels():
+    labels = np.zeros((30, 20), dtype=np.int16)
+    labels[5:10, 8:14] = 2
+    c = dsc.Complex2.from_image(labels, 0.5, (3, 4))
+    assert c.labels == [0, 2]
+    assert c.volumes[2] == pytest.approx(30 / 4, rel=1e-6)
+    assert sum(c.volumes.values()) == pytest.approx(600 / 4)
+    center = c.interface().points.mean(axis=0)
+    assert center == pytest.approx([3 + 7 / 2, 4 + 10.5 / 2], abs=0.2)
+
+
+@pytest.mark.parametrize("labels", [np.zeros((4, 4, 4)), np.full((4, 4, 4), 0.5), np.array(["a"])])
+def test_images_must_be_of_integers(labels):
+    with pytest.raises((TypeError, ValueError)):
+        dsc.Complex3.from_image(labels)
+
+
 # Access
 
 
