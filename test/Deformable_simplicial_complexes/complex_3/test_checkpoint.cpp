@@ -2,6 +2,7 @@
 #include "temporary_folder.h"
 
 #include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_bytes.h>
 #include <CGAL/Deformable_simplicial_complexes/State.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/little_endian.h>
@@ -70,6 +71,20 @@ TEST(Checkpoint, state_and_metadata_come_back_bit_for_bit) {
   CGAL::IO::write_checkpoint(folder / "b.dsc", checkpoint.state, checkpoint.metadata);
   EXPECT_EQ(file_bytes(folder / "a.dsc"), file_bytes(folder / "b.dsc"));
   EXPECT_EQ(folder.number_of_files(), 2);
+}
+
+TEST(Checkpoint, bytes_in_memory_are_those_of_the_file) {
+  const Temporary_folder folder;
+  const State state = ball_state();
+  const std::string bytes = CGAL::IO::checkpoint_to_bytes(state, "metadata");
+  CGAL::IO::write_checkpoint(folder / "checkpoint", state, "metadata");
+  EXPECT_EQ(bytes, file_bytes(folder / "checkpoint"));
+  const auto checkpoint = CGAL::IO::checkpoint_from_bytes<3>(bytes);
+  EXPECT_TRUE(checkpoint.state == state);
+  EXPECT_EQ(checkpoint.metadata, "metadata");
+  EXPECT_THROW(CGAL::IO::checkpoint_from_bytes<2>(bytes), File_error);
+  EXPECT_THROW(CGAL::IO::checkpoint_from_bytes<3>(bytes.substr(0, bytes.size() - 1)), File_error);
+  EXPECT_THROW(CGAL::IO::checkpoint_from_bytes<3>(""), File_error);
 }
 
 TEST(Checkpoint, restored_complex_has_the_same_state) {

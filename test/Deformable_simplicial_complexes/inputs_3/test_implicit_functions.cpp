@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
@@ -45,6 +46,20 @@ TEST(Make_complex_in_a_box, of_a_torus) {
     last = error;
   }
   EXPECT_LT(last, .02);
+}
+
+TEST(Make_complex_in_a_box, labels_at_many_points_give_the_same_complex) {
+  const auto label = [](const Point& p) { return p.x() + p.y() * p.y() < .2 ? 1 : 0; };
+  const auto labels = [&](const std::vector<Point>& points) {
+    std::vector<int> result;
+    for (const Point& p : points)
+      result.push_back(label(p));
+    return result;
+  };
+  const CGAL::Bbox_3 box(-1, -1, -1, 1, 1, 1);
+  EXPECT_TRUE(make(box, .3, label).state() == make(box, .3, labels).state());
+  const auto one_label = [](const std::vector<Point>&) { return std::vector<int>(1); };
+  EXPECT_THROW(make(box, .3, one_label), Error);
 }
 
 // Two overlapping balls, and a wall between them.

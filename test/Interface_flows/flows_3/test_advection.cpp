@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <set>
 #include <stdexcept>
 #include <vector>
@@ -426,8 +427,7 @@ Vector eddy(const Position& p, double) {
 struct Eddy_map
 {
   Position operator()(const Position& p, double t, double dt) const {
-    return CGAL::Deformable_simplicial_complexes::internal::follow_flow<Complex>(Complex::Domain(),
-                                                                                 p, eddy, t, dt);
+    return DSC::internal::follow_flow<Complex>(Complex::Domain(), {p}, eddy, t, dt).front();
   }
 };
 
@@ -435,6 +435,52 @@ struct Invertible_eddy_map : Eddy_map
 {
   using Is_invertible = CGAL::Tag_true;
 };
+
+// The eddy at many points at once.
+struct Eddy_at_points
+{
+  void operator()(const std::vector<Position>& points, double t,
+                  std::vector<Vector>& velocities) const {
+    velocities.clear();
+    for (const Position& p : points)
+      velocities.push_back(eddy(p, t));
+    velocities.resize(velocities.size() - missing);
+    ++calls;
+  }
+
+  std::size_t missing = 0;
+  mutable int calls = 0;
+};
+
+TEST(Velocity_field_of_points, moves_as_the_field_of_a_point_does) {
+  for (auto scheme : {DSC::Integration_scheme::euler, DSC::Integration_scheme::rk4,
+                      DSC::Integration_scheme::adaptive}) {
+    Complex by_point = mesh_helpers::sphere(8, .6), by_points = by_point;
+    const Eddy_at_points at_points;
+    DSC::advect_interface(by_point, eddy, 0, .05, parameters::scheme(scheme));
+    DSC::advect_interface(by_points, std::cref(at_points), 0, .05, parameters::scheme(scheme));
+    EXPECT_TRUE(by_point.state() == by_points.state());
+    EXPECT_LT(at_points.calls, 100);
+  }
+}
+
+TEST(Velocity_field_of_points, gives_one_velocity_for_each_point) {
+  Complex dsc = mesh_helpers::sphere(8, .6);
+  const auto state = dsc.state();
+  EXPECT_THROW(DSC::advect_interface(dsc, Eddy_at_points{1}, 0, .05),
+               DSC::Invalid_destination_error);
+  EXPECT_TRUE(dsc.state() == state);
+}
+
+TEST(Flow_option, gives_one_destination_for_each_vertex) {
+  Complex dsc = mesh_helpers::sphere(8, .6);
+  DSC::Advection_options<Complex> options;
+  options.deformation.flow = [](const std::vector<Vertex_handle>&) {
+    return std::vector<Position>();
+  };
+  EXPECT_THROW(DSC::advect_interface(dsc, eddy, 0, .05, options), DSC::Error);
+  EXPECT_TRUE(dsc.is_valid());
+}
 
 // Returns the fraction of the free vertices that follow the eddy.
 template <class Velocity, class NamedParameters>
