@@ -1,7 +1,8 @@
 """Moving interfaces with topology changes.
 
-Space or the plane is divided into cells with labels. The interface is what lies between different
-labels. It moves with velocities or to destinations, its parts merge and split, and the mesh stays good.
+Space or the plane is divided into cells with labels. The interface consists of the facets between
+different labels. It moves with velocities or to destinations. Components merge and split, and the cells
+stay well-shaped.
 
     import dsc, numpy as np
     c = dsc.Complex3.from_function(lambda p: (np.linalg.norm(p, axis=1) < .5).astype(int),

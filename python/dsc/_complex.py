@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, Literal, TypeVar, Union
 
@@ -91,8 +92,23 @@ class Complex:
         labels: the function, called with many points at once
         box: two opposite corners, shape (2, d)
         edge: approximate length of edges
+
+        Warns if a label of the function is in no cell, because its regions are smaller than the edges.
         """
-        return cls(cls._class.from_function(labels, _box(box, cls.dimension), edge, progress))
+        seen: set[int] = set()
+
+        def recorded(points: Points) -> Any:
+            result = np.asarray(labels(points))
+            seen.update(np.unique(result).tolist())
+            return result
+
+        corners = _box(box, cls.dimension)
+        result = cls(cls._class.from_function(recorded, corners, float(edge), progress))
+        lost = sorted(seen.difference(result.labels))
+        if lost:
+            warnings.warn(f"labels {lost} occur only in regions that are smaller than the edges; they are "
+                          "not in the complex", stacklevel=2)  # fmt: skip
+        return result
 
     @classmethod
     def from_bytes(cls: type[Self], data: bytes, *, progress: Progress | None = None) -> Self:
@@ -226,7 +242,9 @@ class Complex:
         progress: Progress | None = None,
         **deformation: Any,
     ) -> Report:
-        """Moves the interface with a velocity field for one time step. Space near it follows.
+        """Moves the interface with a velocity field for one time step.
+
+        Vertices near the interface move with the field, too.
 
         velocity: `velocity(points, t)` returns velocities of shape (n, d) for points of shape (n, d)
         t, dt: time and length of the step; vertices should move by at most a quarter of an edge
@@ -553,6 +571,8 @@ class Complex3(Complex):
         sides = np.broadcast_to(np.asarray(spacing, dtype=float), 3).tolist()
         if voxels.ndim != 3:
             raise ValueError("labels must have three axes")
+        if edge is not None and not edge >= min(sides):
+            raise ValueError("edge must be at least the shortest side of a voxel")
         return cls(
             _dsc.complex_from_image_3(
                 voxels.ravel(order="F"),

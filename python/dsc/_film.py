@@ -60,7 +60,10 @@ class Film:
         else:
             cells = complex.cells()
             points, simplices, labels, ids = cells.points, cells.cells, cells.labels, cells.ids
-        values = {name: np.asarray(field, dtype=float) for name, field in fields.items()}
+        values = {name: np.asarray(field) for name, field in fields.items()}
+        for name, field in values.items():
+            if field.ndim not in (1, 2) or field.dtype.kind not in "biuf":
+                raise ValueError(f"the field {name!r} must be an array of numbers of shape (n,) or (n, d)")
         self._compiled.add(
             step,
             at,

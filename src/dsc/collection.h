@@ -16,6 +16,8 @@ using Moment = std::pair<double, std::string>;
 
 /// Returns the files that a collection (.pvd) lists, in their order. Paths are relative to the
 /// working directory. Files need not exist. Returns nothing if the collection does not exist.
+/// \throws Input_error if an entry has no file or no finite time
+/// \throws CGAL::Deformable_simplicial_complexes::File_error if the collection is not XML
 std::vector<Moment> moments_of_collection(const std::string& collection);
 
 } // namespace dsc

@@ -27,9 +27,11 @@ namespace fs = std::filesystem;
 /// Returns the files of the states of a run.
 /// \throws Input_error if there are none
 std::vector<Moment> states_of(const std::string& run, bool is_surface) {
+  std::error_code error;
+  if (is_surface && !fs::is_directory(run, error))
+    throw Input_error("--surface needs the folder of a run; '" + run + "' is a file");
   if (extension(run) == "vtu")
     return {{0, run}};
-  std::error_code error;
   const std::string collection =
       fs::is_directory(run, error)
           ? (fs::path(run) / (is_surface ? "interface.pvd" : "volume.pvd")).string()
@@ -115,13 +117,31 @@ void require_labels(const std::vector<int>& left_out, const std::set<int>& label
                         "; correct the option --without");
 }
 
+/// \throws Input_error if a report is given and none of its steps is at the time of a state
+void require_steps(const Film_options& options, const std::vector<Moment>& states,
+                   const std::vector<Json>& steps) {
+  if (!options.report.empty() &&
+      std::none_of(states.begin(), states.end(),
+                   [&](const Moment& state) { return step_at(state.first, steps) != nullptr; }))
+    throw Input_error("'" + options.report + "' has no step at the time of a state of '" +
+                      options.run + "'; name the report of this run");
+}
+
 } // namespace
 
 std::string film_of_run(const Film_options& options) {
   const std::vector<Moment> states = states_of(options.run, options.is_surface);
   const std::vector<Json> steps = steps_of_report(options.report);
+  require_steps(options, states, steps);
   std::optional<Film> film;
+  std::vector<Read_frame> waiting; // first states without cells, which have no dimension
   std::set<int> labels;
+  const auto add = [&](const Read_frame& read) {
+    film->add(read.frame);
+    if (const Json* step = step_at(read.frame.time, steps))
+      add_series(*step, options.is_surface, *film);
+  };
+  Film::Content content = Film::Content::cells;
   int dimension = 0;
   for (std::size_t i = 0; i < states.size(); ++i) {
     if (i % options.every != 0 && i + 1 < states.size())
@@ -129,23 +149,33 @@ std::string film_of_run(const Film_options& options) {
     CGAL::Deformable_simplicial_complexes::Progress_scope::check();
     const auto& [time, file] = states[i];
     Read_frame read = frame_of_vtu(file);
-    if (!film) {
-      dimension = read.dimension;
-      film.emplace(fs::path(options.run).lexically_normal().string(), dimension, read.content);
-      film->hide(0);
-    }
-    if (!read.frame.simplices.empty() && read.dimension != dimension)
-      throw Input_error("'" + file + "' is of another dimension than the first state");
     for (const auto& pair : read.frame.labels)
       labels.insert(pair.begin(), pair.begin() + (read.content == Film::Content::cells ? 1 : 2));
     leave_out(options.without, read);
     read.frame.time = time;
     read.frame.step = step_of_file(file).value_or(std::int64_t(i));
-    film->add(read.frame);
-    if (const Json* step = step_at(time, steps))
-      add_series(*step, options.is_surface, *film);
+    const bool is_empty = read.frame.simplices.empty();
+    if (!film && is_empty) {
+      waiting.push_back(std::move(read));
+      continue;
+    }
+    if (!film) {
+      dimension = read.dimension;
+      content = read.content;
+      film.emplace(fs::path(options.run).lexically_normal().string(), dimension, content);
+      film->hide(0);
+      for (const Read_frame& earlier : waiting)
+        add(earlier);
+    }
+    if (!is_empty && (read.dimension != dimension || read.content != content))
+      throw Input_error("'" + file +
+                        "' is of another kind than the first state; name the collection "
+                        "of a single run");
+    add(read);
   }
   require_labels(options.without, labels);
+  if (!film)
+    throw Input_error("the states of '" + options.run + "' have no cells or facets to show");
   add_events(steps, *film);
   return film->html();
 }

@@ -39,7 +39,8 @@ std::vector<std::array<std::uint32_t, 4>> simplices_of(const Vtu_reader& reader,
   const std::vector<double> indices = reader.array("Cells", "connectivity", number * corners);
   std::vector<std::array<std::uint32_t, 4>> result(number);
   for (std::size_t i = 0; i < indices.size(); ++i) {
-    if (!(indices[i] >= 0 && indices[i] < double(number_of_points)))
+    if (!(indices[i] >= 0 && indices[i] < double(number_of_points)) ||
+        indices[i] != std::trunc(indices[i]))
       reader.fail("cell " + std::to_string(i / corners) +
                   " has a vertex that does not exist; correct the array 'connectivity'");
     result[i / corners][i % corners] = std::uint32_t(indices[i]);
@@ -107,6 +108,9 @@ Read_frame frame_of_vtu(const std::string& path) {
   frame.simplices = simplices_of(reader, cells, corners, points);
   const std::vector<double> labels = is_interface ? reader.array("CellData", "label_pair", cells, 2)
                                                   : reader.array("CellData", "label", cells);
+  for (const double label : labels)
+    if (!(std::abs(label) < 2147483648.) || label != std::trunc(label)) // 2^31
+      reader.fail("a label is not an integer of 32 bits; correct the array of the labels");
   for (std::size_t i = 0; i < cells; ++i)
     // The normals of a facet point out of the larger label, which is the first one in the file.
     frame.labels.push_back(is_interface

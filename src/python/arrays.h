@@ -52,6 +52,23 @@ inline bool is_of_integers(const py::array& array) {
   return kind == 'i' || kind == 'u' || kind == 'b';
 }
 
+/// Returns an array of integers as signed integers.
+/// \throws py::value_error if a number is too large
+inline Array<std::int64_t> signed_integers(const py::array& array, const std::string& name) {
+  if (array.dtype().kind() == 'u' && array.itemsize() == 8) {
+    const Array<std::uint64_t> numbers(array);
+    for (py::ssize_t i = 0; i < numbers.size(); ++i)
+      if (numbers.data()[i] >> 63 != 0)
+        throw py::value_error("a number of " + name + " is too large");
+  }
+  return Array<std::int64_t>(array);
+}
+
+/// Returns whether the numbers of an array are real: integers or floating point numbers.
+inline bool is_of_real_numbers(const py::array& array) {
+  return is_of_integers(array) || array.dtype().kind() == 'f';
+}
+
 /// Returns the rows of an array of indices of shape (n, columns).
 /// \throws py::type_error if the array is not of integers
 /// \throws py::value_error if its shape is wrong, or an index is negative
@@ -60,7 +77,7 @@ std::vector<std::array<std::size_t, columns>> index_rows_of(const py::array& arr
                                                             const std::string& name) {
   if (!is_of_integers(array))
     throw py::type_error(name + " must be an array of integers");
-  const Array<std::int64_t> indices(array);
+  const Array<std::int64_t> indices = signed_integers(array, name);
   for (py::ssize_t i = 0; i < indices.size(); ++i)
     if (indices.data()[i] < 0)
       throw py::value_error(name + " has a negative index");
@@ -94,13 +111,13 @@ py::array_t<Number> array_of(std::size_t n, std::size_t columns, const Entry& en
 inline std::vector<int> labels_of(const py::array& array, const std::string& name) {
   if (!is_of_integers(array))
     throw py::type_error(name + " must be an array of integers");
-  const Array<std::int64_t> numbers(array);
+  const Array<std::int64_t> numbers = signed_integers(array, name);
   require_rows(numbers, 0, name);
   std::vector<int> result;
   for (py::ssize_t i = 0; i < numbers.size(); ++i) {
     result.push_back(int(numbers.data()[i]));
     if (result.back() != numbers.data()[i])
-      throw py::value_error(name + " has a number that does not fit into 32 bits");
+      throw py::value_error("a number of " + name + " does not fit into 32 bits");
   }
   return result;
 }

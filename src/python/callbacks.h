@@ -46,7 +46,10 @@ public:
   void operator()(const std::vector<Point>& points, double t,
                   std::vector<Vector>& velocities) const {
     const py::gil_scoped_acquire lock;
-    const Array<double> result(m_function(m_space.array(points), t));
+    const py::array array(m_function(m_space.array(points), t));
+    if (!is_of_real_numbers(array))
+      throw py::type_error("the velocities must be an array of real numbers");
+    const Array<double> result(array);
     const auto rows = rows_of<double, Complex::dimension>(result, "the velocities");
     if (rows.size() != points.size())
       throw py::value_error("the velocity function returned " + std::to_string(rows.size()) +

@@ -9,6 +9,9 @@
 #include <CGAL/Deformable_simplicial_complexes/compiled_2.h>
 #include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace dsc_python {
 namespace {
 
@@ -62,8 +65,14 @@ auto from_function(const py::function& label_at, const Box<2>& box, double edge,
 auto from_image(const py::array& labels, std::size_t width, std::size_t height, double spacing,
                 const std::array<double, 2>& origin, double edge, const py::object& progress) {
   const DSC::Labelled_image_2 image{width, height, labels_of(labels, "labels")};
-  if (!(spacing > 0))
-    throw py::value_error("the spacing must be positive");
+  static constexpr double least = 1e-30, most = 1e30; // as for all complexes
+  const double extent = spacing * double(std::max(width, height));
+  if (!(extent >= least && extent <= most))
+    throw py::value_error(
+        "the spacing must be positive, and the extent of the image between 1e-30 and "
+        "1e30");
+  if (!std::isfinite(origin[0]) || !std::isfinite(origin[1]))
+    throw py::value_error("the origin must be finite");
   return guarded(progress, [&] {
     Complex complex = DSC::make_deformable_simplicial_complex_2<Complex>(image, edge / spacing);
     // Pixels have the side 1, and the origin is the lower left corner of the image.

@@ -46,8 +46,11 @@ DSC::Fluid_properties_3 properties_of(const std::map<int, std::pair<double, doub
     result.set_liquid(label, {liquid.first, liquid.second});
   for (const auto& [label, gas] : gases)
     result.set_gas(label, {gas.first, gas.second});
-  for (const auto& [labels, tension] : tensions)
+  for (const auto& [labels, tension] : tensions) {
+    if (labels.first > labels.second && tensions.count({labels.second, labels.first}) > 0)
+      throw py::value_error("a surface tension is given twice, for both orders of its labels");
     result.set_surface_tension(labels.first, labels.second, tension);
+  }
   result.set_gravity(gravity);
   return result;
 }
@@ -59,8 +62,9 @@ std::unique_ptr<Object> make_fluid(const Guarded<Complex>& given,
                                    const Coordinates& gravity) {
   const auto& normalization = given.read().normalization();
   if (normalization.scale != 1 || normalization.translation != Complex::Approximate_vector(0, 0, 0))
-    throw py::value_error("the coordinates of the complex are normalized, which fluids do not "
-                          "support: make a complex from its cells()");
+    throw py::value_error("the complex has an origin or a unit of its own, which fluids do not "
+                          "support: use Complex3.from_tetrahedra(cells.points, cells.cells, "
+                          "cells.labels) with cells = complex.cells()");
   Owned_fluid result;
   result.complex = std::make_unique<Complex>(given.read());
   result.fluid =
@@ -95,6 +99,11 @@ void add_mesh(Object& object, const Array<double>& points, const py::array& tria
 }
 
 void set_sources(Object& object, const std::vector<Source>& sources) {
+  for (const auto& [center, radius, rate] : sources)
+    if (!(radius > 0) || !std::isfinite(radius) || !std::isfinite(rate) ||
+        !std::isfinite(center[0] + center[1] + center[2]))
+      throw py::value_error(
+          "a source must have a finite center, a positive radius and a finite rate");
   object.change(py::none(), [&](Owned_fluid& owned) {
     owned.fluid->set_sources([sources](const Fluid::Point& p, double) {
       double result = 0;
@@ -200,6 +209,8 @@ void bind_fluid(py::module_& module) {
            [](const Object& object) { return balance_to_dict(object.read().fluid->balance()); })
       .def("largest_step",
            [](const Object& object, double fraction) {
+             if (!(fraction > 0) || !std::isfinite(fraction))
+               throw py::value_error("the fraction must be positive and finite");
              return object.read().fluid->largest_step(fraction);
            })
       .def("velocities",

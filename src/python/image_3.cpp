@@ -12,6 +12,7 @@
 #include <CGAL/Deformable_simplicial_complexes/convert_labelled_image_3.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace dsc_python {
 namespace {
@@ -33,6 +34,9 @@ CGAL::Image_3 image_of(const std::vector<int>& labels, const std::array<std::siz
 auto from_image(const py::array& labels, const std::array<std::size_t, 3>& size,
                 const Coordinates& spacing, const Coordinates& origin, double edge, bool fills,
                 const py::dict& options, const py::object& progress) {
+  for (const double x : origin)
+    if (!std::isfinite(x))
+      throw py::value_error("the origin must be finite");
   const std::vector<int> voxels = labels_of(labels, "labels");
   auto construction = construction_options<3>(options);
   const auto corner = [&](int axis, double voxel) { return (voxel - .5) * spacing[axis]; };

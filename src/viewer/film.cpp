@@ -20,8 +20,9 @@ namespace {
 using Numbers = std::vector<std::int64_t>;
 using Json = nlohmann::ordered_json;
 
-constexpr int position_bits = 20; // the extent of the first frame is 2^20 - 1 units
-constexpr int field_steps = 4095; // values of fields are stored with 12 bits
+constexpr int position_bits = 20;       // the extent of the first frame is 2^20 - 1 units
+constexpr double largest_value = 1e150; // of a field, so that squares are finite
+constexpr int field_steps = 4095;       // values of fields are stored with 12 bits
 
 std::string packed_kept(const std::vector<Index>& kept) {
   Numbers numbers;
@@ -111,6 +112,9 @@ void Film::check(const Film_frame& frame) const {
     require(field.values.size() == rows * field.components,
             "the number of values of a field differs from the number of its points or simplices");
     require(are_finite(field.values), "a value of a field of the frame is not finite");
+    require(std::all_of(field.values.begin(), field.values.end(),
+                        [](double x) { return std::abs(x) <= largest_value; }),
+            "a value of a field of the frame is too large");
     const auto known = m_fields.find(field.name);
     require(known == m_fields.end() || (known->second.on_points == field.on_points &&
                                         known->second.components == field.components),
@@ -139,8 +143,13 @@ void Film::Field::add(double value) {
 
 Film::Quantized Film::quantized(const std::array<double, 3>& point) const {
   Quantized result;
-  for (int i = 0; i < 3; ++i)
-    result[i] = std::llround((point[i] - m_origin[i]) / m_unit);
+  static constexpr double most = 4503599627370496.; // 2^52, which the page can represent
+  for (int i = 0; i < 3; ++i) {
+    const double units = (point[i] - m_origin[i]) / m_unit;
+    if (!(std::abs(units) < most))
+      throw std::invalid_argument("a point is too far from the points of the first frame");
+    result[i] = std::llround(units);
+  }
   return result;
 }
 
@@ -205,7 +214,7 @@ std::vector<Index> Film::former_simplices(const Film_frame& frame,
 
 void Film::add(const Film_frame& frame) {
   check(frame);
-  if (m_frames.empty())
+  if (m_last.points.empty())
     set_box(frame);
   Mesh mesh;
   const std::vector<Index> former = former_points(frame);

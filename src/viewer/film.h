@@ -60,7 +60,7 @@ public:
 
   /// Adds a frame. n log n in its size.
   /// \throws std::invalid_argument if sizes do not fit, an index is out of range, or a coordinate
-  ///         or a value is not finite; the film is then unchanged
+  ///         or a value is not finite or too large; the film is then unchanged
   void add(const Film_frame& frame);
 
   std::size_t number_of_frames() const { return m_frames.size(); }

@@ -51,13 +51,19 @@ def test_destinations_of_a_wrong_number():
         c.deform(c.interface().points[:-1])
 
 
-@pytest.mark.parametrize("wrong", [lambda p, t: p[:, :1], lambda p, t: p[:-1], lambda p, t: "no numbers"])
+@pytest.mark.parametrize("wrong", [lambda p, t: p[:, :1], lambda p, t: p[:-1]])
 def test_velocities_of_a_wrong_shape(wrong):
     c = disk()
     before = c.copy()
     with pytest.raises(ValueError):
         c.advect(wrong, 0, 0.1)
     assert c == before
+
+
+@pytest.mark.parametrize("wrong", [lambda p, t: "text", lambda p, t: p * 1j, lambda p, t: None])
+def test_velocities_that_are_no_numbers(wrong):
+    with pytest.raises(TypeError):
+        disk().advect(wrong, 0, 0.1)
 
 
 def test_an_exception_of_the_velocity_passes_through():
@@ -133,6 +139,49 @@ def test_a_wrong_box(box):
 def test_an_empty_box():
     with pytest.raises(dsc.Error):
         dsc.Complex2.from_function(lambda p: np.zeros(len(p), dtype=int), box=[(0, 0), (0, 1)], edge=0.1)
+
+
+@pytest.mark.parametrize("edge", [0, -1, float("nan"), float("inf"), 1e-9])
+@pytest.mark.parametrize("make", [dsc.Complex2, dsc.Complex3])
+def test_a_wrong_edge(make, edge):
+    d = make.dimension
+    with pytest.raises(dsc.Error):
+        make.from_function(lambda p: np.zeros(len(p), dtype=int), box=[[0] * d, [1] * d], edge=edge)
+
+
+def test_labels_that_are_lost_are_told():
+    with pytest.warns(UserWarning, match="labels \\[3\\]"):
+        dsc.Complex2.from_function(
+            lambda p: 3 * (np.linalg.norm(p - 0.5, axis=1) < 0.05).astype(int), [(0, 0), (1, 1)], 0.2
+        )
+
+
+@pytest.mark.parametrize("labels", [np.array([2**64 - 1], dtype=np.uint64), np.array([2**31])])
+def test_labels_that_are_too_large(labels):
+    with pytest.raises(ValueError):
+        dsc.Complex2.from_triangles([[0, 0], [1, 0], [0, 1]], [[0, 1, 2]], labels)
+
+
+@pytest.mark.parametrize("dt", [float("inf"), float("nan")])
+@pytest.mark.parametrize("scheme", ["euler", "adaptive"])
+def test_a_time_step_that_is_not_finite(scheme, dt):
+    with pytest.raises(dsc.Error):
+        disk().advect(lambda p, t: p, 0, dt, scheme=scheme)
+
+
+def test_a_complex_without_interface_can_be_advected():
+    c = dsc.Complex2.from_function(lambda p: np.zeros(len(p), dtype=int), [(0, 0), (1, 1)], 0.3)
+    assert c.advect(lambda p, t: p / p.max(), 0, 0.1).complete
+
+
+@pytest.mark.parametrize("origin", [(np.nan, 0), (np.inf, 0)])
+def test_an_origin_that_is_not_finite(origin):
+    with pytest.raises(ValueError, match="origin"):
+        dsc.Complex2.from_image(np.eye(8, dtype=int), 1.0, origin)
+
+
+def test_an_image_of_one_label():
+    assert dsc.Complex3.from_image(np.ones((4, 4, 4), dtype=int), fill=True).volumes == pytest.approx({1: 64})
 
 
 def test_too_few_labels():

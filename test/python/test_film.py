@@ -156,6 +156,41 @@ def test_values_that_are_not_finite():
         dsc.Film().add(c, fields={"f": np.full(c.number_of_vertices, np.nan)})
 
 
+def test_the_first_state_may_be_empty():
+    film = dsc.Film(surface=True)
+    film.add(dsc.Complex2.from_function(lambda p: np.zeros(len(p), dtype=int), [(-1, -1), (1, 1)], 0.5))
+    film.add(disk())
+    assert film_of(film.html())["unit"] < 1e-5
+
+
+@pytest.mark.parametrize("value", [1e200, -1e308])
+def test_values_that_are_too_large(value):
+    c = disk()
+    with pytest.raises(ValueError, match="too large"):
+        dsc.Film().add(c, fields={"f": np.full(c.number_of_vertices, value)})
+
+
+COLLECTION = '<VTKFile type="Collection"><Collection>{}</Collection></VTKFile>'
+
+
+@pytest.mark.skipif(os.environ.get("DSC_PROGRAM") is None, reason="the program dsc is not built")
+@pytest.mark.parametrize(
+    "content, message",
+    [
+        ("", "no states"),
+        (COLLECTION.format('<DataSet timestep="abc" file="a.vtu"/>'), "no finite time"),
+        (COLLECTION.format('<DataSet timestep="0" ' + "x" * 3_000_000 + ' file="a.vtu"/>'), "a.vtu"),
+        (COLLECTION.format('<DataSet file="a.vtu" timestep="0"/><DataSet file="b.vtu" timestep="1"/>'), "a.vtu"),
+    ],
+)
+def test_unusable_collections(tmp_path, content, message):
+    (tmp_path / "run.pvd").write_text(content)
+    view = [os.environ["DSC_PROGRAM"], "view", "run.pvd", "-o", "run.html"]
+    done = subprocess.run(view, cwd=tmp_path, capture_output=True, text=True, timeout=60, check=False)
+    assert done.returncode == 1 and message in done.stderr and done.stderr.count("\n") == 1
+    assert not (tmp_path / "run.html").exists()
+
+
 def test_a_film_has_one_dimension():
     film = dsc.Film()
     film.add(disk())

@@ -113,6 +113,17 @@ def test_errors():
         fluid.add_mesh(CUBE_POINTS[:3], CUBE_TRIANGLES)
 
 
+@pytest.mark.parametrize("source", [((0, 0, 0), 0, 1), ((0, 0, 0), 1, np.inf), ((np.nan, 0, 0), 1, 1)])
+def test_wrong_sources(source):
+    with pytest.raises(ValueError, match="source"):
+        droplet().set_sources([dsc.Source(*source)])
+
+
+def test_a_tension_given_twice():
+    with pytest.raises(ValueError, match="twice"):
+        dsc.Fluid(ball(0.25), {1: dsc.Liquid(1.0)}, tensions={(0, 1): 1, (1, 0): 2})
+
+
 def test_a_step_can_be_interrupted():
     fluid = droplet(gravity=(0, 0, -1))
     with pytest.raises(dsc.Interrupted):

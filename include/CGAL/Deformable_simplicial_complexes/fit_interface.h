@@ -15,6 +15,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
 #include <CGAL/Origin.h>
 
@@ -41,7 +42,7 @@ labels_at(const Complex& complex, const LabelAt& label_at,
       Progress_scope::check();
       result.push_back(label_at(p));
     }
-  } else {
+  } else if (!points.empty()) {
     result = label_at(points);
     if (result.size() != points.size())
       throw Error("the number of labels differs from the number of points: give one label for each "
@@ -60,8 +61,8 @@ typename Complex::Approximate_point barycenter(const Complex& complex,
   return ORIGIN + sum / Complex::corners;
 }
 
-// Facets of the interface between the barycenters of whose cells the label changes once, and a
-// point of change for each one.
+// Facets of the interface whose cells have their labels at their barycenters. Each facet has a
+// point where the label changes.
 template <class Complex> struct Changes_of_label
 {
   std::vector<std::size_t> facets; // indices of facets of the interface
@@ -137,14 +138,14 @@ nearby points of change, which are found by bisection. This is repeated several 
 from a smooth interface is then of the order of its curvature times the square of the edge length.
 Lines where labels meet are approximated up to a fraction of the edge length.
 
-About 40 calls of `label_at` for each facet in each repetition, plus the deformations.
+The function calls `label_at` about 40 times for each facet in each repetition.
 
 \param dsc the complex
 \param label_at `label_at(p)` returns the label at an `Approximate_point` of the domain; or
        `label_at(points)` returns the labels at a vector of them
 \param np the named parameters of `deform_interface()`
 \return the report of the last deformation
-\throws Error as `deform_interface()` does
+\throws Error as `deform_interface()` does, or if the number of labels at points is wrong
 */
 template <class Complex, class LabelAt,
           class NamedParameters = parameters::Default_named_parameters>

@@ -30,11 +30,11 @@ template <int d> struct Grid
 };
 
 // Returns the number of edges in a period, rounded, and at least `least`. Throws `Error` if this
-// number exceeds 2^20, if a length is not positive, or if the period is not finite.
+// number exceeds 2^20, or if a length is not positive and finite.
 inline std::size_t edges_in_period(double period, double edge, std::size_t least) {
   static constexpr double most = 1 << 20;
-  if (!(edge > 0))
-    throw Error("the target edge length is not positive: use more than 0");
+  if (!(edge > 0) || !std::isfinite(edge))
+    throw Error("the target edge length is not positive and finite: use more than 0");
   if (!(period > 0) || !std::isfinite(period))
     throw Error("the box is empty or not finite: use a finite box with positive sides");
   const double number = std::round(period / edge);

@@ -93,8 +93,11 @@ public:
       smoother.relax(positions);
       std::map<int, double> missing;
       const auto changes = changer.changes(places, positions);
-      for (const auto& [component, volume] : m_volumes)
-        missing[component] = volume - dsc.measure(component) - changes.at(component);
+      for (const auto& [component, volume] : m_volumes) {
+        const auto change = changes.find(component); // none without an interface
+        missing[component] =
+            volume - dsc.measure(component) - (change == changes.end() ? 0 : change->second);
+      }
       changer.change_by(missing, positions,
                         round + 1 < rounds ? iterations : changer.most_iterations);
     }

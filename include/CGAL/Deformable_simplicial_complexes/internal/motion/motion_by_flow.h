@@ -30,8 +30,8 @@ everywhere: the free vertices follow the flow, too.
 If the flow would move the boundary of the domain, a box, the displacement is scaled down to zero
 towards the boundary. The scaling begins at half of the smallest distance between the interface and
 the boundary. Returns `nullopt` if the flow is not known everywhere, the interface deviates from the
-flow, the boundary is fixed, some inner vertices are not free, or that distance is too small for the
-longest displacement.
+flow, the boundary is fixed, some inner vertices are not free, or the distance between interface and
+boundary is too small for the longest displacement.
 
 `displacement(v)` is the remaining displacement of an interface vertex. `flow` gives the
 displacements of vertices by the flow. `longest` is the length of the longest displacement.

@@ -9,6 +9,7 @@
 #define CGAL_INTERFACE_FLOWS_INTERNAL_PATHS_INTERFACE_PATHS_H
 
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/require_finite.h>
@@ -84,6 +85,8 @@ field_at(const typename Complex::Domain& domain,
          const Velocity& velocity) {
   std::vector<typename Complex::Approximate_vector> result;
   if constexpr (is_field_of_points<Complex, Velocity>) {
+    if (points.empty())
+      return result;
     std::vector<typename Complex::Approximate_point> in_box;
     for (const auto& p : points)
       in_box.push_back(domain.canonical(p));
@@ -161,6 +164,8 @@ integrate_adaptively(const Interface& interface_,
   };
   auto stepper = odeint::make_controlled(tolerance, 0., odeint::runge_kutta_dopri5<State>());
   const double end = t + dt;
+  if (!std::isfinite(t) || !std::isfinite(dt))
+    throw Error("the time or the time step is not finite: use finite numbers");
   if (end == t && dt != 0)
     throw Error("the time step is too short to change the time: use a longer time step, or "
                 "subtract a constant from the time");
@@ -169,6 +174,7 @@ integrate_adaptively(const Interface& interface_,
     return std::abs(step) >= smallest_adaptive_part * std::abs(dt) && t + step != t;
   };
   for (double step = dt;;) {
+    Progress_scope::check();
     const bool is_last = std::abs(step) >= std::abs(end - t);
     if (is_last)
       step = end - t;
