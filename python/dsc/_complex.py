@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 import os
 import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -38,6 +39,38 @@ def _given(**options: Any) -> dict[str, Any]:
     return {name: value for name, value in options.items() if value is not None}
 
 
+def _callable(function: Any, name: str) -> Any:
+    if not callable(function):
+        raise TypeError(f"{name} must be a function, not {function!r}")
+    return function
+
+
+def _number(value: Any, name: str) -> float:
+    try:
+        if not isinstance(value, str):
+            return float(value)
+    except (TypeError, ValueError):
+        pass
+    raise TypeError(f"{name} must be a number, not {value!r}")
+
+
+def _integer(value: Any, name: str) -> int:
+    try:
+        result = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name} must be an integer, not {value!r}") from None
+    if not -(2**31) <= result < 2**31:
+        raise ValueError(f"{name} does not fit into 32 bits: {result}")
+    return result
+
+
+def _numbers(values: Any, number: int, name: str) -> list[float]:
+    array = np.asarray(values, dtype=float)
+    if array.shape != (number,):
+        raise ValueError(f"{name} must be {number} numbers")
+    return array.tolist()  # type: ignore[no-any-return]
+
+
 def _report(result: dict[str, Any]) -> Report:
     result["labels"] = [LabelChange(**change) for change in result["labels"]]
     result["events"] = [TopologyEvent(**event) for event in result["events"]]
@@ -45,7 +78,8 @@ def _report(result: dict[str, Any]) -> Report:
 
 
 def _labels(labels: Iterable[int] | None, number: int) -> list[int]:
-    result = list(range(1, number + 1) if labels is None else labels)
+    given = range(1, number + 1) if labels is None else labels
+    result = [_integer(label, "a label") for label in given]
     if len(result) != number:
         raise ValueError(f"there are {len(result)} labels for {number} regions")
     return result
@@ -95,6 +129,7 @@ class Complex:
 
         Warns if a label of the function is in no cell, because its regions are smaller than the edges.
         """
+        _callable(labels, "labels")
         seen: set[int] = set()
 
         def recorded(points: Points) -> Any:
@@ -103,7 +138,7 @@ class Complex:
             return result
 
         corners = _box(box, cls.dimension)
-        result = cls(cls._class.from_function(recorded, corners, float(edge), progress))
+        result = cls(cls._class.from_function(recorded, corners, _number(edge, "edge"), progress))
         lost = sorted(seen.difference(result.labels))
         if lost:
             warnings.warn(f"labels {lost} occur only in regions that are smaller than the edges; they are "
@@ -270,7 +305,11 @@ class Complex:
             threads=threads,
             **deformation,
         )
-        return _report(self._compiled.advect(velocity, t, dt, options, progress))
+        return _report(
+            self._compiled.advect(
+                _callable(velocity, "velocity"), _number(t, "t"), _number(dt, "dt"), options, progress
+            )
+        )
 
     def offset(
         self,
@@ -287,7 +326,7 @@ class Complex:
         The distance should be at most a quarter of an edge. Other parameters are those of `advect()`.
         """
         options = _given(adapt=adapt, topology=topology, threads=threads, **deformation)
-        return _report(self._compiled.offset(distance, options, progress))
+        return _report(self._compiled.offset(_number(distance, "distance"), options, progress))
 
     def mean_curvature(
         self,
@@ -307,7 +346,9 @@ class Complex:
         Other parameters are those of `advect()`.
         """
         options = _given(adapt=adapt, topology=topology, threads=threads, **deformation)
-        return _report(self._compiled.mean_curvature(dt, keep_volumes, options, progress))
+        return _report(
+            self._compiled.mean_curvature(_number(dt, "dt"), bool(keep_volumes), options, progress)
+        )
 
     def deform(
         self,
@@ -368,7 +409,8 @@ class Complex:
             number_of_iterations=number_of_iterations,
             **deformation,
         )
-        return bool(self._compiled.restore_volumes(dict(volumes), options, progress))
+        targets = {_integer(k, "a label"): _number(v, "a volume") for k, v in volumes.items()}
+        return bool(self._compiled.restore_volumes(targets, options, progress))
 
     # Remeshing
 
@@ -578,9 +620,9 @@ class Complex3(Complex):
                 voxels.ravel(order="F"),
                 voxels.shape,
                 sides,
-                [float(x) for x in origin],
-                0.0 if edge is None else edge,
-                fill,
+                _numbers(origin, 3, "origin"),
+                0.0 if edge is None else _number(edge, "edge"),
+                bool(fill),
                 _given(improve=improve),
                 progress,
             )
@@ -663,15 +705,16 @@ class Complex2(Complex):
         edge: approximate length of the segments of the interface; by default 2.5 pixels
         """
         pixels = np.asarray(labels)
+        side = _number(spacing, "spacing")
         if pixels.ndim != 2:
             raise ValueError("labels must have two axes")
         return cls(
             _dsc.Complex2.from_image(
                 pixels[:, ::-1].T.ravel(),
                 *pixels.shape,
-                spacing,
-                [float(x) for x in origin],
-                2.5 * spacing if edge is None else edge,
+                side,
+                _numbers(origin, 2, "origin"),
+                2.5 * side if edge is None else _number(edge, "edge"),
                 progress,
             )
         )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import html
+import operator
 import os
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
@@ -25,9 +26,9 @@ class Film:
     """
 
     def __init__(self, title: str = "", *, surface: bool = False, hidden: Iterable[int] = (0,)) -> None:
-        self._title = title
+        self._title = str(title)
         self._surface = surface
-        self._hidden = list(hidden)
+        self._hidden = [operator.index(label) for label in hidden]
         self._dimension = 0
         self._compiled: _dsc.Film | None = None
 

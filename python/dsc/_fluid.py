@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _dsc
-from ._complex import Complex3, Progress, Topology, _box, _given, _report
+from ._complex import Complex3, Progress, Topology, _box, _given, _integer, _number, _report
 from ._report import Points, Report
 
 
@@ -106,6 +106,12 @@ class Fluid:
         tensions: Mapping[tuple[int, int], float] = {},
         gravity: tuple[float, float, float] = (0, 0, 0),
     ) -> None:
+        if not isinstance(complex, Complex3):
+            raise TypeError(f"complex must be a Complex3, not {complex!r}")
+        if not all(isinstance(liquid, Liquid) for liquid in liquids.values()):
+            raise TypeError("liquids must be values of dsc.Liquid")
+        if not all(isinstance(gas, Gas) for gas in gases.values()):
+            raise TypeError("gases must be values of dsc.Gas")
         self._compiled = _dsc.Fluid(
             complex._compiled,
             {label: (liquid.density, liquid.viscosity) for label, liquid in liquids.items()},
@@ -273,7 +279,7 @@ class Fluid:
             threads=threads,
             **deformation,
         )
-        result = self._compiled.step(dt, options, progress)
+        result = self._compiled.step(_number(dt, "dt"), options, progress)
         result["balance"] = Balance(**result["balance"])
         result["deformation"] = _report(result["deformation"])
         return FluidReport(**result)
@@ -287,4 +293,6 @@ class Fluid:
         steps: largest number of steps
         options: those of `step()`
         """
-        return float(self._compiled.relax(dt, steps, _given(**options), progress))
+        if _integer(steps, "steps") < 1:
+            raise ValueError("steps must be at least 1")
+        return float(self._compiled.relax(_number(dt, "dt"), steps, _given(**options), progress))

@@ -31,10 +31,18 @@ class Long_function
 {
 public:
   /// \param progress called with the name of the current phase, or None
+  /// \throws py::type_error if it is neither
   explicit Long_function(const py::object& progress)
-      : m_progress(progress), m_scope([this](const char* phase) { return may_continue(phase); }) {}
+      : m_progress(checked(progress)),
+        m_scope([this](const char* phase) { return may_continue(phase); }) {}
 
 private:
+  static const py::object& checked(const py::object& progress) {
+    if (!progress.is_none() && PyCallable_Check(progress.ptr()) == 0)
+      throw py::type_error("progress must be a function or None");
+    return progress;
+  }
+
   bool may_continue(const char* phase) {
     const py::gil_scoped_acquire lock;
     if (PyErr_CheckSignals() != 0)

@@ -149,10 +149,33 @@ def test_a_wrong_edge(make, edge):
         make.from_function(lambda p: np.zeros(len(p), dtype=int), box=[[0] * d, [1] * d], edge=edge)
 
 
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda: disk().advect(3, 0, 0.1),
+        lambda: disk().advect(lambda p, t: p, 0, "a"),
+        lambda: disk().offset("far"),
+        lambda: disk().offset(0.01, progress=3),
+        lambda: disk().restore_volumes({1: "much"}),
+        lambda: dsc.Complex2.from_function(3, [(0, 0), (1, 1)], 0.1),
+        lambda: dsc.Complex2.from_polygons([[[(0, 0), (1, 0), (1, 1)]]], [1.5]),
+        lambda: dsc.Complex2.from_image(np.eye(4, dtype=int), (1, 1)),
+        lambda: dsc.Fluid(disk(), {1: dsc.Liquid(1.0)}),
+        lambda: dsc.Fluid(ball(), {1: 1000}),
+        lambda: dsc.Film(hidden=["a"]),
+    ],
+)
+def test_arguments_of_wrong_types(call):
+    with pytest.raises(TypeError) as error:
+        call()
+    assert "\n" not in str(error.value)
+
+
 def test_labels_that_are_lost_are_told():
-    with pytest.warns(UserWarning, match="labels \\[3\\]"):
+    """A layer that is thinner than the cells is met only between their barycenters."""
+    with pytest.warns(UserWarning, match=r"labels \[3\]"):
         dsc.Complex2.from_function(
-            lambda p: 3 * (np.linalg.norm(p - 0.5, axis=1) < 0.05).astype(int), [(0, 0), (1, 1)], 0.2
+            lambda p: np.select([p[:, 0] < 0.501, p[:, 0] > 0.503], [1, 2], 3), [(0, 0), (1, 1)], 0.2
         )
 
 
