@@ -235,7 +235,8 @@ TEST_F(Program, reports_each_step) {
                                            "flipped",
                                            "relabeled",
                                            "stopped_at_boundary",
-                                           "cells_below_floor"}));
+                                           "cells_below_floor",
+                                           "events"}));
     EXPECT_EQ(step.at("step"), i);
     EXPECT_EQ(step.at("time"), double(i));
     EXPECT_EQ(step.at("complete"), true);

@@ -31,11 +31,18 @@ struct Units
 using Dimensions = std::map<std::string, std::array<int, 3>>;
 
 inline const Dimensions in_space = {{"volume", {3, 0, 0}},
+                                    {"volumes_before", {3, 0, 0}},
+                                    {"volumes_after", {3, 0, 0}},
+                                    {"where", {1, 0, 0}},
                                     {"area", {2, 0, 0}},
                                     {"mean_edge", {1, 0, 0}},
                                     {"distance_from_input", {1, 0, 0}},
                                     {"distance_to_input", {1, 0, 0}}};
-inline const Dimensions in_the_plane = {{"area", {2, 0, 0}}, {"length", {1, 0, 0}}};
+inline const Dimensions in_the_plane = {{"area", {2, 0, 0}},
+                                        {"length", {1, 0, 0}},
+                                        {"volumes_before", {2, 0, 0}},
+                                        {"volumes_after", {2, 0, 0}},
+                                        {"where", {1, 0, 0}}};
 inline const Dimensions squared_time = {{"time", {2, 0, 0}}}; // for flows by curvature
 
 inline Dimensions operator+(Dimensions a, const Dimensions& b) {

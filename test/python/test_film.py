@@ -177,11 +177,13 @@ COLLECTION = '<VTKFile type="Collection"><Collection>{}</Collection></VTKFile>'
 @pytest.mark.parametrize(
     "content, message",
     [
-        ("", "no states"),
+        ("", "empty"),
+        (COLLECTION.format(""), "no states"),
         (COLLECTION.format('<DataSet timestep="abc" file="a.vtu"/>'), "no finite time"),
         (COLLECTION.format('<DataSet timestep="0" ' + "x" * 3_000_000 + ' file="a.vtu"/>'), "a.vtu"),
         (COLLECTION.format('<DataSet file="a.vtu" timestep="0"/><DataSet file="b.vtu" timestep="1"/>'), "a.vtu"),
     ],
+    ids=["empty", "no states", "no time", "a long line", "two on a line"],
 )
 def test_unusable_collections(tmp_path, content, message):
     (tmp_path / "run.pvd").write_text(content)
