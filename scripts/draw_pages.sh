@@ -24,7 +24,7 @@ tar --extract --gzip --file /usr/share/doc/libcgal-dev/data.tar.gz --strip-compo
 "$build/dsc" offset bunny00.off --triangles 14000 --distance=-.25e --steps 10 --output bunny --quiet
 "$build/dsc" view bunny -o bunny.html --quiet
 picture bunny.html "$source/doc/Dsc_program/fig/view_bunny.png" \
-  "viewer.setUp(1); await viewer.showFrame(4); viewer.setCut({mode: 'cells', axis: 2, position: null, flip: true}); viewer.setWireframe(true);"
+  "viewer.setUp(1); await viewer.showFrame(4); viewer.setCut({mode: 'cells', axis: 2, position: null, flip: false}); viewer.setWireframe(true);"
 
 "$build/dsc" fluid collision --steps 40 --every 4 --output fluid --report fluid.json --quiet
 "$build/dsc" view fluid -o fluid.html --report fluid.json --without 0 --quiet
