@@ -41,35 +41,51 @@ std::vector<Index> matches(const std::vector<Key>& before, const std::vector<Key
   return result;
 }
 
+template <class Point> double squared_distance(const Point& p, const Point& q) {
+  double result = 0;
+  for (std::size_t axis = 0; axis < p.size(); ++axis)
+    result += (p[axis] - q[axis]) * (p[axis] - q[axis]);
+  return result;
+}
+
 /// Returns the probable index before of each point, or `none`, for points that are listed in the
 /// order of their creation in both frames, as files of runs do. A wrong index only makes a film
-/// larger.
+/// larger. The indices minimize the sum of squared distances, by dynamic programming: the index
+/// before of point `j` is `j` plus a shift, the number of removed points, which never decreases.
 template <class Point>
 std::vector<Index> matches_in_order(const std::vector<Point>& before,
                                     const std::vector<Point>& points) {
-  static constexpr std::size_t window = 64; // most points that vanish one after the other
-  std::vector<Index> result(points.size(), none);
-  Point displacement = {}; // of the previous point, expected of the next one
-  std::size_t i = 0;
-  for (std::size_t j = 0; j < points.size() && i < before.size(); ++j) {
-    std::size_t best = i;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t k = i; k < std::min(i + window, before.size()) && least > 0; ++k) {
-      double squared = 0;
-      for (std::size_t axis = 0; axis < displacement.size(); ++axis) {
-        const double difference = points[j][axis] - before[k][axis] - displacement[axis];
-        squared += difference * difference;
+  static constexpr std::size_t most_shifts = 1023, most_new = 256; // bounds on the search
+  static constexpr std::size_t most_states = 30'000'000;           // of two bytes each
+  const std::size_t n = before.size(), m = points.size();
+  std::vector<Index> result(m, none);
+  if (n == 0 || m == 0)
+    return result;
+  double limit = 0; // cost of a point without a match: a quarter of the mean distance in the list
+  for (std::size_t i = 1; i < n; ++i)
+    limit += squared_distance(before[i], before[i - 1]) / double(4 * n);
+  const std::size_t shifts =
+      std::min({(n > m ? n - m : 0) + most_new, most_shifts, most_states / m});
+  std::vector<double> least(shifts + 1, 0); // cost of the points so far, by the last shift
+  std::vector<std::uint16_t> previous(m * (shifts + 1));
+  for (std::size_t j = 0; j < m; ++j) {
+    double running = std::numeric_limits<double>::infinity();
+    std::uint16_t from = 0;
+    for (std::size_t k = 0; k <= shifts; ++k) {
+      if (least[k] < running) {
+        running = least[k];
+        from = std::uint16_t(k);
       }
-      squared *= double(1 + k - i); // prefers near places in the list
-      if (squared < least) {
-        least = squared;
-        best = k;
-      }
+      previous[j * (shifts + 1) + k] = from;
+      least[k] = running +
+                 (j + k < n ? std::min(limit, squared_distance(points[j], before[j + k])) : limit);
     }
-    for (std::size_t axis = 0; axis < displacement.size(); ++axis)
-      displacement[axis] = points[j][axis] - before[best][axis];
-    result[j] = Index(best);
-    i = best + 1;
+  }
+  auto shift = std::size_t(std::min_element(least.begin(), least.end()) - least.begin());
+  for (std::size_t j = m; j-- > 0;) {
+    if (j + shift < n)
+      result[j] = Index(j + shift);
+    shift = previous[j * (shifts + 1) + shift];
   }
   return result;
 }
