@@ -84,10 +84,10 @@ TEST_F(Stopping, a_long_step_stops_and_the_one_before_is_kept) {
 }
 
 TEST_F(Stopping, improvement_stops_and_keeps_its_input) {
-  expect_success("offset " + ball_in_box + " --edge .08 --distance .001 --steps 1 --output out");
+  expect_success("offset " + ball_in_box + " --edge .07 --distance .001 --steps 1 --output out");
   expect_success("convert out/checkpoint.dsc mesh.vtu --quiet");
   const std::string before = contents(path("mesh.vtu"));
-  expect_stops("improve --aggressive mesh.vtu -o mesh.vtu --report r.json", "INT", "1.5");
+  expect_stops("improve --aggressive mesh.vtu -o mesh.vtu --report r.json", "INT", "1");
   EXPECT_TRUE(contents(path("mesh.vtu")) == before);
 }
 
