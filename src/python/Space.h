@@ -12,9 +12,21 @@
 
 #include <array>
 #include <cmath>
+#include <string>
+#include <tuple>
 #include <vector>
 
 namespace dsc_python {
+
+/// Returns the rows of an array of shape (n, d) as points of a complex, which has no units yet.
+template <class Complex>
+std::vector<typename Complex::Point> input_points(const Array<double>& array,
+                                                  const std::string& name) {
+  std::vector<typename Complex::Point> result;
+  for (const auto& row : rows_of<double, Complex::dimension>(array, name))
+    std::apply([&](auto... coordinates) { result.emplace_back(coordinates...); }, row);
+  return result;
+}
 
 /// Conversion of coordinates between a complex, which may be normalized, and the user.
 template <class Complex> class Space
@@ -29,8 +41,6 @@ public:
   double scale() const { return m_normalization.scale; }
   /// Returns an area in the plane or a volume in space, in units of the user.
   double measure(double measure) const { return measure * std::pow(scale(), d); }
-  /// Returns the length of an edge or the area of a facet, in units of the user.
-  double facet_measure(double measure) const { return measure * std::pow(scale(), d - 1); }
 
   Point to_user(const Point& p) const {
     return CGAL::ORIGIN + (m_normalization.translation + scale() * (p - CGAL::ORIGIN));

@@ -18,13 +18,6 @@ namespace {
 using Complex = CGAL::Deformable_simplicial_complex_2<>;
 using Point = Complex::Point_2;
 
-std::vector<Point> points_of(const Array<double>& array, const std::string& name) {
-  std::vector<Point> result;
-  for (const auto& row : rows_of<double, 2>(array, name))
-    result.emplace_back(row[0], row[1]);
-  return result;
-}
-
 /// \param polygons closed polylines (n, 2) and label of each region
 auto from_polygons(const std::vector<std::pair<std::vector<Array<double>>, int>>& polygons,
                    const py::dict& options, const py::object& progress) {
@@ -33,7 +26,7 @@ auto from_polygons(const std::vector<std::pair<std::vector<Array<double>>, int>>
     input.emplace_back();
     input.back().label = label;
     for (const Array<double>& ring : rings)
-      input.back().add_polyline(points_of(ring, "a polygon"));
+      input.back().add_polyline(input_points<Complex>(ring, "a polygon"));
   }
   const auto construction = construction_options<2>(options);
   return guarded(progress, [&] {
@@ -43,7 +36,7 @@ auto from_polygons(const std::vector<std::pair<std::vector<Array<double>>, int>>
 
 auto from_triangles(const Array<double>& points, const py::array& triangles,
                     const py::array& labels, const py::dict& options, const py::object& progress) {
-  const auto corners = points_of(points, "points");
+  const auto corners = input_points<Complex>(points, "points");
   const auto cells = index_rows_of<3>(triangles, "triangles");
   const auto cell_labels = labels_of(labels, "labels");
   const auto construction = construction_options<2>(options);

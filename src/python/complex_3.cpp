@@ -15,19 +15,13 @@ namespace {
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Point = Complex::Point_3;
 
-std::vector<Point> points_of(const Array<double>& array, const std::string& name) {
-  std::vector<Point> result;
-  for (const auto& row : rows_of<double, 3>(array, name))
-    result.emplace_back(row[0], row[1], row[2]);
-  return result;
-}
-
 /// \param surfaces points (n, 3), triangles (m, 3) and label of each surface
 auto from_surfaces(const std::vector<std::tuple<Array<double>, py::array, int>>& surfaces,
                    const py::dict& options, const py::object& progress) {
   std::vector<DSC::Labelled_surface_3<Point>> input;
   for (const auto& [points, triangles, label] : surfaces)
-    input.push_back({points_of(points, "points"), index_rows_of<3>(triangles, "triangles"), label});
+    input.push_back(
+        {input_points<Complex>(points, "points"), index_rows_of<3>(triangles, "triangles"), label});
   const auto construction = construction_options<3>(options);
   return guarded(progress, [&] {
     return DSC::make_deformable_simplicial_complex_3<Complex>(
@@ -39,7 +33,7 @@ auto from_surfaces(const std::vector<std::tuple<Array<double>, py::array, int>>&
 auto from_tetrahedra(const Array<double>& points, const py::array& tetrahedra,
                      const py::array& labels, bool is_domain, const py::dict& options,
                      const py::object& progress) {
-  const auto corners = points_of(points, "points");
+  const auto corners = input_points<Complex>(points, "points");
   const auto cells = index_rows_of<4>(tetrahedra, "tetrahedra");
   const auto cell_labels = labels_of(labels, "labels");
   const auto construction = construction_options<3>(options);

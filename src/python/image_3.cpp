@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Before all others, since this header declares what is compiled already.
+// First, because this header declares the templates that are compiled already.
 #include <CGAL/Deformable_simplicial_complexes/compiled_3.h>
 
 #include "bind_complex.h"

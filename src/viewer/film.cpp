@@ -197,7 +197,8 @@ std::vector<Index> Film::former_points(const Film_frame& frame) const {
                            : matches(m_last.ids, frame.ids);
 }
 
-// Returns the index of each simplex in the last frame, or `none`. `former` are those of the points.
+// Returns the index of each simplex in the last frame, or `none`. `former` contains the indices of
+// the points in the last frame.
 std::vector<Index> Film::former_simplices(const Film_frame& frame,
                                           const std::vector<Index>& former) const {
   std::vector<std::array<Index, 6>> before, keys;

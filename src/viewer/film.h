@@ -93,7 +93,7 @@ private:
   };
   using Quantized = std::array<std::int64_t, 3>;
 
-  // A frame whose points and simplices are ordered: those of the previous frame come first.
+  // A frame. Points and simplices that the previous frame contains come first.
   struct Mesh
   {
     std::vector<std::array<double, 3>> points;

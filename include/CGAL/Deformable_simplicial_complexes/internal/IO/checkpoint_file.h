@@ -155,11 +155,11 @@ template <int d> struct Checkpoint
   std::string metadata; ///< the data added by the program, e.g. time and settings
 };
 
-// Returns the bytes of a checkpoint file: magic bytes, a header with version, checksum and size,
-// and the payload.
+// Calls `use(header, payload)` with the two parts of a checkpoint file. The header consists of
+// magic bytes, version, checksum and size.
 // \pre The arrays of the state have consistent sizes.
-template <int d>
-std::string checkpoint_to_bytes(const State<d>& state, const std::string& metadata) {
+template <int d, class Use>
+void with_checkpoint_parts(const State<d>& state, const std::string& metadata, const Use& use) {
   CGAL_precondition(has_consistent_sizes(state));
 
   Checkpoint_encoder payload;
@@ -170,7 +170,18 @@ std::string checkpoint_to_bytes(const State<d>& state, const std::string& metada
   header(checkpoint_version);
   header(crc_32(payload.bytes().data(), payload.bytes().size()));
   header(std::uint64_t(payload.bytes().size()));
-  return checkpoint_magic<d>() + header.bytes() + payload.bytes();
+  use(checkpoint_magic<d>() + header.bytes(), payload.bytes());
+}
+
+// Returns the bytes of a checkpoint file.
+// \pre The arrays of the state have consistent sizes.
+template <int d>
+std::string checkpoint_to_bytes(const State<d>& state, const std::string& metadata) {
+  std::string result;
+  with_checkpoint_parts(
+      state, metadata,
+      [&](const std::string& header, const std::string& payload) { result = header + payload; });
+  return result;
 }
 
 // Writes a checkpoint file. The file is replaced only if everything has been written.
@@ -178,8 +189,10 @@ std::string checkpoint_to_bytes(const State<d>& state, const std::string& metada
 template <int d>
 void write_checkpoint_file(const std::string& path, const State<d>& state,
                            const std::string& metadata) {
-  const std::string bytes = checkpoint_to_bytes(state, metadata);
-  replace_file_by_stream(path, [&](std::ostream& out) { out << bytes; });
+  with_checkpoint_parts(
+      state, metadata, [&](const std::string& header, const std::string& payload) {
+        replace_file_by_stream(path, [&](std::ostream& out) { out << header << payload; });
+      });
 }
 
 // Returns the dimension given by the first bytes of a file, or 0 if the file is not a checkpoint.
