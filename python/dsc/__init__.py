@@ -35,6 +35,7 @@ from ._errors import (
 from ._film import Film
 from ._fluid import Balance, Fluid, FluidReport, Gas, Liquid, Source
 from ._report import Cells, Changes, Interface, LabelChange, Report, TopologyEvent
+from ._surfaces import CutLocus, Reconstruction, cut_locus, reconstruct
 
 __all__ = [
     "Balance",
@@ -44,6 +45,7 @@ __all__ = [
     "Complex",
     "Complex2",
     "Complex3",
+    "CutLocus",
     "Error",
     "FileError",
     "Film",
@@ -61,6 +63,7 @@ __all__ = [
     "LabelFunction",
     "Liquid",
     "Progress",
+    "Reconstruction",
     "Report",
     "Scheme",
     "Source",
@@ -68,4 +71,6 @@ __all__ = [
     "Topology",
     "TopologyEvent",
     "Velocity",
+    "cut_locus",
+    "reconstruct",
 ]

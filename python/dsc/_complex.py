@@ -68,7 +68,7 @@ def _numbers(values: Any, number: int, name: str) -> list[float]:
     array = np.asarray(values, dtype=float)
     if array.shape != (number,):
         raise ValueError(f"{name} must be {number} numbers")
-    return array.tolist()  # type: ignore[no-any-return]
+    return [float(x) for x in array]
 
 
 def _report(result: dict[str, Any]) -> Report:
@@ -89,7 +89,7 @@ def _box(box: npt.ArrayLike, dimension: int) -> tuple[list[float], list[float]]:
     corners = np.asarray(box, dtype=float)
     if corners.shape != (2, dimension):
         raise ValueError(f"box must be two corners, of shape (2, {dimension})")
-    return corners[0].tolist(), corners[1].tolist()
+    return _numbers(corners[0], dimension, "box"), _numbers(corners[1], dimension, "box")
 
 
 class Complex:

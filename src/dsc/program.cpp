@@ -7,6 +7,7 @@
 #include "command_line.h"
 #include "errors.h"
 #include "interrupt.h"
+#include "translations.h"
 
 #include <CGAL/assertions.h>
 
@@ -19,18 +20,18 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
-#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <new>
+#include <stdexcept>
 #include <string>
-#include <system_error>
 
 namespace {
 
 enum Exit_code { bad_input = 1, bad_usage = 2, stopped = dsc::exit_code_of_interrupt };
 
 int fail(std::string message, Exit_code code) {
+  message = dsc::with_user_names(message);
   std::replace(message.begin(), message.end(), '\n', ' ');
   std::cerr << "dsc: " << message << '\n';
   return code;
@@ -42,13 +43,15 @@ void print_nothing(const char*, const char*, const char*, int, const char*) {}
 /// Replaces the process by another program in the same folder, with the same arguments. Returns an
 /// error message if this fails.
 std::string execute(const dsc::Other_program& other, char** argv) {
-  std::error_code error;
-  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
-  if (error)
-    return "cannot find the folder of this program: " + error.message();
-  const std::filesystem::path program = self.parent_path() / other.name;
+  std::string program;
+  try {
+    program = dsc::path_of_program(other.name);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  dsc::remove_temporary_files();
   execv(program.c_str(), argv);
-  return "cannot execute " + program.string() + ", which contains " + other.content + ": " +
+  return "cannot execute " + program + ", which contains " + other.content + ": " +
          std::strerror(errno) + "; build or install it";
 }
 
@@ -59,10 +62,16 @@ bool flush_output() {
   return std::cout.good() && std::ferror(stdout) == 0;
 }
 
+struct Temporary_files
+{
+  ~Temporary_files() { dsc::remove_temporary_files(); }
+};
+
 } // namespace
 
 int dsc::run_program(int argc, char** argv,
                      const std::function<void(CLI::App&, int&)>& add_commands) {
+  const Temporary_files temporary_files; // removed after messages, which may name them
   dsc::catch_signals();
   CGAL::set_error_handler(print_nothing);
   CGAL::set_warning_handler(print_nothing);

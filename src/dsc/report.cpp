@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "report.h"
+#include "translations.h"
 
 #include <utility>
 
@@ -53,7 +54,7 @@ Json repairs_json(const Repairs& repairs) {
 Report::Report(const Run_options& options, const Run_start& start, const Repairs& repairs,
                double sweep_seconds)
     : m_path(options.output.report), m_sweep_seconds(sweep_seconds),
-      m_json({{"input", start.inputs},
+      m_json({{"input", with_user_names(start.inputs)},
               {"parameters", parameters_json(options, start)},
               {"repairs", repairs_json(repairs)},
               {"sweep_seconds", sweep_seconds},

@@ -18,6 +18,7 @@
 #include "start_distance.h"
 #include "surface.h"
 #include "tracked_complex.h"
+#include "translations.h"
 #include "unused.h"
 
 #include <algorithm>
@@ -208,7 +209,7 @@ void Run::check_places() {
   const Output_options& output = m_options.output;
   if (!output.folder.empty())
     m_folder.emplace(output.folder, m_options.resume, output.subdivisions);
-  std::vector<std::string> precious = m_options.start.inputs;
+  std::vector<std::string> precious = with_user_names(m_options.start.inputs);
   precious.push_back(m_options.resume);
   if (m_folder)
     precious.push_back(m_folder->checkpoint());
@@ -229,7 +230,7 @@ void Run::start() {
   if (!m_options.output.quiet) {
     if (!changes.empty())
       print_changes(m_position, changes);
-    print_repairs(m_options.start.inputs, repairs);
+    print_repairs(with_user_names(m_options.start.inputs), repairs);
   }
   if (!m_options.output.picture.empty() && m_complex->dimension() == 2)
     throw Usage_error(

@@ -5,6 +5,7 @@
 #include "run_position.h"
 
 #include "motion_json.h"
+#include "translations.h"
 
 #include <stdexcept>
 
@@ -27,7 +28,7 @@ std::string to_metadata(const Run_position& position, const Step_options& step) 
     parameters["ball"] = {{"center", ball->center}, {"radius", ball->radius}};
   return Json{{"step", position.step},
               {"time", position.time},
-              {"input", position.start.inputs},
+              {"input", with_user_names(position.start.inputs)},
               {"parameters", parameters}}
       .dump(-1, ' ', false, Json::error_handler_t::replace); // names may contain any bytes
 }

@@ -35,6 +35,7 @@ struct Run_start
   std::size_t segments = 0;        ///< of all curves together, at least; 0 for no change
   Figure figure = Figure::none;    ///< used without inputs in the plane
   bool repairs = false;            ///< whether surfaces that bound no solid are repaired
+  std::string thresholds;          ///< of a gray image, as written; empty for labels
   std::string labels; ///< name of the array of a .vtu file with the labels, `none` for label 1
                       ///< everywhere; empty for an array with a known name
   std::optional<Distance> largest_hole; ///< length of the boundary of the largest hole to be

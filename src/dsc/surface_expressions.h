@@ -28,6 +28,9 @@ public:
   bool repeats_after(const std::array<double, 2>& periods) const;
 
   std::array<double, 3> operator()(double u, double v) const { return at({u, v, 0, 0, 0}); }
+  std::array<double, 3> operator()(const std::array<double, 2>& p) const {
+    return (*this)(p[0], p[1]);
+  }
   std::array<double, 3> operator()(const std::array<double, 3>& p) const {
     return at({0, 0, p[0], p[1], p[2]});
   }

@@ -4,6 +4,8 @@
 
 #include "unused.h"
 
+#include "translations.h"
+
 #include <iostream>
 #include <set>
 
@@ -14,11 +16,16 @@ bool is_silent = false;
 
 } // namespace
 
-void print_unused(const std::string& path, const Unused_content& unused) {
+void print_note(const std::string& path, const std::string& text) {
   static std::set<std::string> printed;
-  const std::string line = path + ": not used: " + unused.text();
-  if (!is_silent && !unused.empty() && printed.insert(line).second)
+  const std::string line = with_user_names(path + ": " + text);
+  if (!is_silent && printed.insert(line).second)
     std::cerr << "dsc: " << line << '\n';
+}
+
+void print_unused(const std::string& path, const Unused_content& unused) {
+  if (!unused.empty())
+    print_note(path, "not used: " + unused.text());
 }
 
 void keep_silent_about_unused() { is_silent = true; }

@@ -20,6 +20,9 @@ void print_unused(const std::string& path, const Unused_content& unused);
 /// Suppresses the output of print_unused() from now on, as required by --quiet.
 void keep_silent_about_unused();
 
+/// Prints a choice that was made for a file, to standard error, once.
+void print_note(const std::string& path, const std::string& text);
+
 } // namespace dsc
 
 #endif // DSC_UNUSED_H

@@ -10,6 +10,8 @@ PYBIND11_MODULE(_dsc, module) {
   dsc_python::bind_complex_2(module);
   dsc_python::bind_complex_3(module);
   dsc_python::bind_image_3(module);
+  dsc_python::bind_reconstruction_3(module);
+  dsc_python::bind_cut_loci(module);
   dsc_python::bind_film(module);
   dsc_python::bind_fluid(module);
 }

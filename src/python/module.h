@@ -14,6 +14,8 @@ void bind_exceptions(pybind11::module_& module);
 void bind_complex_2(pybind11::module_& module);
 void bind_complex_3(pybind11::module_& module);
 void bind_image_3(pybind11::module_& module);
+void bind_reconstruction_3(pybind11::module_& module);
+void bind_cut_loci(pybind11::module_& module);
 void bind_film(pybind11::module_& module);
 void bind_fluid(pybind11::module_& module);
 

@@ -39,6 +39,8 @@ public:
                             double shift)
       : m_embedding(embedding), m_frame(frame), m_shift(shift) {}
 
+  const Embedding& embedding() const { return m_embedding; }
+
   template <class T> std::array<T, 3> direction(const T& u, const T& v) const {
     using std::sqrt;
     const T x = u - m_shift, y = v - m_shift, along = 1. - x * x - y * y;

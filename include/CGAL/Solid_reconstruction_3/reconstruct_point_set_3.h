@@ -75,13 +75,10 @@ template <class Complex> struct Reconstruction_options_3
 
 namespace internal {
 
-// Implements `reconstruct_point_set_3()`.
-template <class Complex, class PointRange, class NamedParameters>
-Complex reconstruct(const PointRange& range, const NamedParameters& maps,
-                    const Reconstruction_options_3<Complex>& options) {
-  options.check();
-  const Progress_phase phase("reconstructing a surface");
-  const Collected_points points = collect_points(range, maps);
+// Implements `reconstruct_point_set_3()` for points that are collected already.
+template <class Complex>
+Complex reconstruct_collected(const Collected_points& points,
+                              const Reconstruction_options_3<Complex>& options) {
   const Sampled_surface_3 surface(points.points, points.normals, options.keep_open,
                                   options.number_of_threads);
   const Cloud_shell_3 shell(surface);
@@ -92,6 +89,15 @@ Complex reconstruct(const PointRange& range, const NamedParameters& maps,
   if (options.report)
     *options.report = report;
   return complex;
+}
+
+// Implements `reconstruct_point_set_3()`.
+template <class Complex, class PointRange, class NamedParameters>
+Complex reconstruct(const PointRange& range, const NamedParameters& maps,
+                    const Reconstruction_options_3<Complex>& options) {
+  options.check();
+  const Progress_phase phase("reconstructing a surface");
+  return reconstruct_collected(collect_points(range, maps), options);
 }
 
 } // namespace internal

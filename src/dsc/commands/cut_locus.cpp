@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "Surface_by_differences.h"
+#include "Geodesic_source.h"
 #include "commands/commands.h"
 #include "errors.h"
 #include "files.h"
@@ -11,14 +11,6 @@
 #include "report_json.h"
 #include "surface_expressions.h"
 
-#include <CGAL/Cut_loci_2/Geodesic_front_2.h>
-#include <CGAL/Cut_loci_2/IO/cut_locus_2.h>
-#include <CGAL/Cut_loci_2/Riemannian_metric_2.h>
-#include <CGAL/Cut_loci_2/Sphere_like_surface_2.h>
-#include <CGAL/Cut_loci_2/cut_locus_2.h>
-#include <CGAL/Deformable_simplicial_complexes/IO/SVG_2.h>
-#include <CGAL/Deformable_simplicial_complexes/IO/VTU_2.h>
-
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -26,15 +18,12 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
-#include <filesystem>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc {
 namespace {
@@ -60,95 +49,40 @@ struct Cut_locus_options
   bool quiet = false;
 };
 
-using Domain = CGAL::Deformable_simplicial_complexes::Torus_domain<2>;
-using Point = CGAL::Simple_cartesian<double>::Point_2;
-
-struct Torus
-{
-  template <class T> std::array<T, 3> operator()(const T& u, const T& v) const {
-    using std::cos;
-    using std::sin;
-    const T radius = 2. + cos(v);
-    return {radius * cos(u), radius * sin(u), 1. * sin(v)};
+Space_points torus(const Chart_points& points) {
+  Space_points result;
+  for (const auto& [u, v] : points) {
+    const double radius = 2 + std::cos(v);
+    result.push_back({radius * std::cos(u), radius * std::sin(u), std::sin(v)});
   }
-};
+  return result;
+}
 
-struct Ellipsoid
-{
-  template <class T> std::array<T, 3> operator()(const std::array<T, 3>& n) const {
-    return {1. * n[0], .8 * n[1], .6 * n[2]};
-  }
-};
+Space_points ellipsoid(const Space_points& directions) {
+  Space_points result;
+  for (const auto& n : directions)
+    result.push_back({n[0], .8 * n[1], .6 * n[2]});
+  return result;
+}
 
-// A surface with a periodic chart.
-template <class Metric> class On_torus
-{
-public:
-  On_torus(const Metric& metric, const Cut_locus_options& options)
-      : m_metric(metric), m_domain(options.periods),
-        m_source(options.point.at(0), options.point.at(1)) {}
+/// Returns the points of a surface that is given by expressions.
+template <class Points>
+Space_points images(const Surface_expressions& surface, const Points& points) {
+  Space_points result;
+  for (const auto& p : points)
+    result.push_back(surface(p));
+  return result;
+}
 
-  double scale() const { return scale_of(m_metric(m_source.x(), m_source.y())); }
-  double default_spacing() const {
-    return std::min(m_domain.periods()[0], m_domain.periods()[1]) / 40;
-  }
-
-  DSC::Cut_locus_2 cut_locus(double spacing, double step) const {
-    return DSC::cut_locus_2(m_metric, m_domain, m_source, spacing, step);
-  }
-  DSC::Geodesic_front_2<Metric> front(double spacing) const {
-    return {m_metric, m_domain, m_source, spacing};
-  }
-  void draw(const DSC::Cut_locus_2& locus, const std::string& path) const {
-    CGAL::IO::write_SVG(path, locus, m_domain, m_source);
-  }
-  void describe(const Point&, Json&) const {}
-
-  static double scale_of(const DSC::Metric_jet_2& g) { return std::sqrt(std::min(g.E, g.G)); }
-
-private:
-  Metric m_metric;
-  Domain m_domain;
-  Point m_source;
-};
-
-// A surface that is the image of a sphere. The source is not in the chart.
-template <class Surface> class Like_sphere
-{
-public:
-  explicit Like_sphere(const Surface& surface) : m_surface(surface) {}
-
-  double scale() const {
-    const double middle = Surface::half_width;
-    return On_torus<Surface>::scale_of(m_surface(middle, middle));
-  }
-  // Returns the default spacing, which also resolves a short cut locus near the center of the
-  // chart.
-  double default_spacing() const { return Surface::half_width / 40; }
-
-  DSC::Cut_locus_2 cut_locus(double spacing, double step) const {
-    return DSC::cut_locus_2(m_surface, spacing, step);
-  }
-  DSC::Geodesic_front_2<Surface> front(double spacing) const {
-    return DSC::Geodesic_front_2<Surface>(m_surface, spacing);
-  }
-  void draw(const DSC::Cut_locus_2& locus, const std::string& path) const {
-    CGAL::IO::write_SVG(path, locus, m_surface);
-  }
-  void describe(const Point& p, Json& json) const { json["position"] = m_surface.image(p); }
-
-private:
-  Surface m_surface;
-};
-
-template <class Surface> Json json_of(const DSC::Cut_locus_2& locus, const Surface& surface) {
+Json json_of(const DSC::Cut_locus_2& locus, const Geodesic_source& source, bool has_positions) {
   Json vertices = Json::array();
   for (const auto& vertex : locus.vertices) {
     vertices.push_back({{"u", vertex.point.x()},
                         {"v", vertex.point.y()},
                         {"distance", vertex.distance},
                         {"multiplicity", vertex.multiplicity}});
-    surface.describe(vertex.point, vertices.back());
+    if (has_positions)
+      vertices.back()["position"] = source.image(vertex.point);
   }
   return {{"vertices", vertices},
           {"arcs", locus.polylines},
@@ -169,114 +103,94 @@ Json parameters(const Cut_locus_options& options, double spacing, double step) {
   return json;
 }
 
-template <class Surface>
-int draw_ball(const Cut_locus_options& options, const Surface& surface, double spacing,
-              double step) {
+int draw_ball(const Cut_locus_options& options, const Geodesic_source& source) {
   std::optional<Interruptible> interruptible(std::in_place, options.quiet);
-  auto front = surface.front(spacing);
-  if (options.radius < front.radius())
-    throw Usage_error("--radius is smaller than the radius " + Json(front.radius()).dump() +
-                      " of the initial front; choose a larger --radius or a smaller --spacing");
-  bool goes_on = true;
-  while (goes_on && front.radius() < options.radius)
-    goes_on = front.advance(std::min(step, options.radius - front.radius()));
+  const double spacing = options.spacing > 0 ? options.spacing : source.default_spacing(),
+               step = options.step > 0 ? options.step : source.default_step(spacing);
+  const Geodesic_source::Ball ball = source.ball(options.radius, spacing, step, options.output);
   interruptible.reset();
-  const auto& complex = front.complex();
-  if (!options.output.empty() && std::filesystem::path(options.output).extension() == ".vtu")
-    CGAL::IO::write_VTU(options.output, complex);
-  else if (!options.output.empty())
-    CGAL::IO::write_SVG(options.output, complex);
   if (!options.report.empty()) {
     Json json;
     json["parameters"] = parameters(options, spacing, step);
-    json["ball"] = {{"radius", front.radius()}, {"is_everything", !goes_on}};
+    json["ball"] = {{"radius", ball.radius}, {"is_everything", ball.is_everything}};
     write_json(options.report, json);
   }
   if (!options.quiet)
-    std::printf("dsc: ball of radius %.9g%s\n", front.radius(),
-                goes_on ? "" : "; it covers the surface");
+    std::printf("dsc: ball of radius %.9g%s\n", ball.radius,
+                ball.is_everything ? "; it covers the surface" : "");
   return 0;
 }
 
-double step_of(const Cut_locus_options& options, double spacing, double scale) {
-  return options.step > 0 ? options.step : spacing / 2 * scale;
+void print_summary(const DSC::Cut_locus_2& locus) {
+  double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
+  for (const auto& vertex : locus.vertices) {
+    nearest = std::min(nearest, vertex.distance);
+    farthest = std::max(farthest, vertex.distance);
+  }
+  std::printf("dsc: %zu %s with %zu %s, distances %.9g to %.9g%s\n", locus.polylines.size(),
+              noun(locus.polylines.size(), "arc", "arcs"), locus.vertices.size(),
+              noun(locus.vertices.size(), "vertex", "vertices"), nearest, farthest,
+              locus.is_complete ? "" : "; the result is not complete: use a smaller --spacing");
+  if (!locus.doubtful.empty()) {
+    const auto& p = locus.vertices[locus.doubtful.front()].point;
+    std::printf("dsc: %zu doubtful %s, the first at u = %.9g, v = %.9g\n", locus.doubtful.size(),
+                noun(locus.doubtful.size(), "vertex", "vertices"), p.x(), p.y());
+  }
 }
 
-template <class Surface>
-int find_cut_locus(const Cut_locus_options& options, const Surface& surface, double spacing) {
-  static constexpr int attempts = 3;
-  static constexpr double finer = .5; // relative spacing of the next attempt
+int write_cut_locus(const Cut_locus_options& options, const Geodesic_source& source) {
   std::optional<Interruptible> interruptible(std::in_place, options.quiet);
-  DSC::Cut_locus_2 locus = surface.cut_locus(spacing, step_of(options, spacing, surface.scale()));
-  for (int i = 1; i < attempts && !locus.is_complete && options.spacing == 0; ++i) {
-    spacing *= finer;
-    locus = surface.cut_locus(spacing, step_of(options, spacing, surface.scale()));
-  }
+  const Found_cut_locus found = find_cut_locus(source, options.spacing, options.step);
   interruptible.reset();
-  if (locus.vertices.empty())
+  if (found.locus.vertices.empty())
     throw std::runtime_error("no cut locus was found; use a smaller --spacing or another chart");
   if (!options.output.empty())
-    surface.draw(locus, options.output);
+    source.draw(found.locus, options.output);
   if (!options.report.empty()) {
-    Json json = json_of(locus, surface);
-    json["parameters"] = parameters(options, spacing, step_of(options, spacing, surface.scale()));
+    Json json = json_of(found.locus, source, options.point.size() == 3);
+    json["parameters"] = parameters(options, found.spacing, found.step);
     write_json(options.report, json);
   }
-  if (!options.quiet) {
-    double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
-    for (const auto& vertex : locus.vertices) {
-      nearest = std::min(nearest, vertex.distance);
-      farthest = std::max(farthest, vertex.distance);
-    }
-    std::printf("dsc: %zu %s with %zu %s, distances %.9g to %.9g%s\n", locus.polylines.size(),
-                noun(locus.polylines.size(), "arc", "arcs"), locus.vertices.size(),
-                noun(locus.vertices.size(), "vertex", "vertices"), nearest, farthest,
-                locus.is_complete ? "" : "; the result is not complete: use a smaller --spacing");
-    if (!locus.doubtful.empty()) {
-      const auto& p = locus.vertices[locus.doubtful.front()].point;
-      std::printf("dsc: %zu doubtful %s, the first at u = %.9g, v = %.9g\n", locus.doubtful.size(),
-                  noun(locus.doubtful.size(), "vertex", "vertices"), p.x(), p.y());
-    }
-  }
+  if (!options.quiet)
+    print_summary(found.locus);
   return 0;
 }
 
-template <class Surface> int run(const Cut_locus_options& options, const Surface& surface) {
-  const double spacing = options.spacing > 0 ? options.spacing : surface.default_spacing();
-  return options.radius > 0
-             ? draw_ball(options, surface, spacing, step_of(options, spacing, surface.scale()))
-             : find_cut_locus(options, surface, spacing);
-}
-
-template <class Metric> int run_on_torus(const Cut_locus_options& options, const Metric& metric) {
+std::unique_ptr<Geodesic_source> source_in_chart(const Cut_locus_options& options,
+                                                 const Chart_embedding& embedding) {
   if (options.point.size() != 2)
     throw Usage_error("--point needs two numbers for a surface in u and v; write it like 0,0.3");
-  return run(options, On_torus<Metric>(metric, options));
+  return dsc::source_in_chart(embedding, options.periods, {options.point[0], options.point[1]});
 }
 
-template <class Embedding, template <class> class Differentiated>
-int run_like_sphere(const Cut_locus_options& options, const Embedding& embedding) {
+std::unique_ptr<Geodesic_source> source_on_sphere(const Cut_locus_options& options,
+                                                  const Sphere_embedding& embedding) {
   if (options.point.size() != 3)
     throw Usage_error("--point needs three numbers for a surface in x, y and z: a direction; write "
                       "it like 1,0.5,0");
-  using Surface = DSC::Sphere_like_surface_2<Embedding, Differentiated>;
-  return run(options, Like_sphere<Surface>(Surface(
-                          embedding, {options.point[0], options.point[1], options.point[2]})));
+  return dsc::source_on_sphere(embedding, {options.point[0], options.point[1], options.point[2]});
+}
+
+std::unique_ptr<Geodesic_source> source_of(const Cut_locus_options& options) {
+  if (options.surface == "torus")
+    return source_in_chart(options, torus);
+  if (options.surface == "ellipsoid")
+    return source_on_sphere(options, {ellipsoid});
+  const Surface_expressions expressions(options.surface);
+  if (expressions.is_of_sphere())
+    return source_on_sphere(options, {[expressions](const Space_points& points) {
+                              return images(expressions, points);
+                            }});
+  return source_in_chart(
+      options, [expressions](const Chart_points& points) { return images(expressions, points); });
 }
 
 int execute(const Cut_locus_options& options) {
   if (!options.output.empty())
     require_writable(options.output);
   require_place("--report", options.report, {options.output});
-  if (options.surface == "torus")
-    return run_on_torus(options, DSC::Embedded_surface_2<Torus>());
-  if (options.surface == "ellipsoid")
-    return run_like_sphere<Ellipsoid, DSC::Embedded_surface_2>(options, Ellipsoid());
-  const Surface_expressions expressions(options.surface);
-  if (expressions.is_of_sphere())
-    return run_like_sphere<Surface_expressions, Surface_by_differences>(options, expressions);
-  return run_on_torus(options,
-                      Surface_by_differences<Surface_expressions>(expressions, options.periods));
+  const std::unique_ptr<Geodesic_source> source = source_of(options);
+  return options.radius > 0 ? draw_ball(options, *source) : write_cut_locus(options, *source);
 }
 
 /// Checks the option `--periods`. A surface in u and v must be periodic, except for a ball of a

@@ -8,10 +8,12 @@
 #include "files.h"
 #include "interrupt.h"
 #include "mesh_content.h"
+#include "native_file.h"
 #include "option_values.h"
 #include "report_json.h"
 #include "threads_option.h"
 #include "tracked_complex_3.h"
+#include "translations.h"
 #include "unused.h"
 
 #include <CLI/CLI.hpp>
@@ -89,8 +91,14 @@ int execute(const Improve_options& options) {
   require_writable(options.output);
 
   std::optional<Interruptible> interruptible(std::in_place, options.quiet);
-  Labelled_tetrahedra mesh = read_tetrahedra(options.input, options.labels);
-  const auto complex = Tracked_complex_3::from_mesh(options.input, mesh);
+  const std::string input = native_file(options.input, options.labels);
+  require_extension(input, {"mesh", "vtu"});
+  if (input != options.input && is_same_file(options.input, options.output))
+    throw Input_error("'" + options.output +
+                      "' was written by another program and would lose "
+                      "content; choose another output file");
+  Labelled_tetrahedra mesh = read_tetrahedra(input, options.labels);
+  const auto complex = Tracked_complex_3::from_mesh(input, mesh);
   Mesh_content content = content_to_carry(options, std::move(mesh), complex->complex);
   const Statistics before = complex->statistics();
   const Improvement_outcome outcome = complex->improve(options.improvement, content);
@@ -110,7 +118,8 @@ int execute(const Improve_options& options) {
 }
 
 void read(const CLI::App& command, Improve_options& options) {
-  require_extension(options.input, {"mesh", "vtu"});
+  if (!is_foreign(options.input))
+    require_extension(options.input, {"mesh", "vtu"});
   require_extension(options.output, {"mesh", "vtu"});
   require_file_with_arrays(options.input, options.labels);
   if (command.count("--threshold") > 0)
@@ -122,7 +131,8 @@ void read(const CLI::App& command, Improve_options& options) {
 void add_improve(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<Improve_options>();
   CLI::App* command = app.add_subcommand("improve", description_of_improve);
-  command->add_option("INPUT", options->input, "Labelled tetrahedra (.mesh, .vtu)")->required();
+  command->add_option("INPUT", options->input, "Labelled tetrahedra (.mesh, .vtu, .vtk, .msh)")
+      ->required();
   command->add_option("-o,--output", options->output, "Output file (.mesh, .vtu); may be INPUT")
       ->required();
   add_labels_option(*command, options->labels);

@@ -4,12 +4,16 @@
 
 #include "commands/commands.h"
 #include "commands/labels_option.h"
+#include "convert_file.h"
+#include "errors.h"
 #include "files.h"
 #include "interrupt.h"
 #include "labelled_tetrahedra.h"
+#include "native_file.h"
 #include "option_values.h"
 #include "run_position.h"
 #include "tracked_complex_3.h"
+#include "translations.h"
 
 #include <CLI/CLI.hpp>
 
@@ -24,7 +28,7 @@ namespace {
 struct Info_options
 {
   std::string file;
-  std::string labels; ///< as in `Run_start`
+  std::string labels, thresholds; ///< as in `Run_start`
 };
 
 void print(const Statistics& statistics) {
@@ -64,32 +68,49 @@ void print(const Surface_statistics& statistics) {
             << " degrees\n";
 }
 
+void print(const Image_statistics& statistics) {
+  const auto line = [](const char* name, const auto& numbers) {
+    std::cout << name << numbers[0] << " x " << numbers[1] << " x " << numbers[2] << '\n';
+  };
+  line("voxels                ", statistics.grid.size);
+  line("size of a voxel       ", statistics.grid.spacing);
+  std::cout << "first voxel           " << statistics.grid.origin[0] << ' '
+            << statistics.grid.origin[1] << ' ' << statistics.grid.origin[2] << '\n';
+  for (const auto& [label, voxels] : statistics.voxels)
+    std::cout << "label " << label << ": " << voxels << noun(voxels, " voxel", " voxels") << '\n';
+}
+
 int execute(const Info_options& options) {
   const Interruptible interruptible(false);
-  const std::string format = extension(options.file);
+  const std::string file = native_file(options.file, options.labels, options.thresholds),
+                    format = extension(file);
   Run_start start;
-  start.inputs = {options.file};
+  start.inputs = {file};
   if (format == "dsc") {
     std::string metadata;
-    const auto complex = track_checkpoint(options.file, metadata);
+    const auto complex = track_checkpoint(file, metadata);
     if (const std::optional<Saved_run> run = from_metadata(metadata))
       std::cout << "step                 " << run->position.step << ", time " << run->position.time
                 << '\n';
     print(complex->statistics());
-  } else if (format == "mesh" || format == "vtu") {
-    const Labelled_tetrahedra mesh = read_tetrahedra(options.file, options.labels);
-    print(Tracked_complex_3::from_mesh(options.file, mesh)->statistics());
+  } else if (input_kind(start) == Input_kind::tetrahedra) {
+    const Labelled_tetrahedra mesh = read_tetrahedra(file, options.labels);
+    print(Tracked_complex_3::from_mesh(file, mesh)->statistics());
+  } else if (input_kind(start) == Input_kind::image) {
+    print(image_statistics(file));
   } else if (dimension_of(start) == 2) {
     print(track_figure(start, std::nullopt)->statistics());
   } else {
-    print(surface_statistics(options.file));
+    require_extension(file, {"off", "obj", "ply", "stl"});
+    print(surface_statistics(file));
   }
   return 0;
 }
 
 void check(const Info_options& options) {
-  require_extension(options.file, {"off", "obj", "ply", "stl", "wkt", "poly", "pgm", "png", "dsc",
-                                   "mesh", "vtu"});
+  if (!is_foreign(options.file))
+    require_extension(options.file, {"off", "obj", "ply", "stl", "wkt", "poly", "pgm", "png", "dsc",
+                                     "mesh", "vtu", "inr", "gz"});
   require_file_with_arrays(options.file, options.labels);
 }
 
@@ -102,9 +123,12 @@ void add_info(CLI::App& app, int& exit_code) {
       ->add_option(
           "FILE", options->file,
           "Surface (.off, .obj, .ply, .stl), planar curves or image (.wkt, .poly, .pgm, .png), "
-          "checkpoint (.dsc) or mesh (.mesh, .vtu)")
+          "image of voxels (.inr), checkpoint (.dsc) or mesh (.mesh, .vtu), or a file of another "
+          "program (.vtk, .vtp, .vti, .msh, .nii, .mha, .nrrd, .tif)")
       ->required();
   add_labels_option(*command, options->labels);
+  command->add_option("--threshold", options->thresholds,
+                      "Labels of a gray image: thresholds like 100 or 80,160, or otsu, or otsu:2");
   command->callback([options, &exit_code] {
     check(*options);
     exit_code = execute(*options);

@@ -6,6 +6,7 @@
 
 #include "errors.h"
 #include "files.h"
+#include "translations.h"
 
 namespace dsc {
 
@@ -17,8 +18,9 @@ CLI::Option* add_labels_option(CLI::App& command, std::string& labels) {
 }
 
 void require_file_with_arrays(const std::string& path, const std::string& labels) {
-  if (!labels.empty() && extension(path) != "vtu")
-    throw Usage_error("--labels applies only to .vtu files; leave it out");
+  if (!labels.empty() && extension(path) != "vtu" && !is_foreign(path))
+    throw Usage_error(
+        "--labels applies only to .vtu files and grids of other programs; leave it out");
 }
 
 } // namespace dsc

@@ -6,11 +6,13 @@
 #include "errors.h"
 #include "files.h"
 #include "interrupt.h"
+#include "native_file.h"
 #include "option_values.h"
 #include "progress_line.h"
 #include "report_json.h"
 #include "threads_option.h"
 #include "tracked_complex_3.h"
+#include "translations.h"
 #include "unused.h"
 
 #include <CGAL/Deformable_simplicial_complexes/IO/PVD_series.h>
@@ -18,7 +20,7 @@
 #include <CGAL/Deformable_simplicial_complexes/IO/labelled_surface_3.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/point_set_3.h>
 #include <CGAL/Deformable_simplicial_complexes/extract_interface_3.h>
-#include <CGAL/Solid_reconstruction_3/reconstruct_point_set_3.h>
+#include <CGAL/Solid_reconstruction_3/compiled_3.h>
 #include <CGAL/property_map.h>
 
 #include <CLI/CLI.hpp>
@@ -230,7 +232,9 @@ int execute(const Reconstruct_options& options) {
     folder.emplace(options.folder);
 
   Unused_content unused;
-  const std::vector<Point_and_normal_3> points = CGAL::IO::read_point_set(options.input, &unused);
+  const std::string input = native_file(options.input);
+  require_extension(input, {"xyz", "pwn", "ply", "off"});
+  const std::vector<Point_and_normal_3> points = CGAL::IO::read_point_set(input, &unused);
   print_unused(options.input, unused);
   const auto begin = Clock::now();
   Progress_line progress(options.steps, options.quiet);
@@ -274,7 +278,8 @@ int execute(const Reconstruct_options& options) {
 }
 
 void read(Reconstruct_options& options) {
-  require_extension(options.input, {"xyz", "pwn", "ply", "off"});
+  if (!is_foreign(options.input))
+    require_extension(options.input, {"xyz", "pwn", "ply", "off"});
   require_extension(options.output, {"off", "obj", "ply", "stl", "vtu", "mesh"});
   if (!options.picture.empty())
     require_extension(options.picture, {"png"});

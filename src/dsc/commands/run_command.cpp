@@ -5,6 +5,7 @@
 #include "commands/run_command.h"
 
 #include "continue_steps.h"
+#include "native_file.h"
 #include "option_values.h"
 
 #include <climits>
@@ -71,6 +72,8 @@ Run_options begin_run_options(const CLI::App& command, const Run_command_options
     if (option->count() > 0)
       run.given.insert(option->get_name());
   run.start = options.start.start;
+  for (std::string& input : run.start.inputs)
+    input = native_file(input, run.start.labels, run.start.thresholds);
   run.resume = options.resume;
   run.steps = options.steps;
   run.threads = options.threads;

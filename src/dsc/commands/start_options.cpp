@@ -105,7 +105,8 @@ CLI::Option* add_inputs(CLI::App& command, Start_options& options) {
       "Closed surfaces (.off, .obj, .ply, .stl), inequalities like 'x^2+y^2+z^2<1' or, in the "
       "plane, polygons (.wkt), which get the labels 1, 2, ...; or labelled tetrahedra (.mesh, "
       ".vtu) or a labelled image (.inr, .inr.gz); in the plane, a labelled image (.pgm, .png) or "
-      "segments (.poly)");
+      "segments (.poly). Files of other programs are read through VTK and Gmsh: .vtk, .vtp, .vti, "
+      ".msh, .nii, .nii.gz, .mha, .mhd, .nrrd, .tif, or a folder of DICOM images");
 }
 
 void add_start_options(CLI::App& command, Start_options& options, CLI::Option* resume) {
@@ -133,6 +134,11 @@ void add_start_options(CLI::App& command, Start_options& options, CLI::Option* r
           "longest side of the domain; 2.5 voxels or pixels)")
       ->excludes(resume);
   add_labels_option(command, options.start.labels)->excludes(resume);
+  command
+      .add_option("--threshold", options.start.thresholds,
+                  "Labels of a gray image: the number of thresholds that a value reaches, like "
+                  "100 or 80,160; otsu or otsu:2 chooses one threshold or two")
+      ->excludes(resume);
   CLI::Option* repairs =
       command
           .add_flag(

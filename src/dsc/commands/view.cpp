@@ -4,8 +4,8 @@
 
 #include "commands/commands.h"
 #include "errors.h"
-#include "film_of_run.h"
 #include "files.h"
+#include "film_of_run.h"
 #include "interrupt.h"
 #include "option_values.h"
 
@@ -53,8 +53,7 @@ void add_view(CLI::App& app, int& exit_code) {
   command->add_option("-o,--output", options->output, "Page (.html)")->required();
   command->add_option("--report", options->film.report,
                       "Report of the run (its --report), for charts and events");
-  command
-      ->add_option("--every", options->film.every, "Show every N-th state and the last one")
+  command->add_option("--every", options->film.every, "Show every N-th state and the last one")
       ->check(CLI::Range(1, INT_MAX))
       ->capture_default_str();
   command

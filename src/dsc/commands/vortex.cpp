@@ -15,7 +15,8 @@ namespace {
 
 // The usual start of this flow.
 const Ball ball_of_vortex = {{.5, .75, .5}, .15};
-constexpr std::array<double, 6> domain_of_vortex = {0, 0, 0, 1, 1, 1}, unit_square = {0, 0, 0, 1, 1, 0};
+constexpr std::array<double, 6> domain_of_vortex = {0, 0, 0, 1, 1, 1},
+                                unit_square = {0, 0, 0, 1, 1, 0};
 constexpr double period_of_vortex = 8;
 
 struct Vortex_options

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The program `dsc-full`, which the program `dsc` executes. It contains the flows of all inputs: also
-// of curves, images and tetrahedra, and of surfaces that are repaired.
+// The program `dsc-full`, which the program `dsc` executes. It contains the flows of all inputs:
+// also of curves, images and tetrahedra, and of surfaces that are repaired.
 
 #include "../commands/commands.h"
 #include "../program.h"

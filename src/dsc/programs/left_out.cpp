@@ -4,11 +4,15 @@
 
 // The functions that the program `dsc` leaves to `dsc-full`.
 
+#include "../convert_file.h"
+#include "../files.h"
+#include "../native_file.h"
 #include "../program.h"
 #include "../start_complex.h"
 #include "../start_curves.h"
 #include "../surface.h"
 #include "../tracked_complex.h"
+#include "../translations.h"
 
 #include <array>
 #include <memory>
@@ -32,6 +36,24 @@ std::unique_ptr<Tracked_complex> track_figure(const Run_start&,
 
 std::unique_ptr<Tracked_complex> track_planar_checkpoint(const std::string&, std::string&) {
   leave(plane);
+}
+
+std::string native_file(const std::string& path, const std::string&,
+                        const std::string& thresholds) {
+  const std::string format = extension(path);
+  if (!thresholds.empty() || is_foreign(path) || format == "vtu" || format == "png")
+    leave("the readers of files of other programs");
+  return path;
+}
+
+void require_all_readers() { leave("the readers of other files"); }
+
+void convert_file(const std::string&, const std::string&, const std::string&, const std::string&) {
+  leave("conversions of files");
+}
+
+void convert_to_image(const std::string&, const std::string&, const std::string&) {
+  leave("conversions to images");
 }
 
 Curves start_curves(const Run_start&) { leave(plane); }

@@ -1,0 +1,146 @@
+"""Reconstruction of solids from points, and cut loci of surfaces."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _dsc
+from ._complex import Complex3, Progress, _callable, _given, _number, _numbers
+from ._report import Indices, Points
+
+
+@dataclass(frozen=True)
+class Reconstruction:
+    """Result of `reconstruct()`. Lengths are in the unit of the points."""
+
+    complex: Complex3
+    """The solid, with label 1 inside and label 0 in a box around it."""
+    complete: bool
+    """Whether the interface came to rest and no place is doubtful."""
+    steps: int
+    """Number of steps of the interface."""
+    used_points: int
+    """Number of points without duplicates and outliers."""
+    duplicates: int
+    """Number of points that are equal to others."""
+    outliers: int
+    """Number of points that were not used, since they do not lie on the surface."""
+    spacing: float
+    """Mean distance of the points from their six nearest neighbors."""
+    noise: float
+    """Median distance of the points from quadrics through their neighbors."""
+    root_mean_square: float
+    """Root mean square of the distances of the points from the interface."""
+    maximum_distance: float
+    """Largest distance of a point from the interface."""
+    unfit_points: Indices
+    """Points that are farther from the interface than a spacing and four times the noise."""
+    doubtful_places: Points
+    """Places where the interface contradicts the points, shape (k, 3)."""
+    facets_without_points: Indices
+    """Facets of `complex.interface()` that close holes of the points."""
+
+
+def reconstruct(
+    points: npt.ArrayLike,
+    normals: npt.ArrayLike | None = None,
+    *,
+    tolerance: float | None = None,
+    keep_open: bool | None = None,
+    maximum_steps: int | None = None,
+    threads: int | None = None,
+    progress: Progress | None = None,
+) -> Reconstruction:
+    """Reconstructs a solid from points on its surface.
+
+    points: shape (n, 3)
+    normals: of any length and sign, shape (n, 3); normals that are 0 or not finite are estimated. By
+        default, all normals are estimated.
+    tolerance: of the interface to the points, in spacings; default 0.03
+    keep_open: whether points of an open sheet are accepted. The solid is closed by
+        `facets_without_points`.
+    maximum_steps: largest number of steps
+    threads: number of threads; the result does not depend on it
+
+    Raises `InvalidPointsError` if the points are not finite or enclose no solid.
+    """
+    positions = np.asarray(points, dtype=float)
+    directions = None if normals is None else np.asarray(normals, dtype=float)
+    options = _given(
+        tolerance=tolerance, keep_open=keep_open, maximum_steps=maximum_steps, threads=threads
+    )
+    compiled, report = _dsc.reconstruct(positions, directions, options, progress)
+    return Reconstruction(Complex3(compiled), **report)
+
+
+@dataclass(frozen=True)
+class CutLocus:
+    """Result of `cut_locus()`."""
+
+    points: Points
+    """Vertices of the cut locus in space, shape (n, 3)."""
+    parameters: Points
+    """The vertices in the chart, shape (n, 2). The chart of the image of a sphere is stereographic."""
+    distances: npt.NDArray[np.float64]
+    """Lengths of the shortest geodesics to the vertices, shape (n,)."""
+    multiplicities: Indices
+    """Number of edges at each vertex, shape (n,): the number of shortest geodesics, and 1 at an end."""
+    arcs: list[Indices]
+    """Chains of vertices, from one vertex with a multiplicity other than 2 to the next."""
+    complete: bool
+    """Whether the cut locus has passed all verifications."""
+    doubtful: Indices
+    """Vertices that failed the verification by other geodesics."""
+    spacing: float
+    """Spacing of the computation, in the chart."""
+    step: float
+    """Step of the computation, on the surface."""
+
+
+def cut_locus(
+    surface: Callable[[Points], Any],
+    point: Sequence[float],
+    *,
+    periods: Sequence[float] = (2 * np.pi, 2 * np.pi),
+    spacing: float | None = None,
+    step: float | None = None,
+    progress: Progress | None = None,
+) -> CutLocus:
+    """Computes the cut locus of a point of a closed surface.
+
+    surface: returns points in space, shape (n, 3). It is called with many points at once: with u and v,
+        shape (n, 2), if the surface is periodic in u and v; or with unit vectors, shape (n, 3), if it
+        is the image of the unit sphere.
+    point: the source: u and v; or x, y, z of its direction
+    periods: of u and v
+    spacing: length of edges in the chart; by default as small as needed
+    step: step of the geodesics on the surface; by default half of the spacing
+
+    Raises `Error` if the surface is not regular.
+    """
+    _callable(surface, "surface")
+    source = np.asarray(point, dtype=float)
+    if source.shape not in ((2,), (3,)):
+        raise ValueError("point must be two numbers, u and v, or three numbers, a direction")
+    in_chart = source.shape == (2,)
+    result = _dsc.cut_locus(
+        surface,
+        source.tolist(),
+        _numbers(periods, 2, "periods") if in_chart else None,
+        0.0 if spacing is None else _positive(spacing, "spacing"),
+        0.0 if step is None else _positive(step, "step"),
+        progress,
+    )
+    return CutLocus(**result)
+
+
+def _positive(value: float, name: str) -> float:
+    number = _number(value, name)
+    if not number > 0:
+        raise ValueError(f"{name} must be positive")
+    return number

@@ -1,0 +1,141 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Geodesic_source.h"
+
+#include <CGAL/Cut_loci_2/Geodesic_front_2.h>
+#include <CGAL/Cut_loci_2/IO/cut_locus_2.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/SVG_2.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/VTU_2.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+#include <utility>
+
+namespace dsc {
+namespace {
+
+using Point = Geodesic_source::Point;
+using Domain = DSC::Torus_domain<2>;
+using Chart_metric = Surface_by_differences<Chart_embedding>;
+using Sphere_surface = DSC::Sphere_like_surface_2<Sphere_embedding, Surface_by_differences>;
+
+/// Returns the smallest length of unit vectors along the axes of a chart.
+double scale_of(const DSC::Metric_jet_2& g) { return std::sqrt(std::min(g.E, g.G)); }
+
+template <class Front>
+Geodesic_source::Ball grow(Front front, double radius, double step, const std::string& path) {
+  if (radius < front.radius()) {
+    std::ostringstream message;
+    message << "the radius of the ball is smaller than the radius " << front.radius()
+            << " of the initial front: use a larger radius or a smaller spacing";
+    throw DSC::Error(message.str());
+  }
+  bool continues = true;
+  while (continues && front.radius() < radius)
+    continues = front.advance(std::min(step, radius - front.radius()));
+  if (!path.empty() && std::filesystem::path(path).extension() == ".vtu")
+    CGAL::IO::write_VTU(path, front.complex());
+  else if (!path.empty())
+    CGAL::IO::write_SVG(path, front.complex());
+  return {front.radius(), !continues};
+}
+
+class In_chart : public Geodesic_source
+{
+public:
+  In_chart(const Chart_embedding& embedding, const std::array<double, 2>& periods,
+           const std::array<double, 2>& point)
+      : m_embedding(embedding), m_metric(embedding, periods), m_domain(periods),
+        m_source(point[0], point[1]) {}
+
+  double default_spacing() const override {
+    static constexpr double edges = 40; // on the shorter period
+    return std::min(m_domain.periods()[0], m_domain.periods()[1]) / edges;
+  }
+  double default_step(double spacing) const override {
+    return spacing / 2 * scale_of(m_metric(m_source.x(), m_source.y()));
+  }
+  DSC::Cut_locus_2 cut_locus(double spacing, double step) const override {
+    return DSC::cut_locus_2(m_metric, m_domain, m_source, spacing, step);
+  }
+  Ball ball(double radius, double spacing, double step, const std::string& path) const override {
+    return grow(DSC::Geodesic_front_2<Chart_metric>(m_metric, m_domain, m_source, spacing), radius,
+                step, path);
+  }
+  void draw(const DSC::Cut_locus_2& locus, const std::string& path) const override {
+    CGAL::IO::write_SVG(path, locus, m_domain, m_source);
+  }
+  std::array<double, 3> image(const Point& p) const override {
+    return m_embedding({{p.x(), p.y()}}).front();
+  }
+
+private:
+  Chart_embedding m_embedding;
+  Chart_metric m_metric;
+  Domain m_domain;
+  Point m_source;
+};
+
+class On_sphere : public Geodesic_source
+{
+public:
+  On_sphere(const Sphere_embedding& embedding, const std::array<double, 3>& direction)
+      : m_surface(embedding, direction) {}
+
+  double default_spacing() const override {
+    static constexpr double edges = 40; // on half of the width of the chart
+    return Sphere_surface::half_width / edges;
+  }
+  // Measured opposite to the source.
+  double default_step(double spacing) const override {
+    return spacing / 2 *
+           scale_of(m_surface(Sphere_surface::half_width, Sphere_surface::half_width));
+  }
+  DSC::Cut_locus_2 cut_locus(double spacing, double step) const override {
+    return DSC::cut_locus_2(m_surface, spacing, step);
+  }
+  Ball ball(double radius, double spacing, double step, const std::string& path) const override {
+    return grow(DSC::Geodesic_front_2<Sphere_surface>(m_surface, spacing), radius, step, path);
+  }
+  void draw(const DSC::Cut_locus_2& locus, const std::string& path) const override {
+    CGAL::IO::write_SVG(path, locus, m_surface);
+  }
+  std::array<double, 3> image(const Point& p) const override { return m_surface.image(p); }
+
+private:
+  Sphere_surface m_surface;
+};
+
+} // namespace
+
+std::unique_ptr<Geodesic_source> source_in_chart(const Chart_embedding& embedding,
+                                                 const std::array<double, 2>& periods,
+                                                 const std::array<double, 2>& point) {
+  return std::make_unique<In_chart>(embedding, periods, point);
+}
+
+std::unique_ptr<Geodesic_source> source_on_sphere(const Sphere_embedding& embedding,
+                                                  const std::array<double, 3>& direction) {
+  return std::make_unique<On_sphere>(embedding, direction);
+}
+
+Found_cut_locus find_cut_locus(const Geodesic_source& source, double spacing, double step) {
+  static constexpr int attempts = 3;
+  static constexpr double finer = .5; // relative spacing of the next attempt
+  Found_cut_locus result;
+  result.spacing = spacing > 0 ? spacing : source.default_spacing();
+  for (int i = 1;; ++i) {
+    result.step = step > 0 ? step : source.default_step(result.spacing);
+    result.locus = source.cut_locus(result.spacing, result.step);
+    if (result.locus.is_complete || spacing > 0 || i == attempts)
+      return result;
+    result.spacing *= finer;
+  }
+}
+
+} // namespace dsc

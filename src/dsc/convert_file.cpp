@@ -1,0 +1,192 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "convert_file.h"
+
+#include "check_image.h"
+#include "errors.h"
+#include "files.h"
+#include "labelled_tetrahedra.h"
+#include "native_file.h"
+#include "option_values.h"
+#include "run_start.h"
+#include "surface.h"
+#include "tracked_complex_3.h"
+#include "translations.h"
+#include "unused.h"
+
+#include <CGAL/Deformable_simplicial_complexes/IO/labelled_surface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/extract_interface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/sample_labels.h>
+
+#include <CGAL/Image_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <fstream>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace dsc {
+namespace {
+
+using Complex = Tracked_complex_3::Complex;
+using Grid = DSC::Sampling_grid<3>;
+
+bool is_one_of(const std::string& format, std::initializer_list<const char*> formats) {
+  return std::find(formats.begin(), formats.end(), format) != formats.end();
+}
+
+/// Writes labels of voxels for VTK, as an image with raw data.
+void write_vti(const std::string& path, const Grid& grid, const std::vector<int>& labels) {
+  std::ofstream out(path, std::ios::binary);
+  out.precision(std::numeric_limits<double>::max_digits10);
+  out << "<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" "
+         "header_type=\"UInt64\">\n<ImageData WholeExtent=\"";
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    out << "0 " << grid.size[axis] - 1 << (axis < 2 ? " " : "\" Origin=\"");
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    out << grid.origin[axis] << (axis < 2 ? " " : "\" Spacing=\"");
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    out << grid.spacing[axis] << (axis < 2 ? " " : "\">\n<Piece Extent=\"");
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    out << "0 " << grid.size[axis] - 1 << (axis < 2 ? " " : "\">\n");
+  const bool is_small = std::all_of(labels.begin(), labels.end(),
+                                    [](int label) { return 0 <= label && label <= 65535; });
+  out << "<PointData Scalars=\"label\"><DataArray type=\"" << (is_small ? "UInt16" : "Int32")
+      << "\" Name=\"label\" format=\"appended\" offset=\"0\"/></PointData>\n"
+      << "</Piece>\n</ImageData>\n<AppendedData encoding=\"raw\">\n_";
+  const auto write = [&](auto number) {
+    out.write(reinterpret_cast<const char*>(&number), sizeof number);
+  };
+  write(std::uint64_t(labels.size() * (is_small ? 2 : 4)));
+  for (const int label : labels)
+    if (is_small)
+      write(std::uint16_t(label));
+    else
+      write(std::int32_t(label));
+  out << "\n</AppendedData>\n</VTKFile>\n";
+}
+
+/// Reads the grid and the labels of an image (.inr).
+Grid read_image(const std::string& path, std::vector<int>& labels) {
+  check_image(path);
+  CGAL::Image_3 image;
+  if (!image.read(path))
+    throw Input_error("cannot read '" + path + "' as a voxel image; check its format");
+  const Grid grid = {{image.xdim(), image.ydim(), image.zdim()},
+                     {image.vx(), image.vy(), image.vz()},
+                     {image.tx(), image.ty(), image.tz()}};
+  for (std::size_t z = 0; z < image.zdim(); ++z)
+    for (std::size_t y = 0; y < image.ydim(); ++y)
+      for (std::size_t x = 0; x < image.xdim(); ++x)
+        labels.push_back(int(image.value(x, y, z)));
+  return grid;
+}
+
+void require_format(const std::string& input, const std::string& content, const std::string& output,
+                    std::initializer_list<const char*> formats) {
+  if (is_one_of(extension(output), formats))
+    return;
+  std::string known;
+  for (const std::string format : formats)
+    known += (known.empty() ? "." : ", .") + (format == "gz" ? "nii.gz" : format);
+  throw Usage_error(input + " contains " + content + ", which '" + output +
+                    "' cannot contain; write " + known);
+}
+
+void convert_surface(const std::string& input, const std::string& output) {
+  require_format(input, "a surface", output, {"off", "obj", "ply", "stl", "vtp", "vtk"});
+  const Surface surface = read_surfaces({input}).front();
+  DSC::Interface_surface_3<Complex> result;
+  for (const Surface_point& p : surface.points)
+    result.points.emplace_back(p.x(), p.y(), p.z());
+  result.triangles = surface.triangles;
+  result.labels.assign(surface.triangles.size(), {1, 0});
+  const bool is_foreign_format = is_one_of(extension(output), {"vtp", "vtk"});
+  const std::string path = is_foreign_format ? temporary_file("surface.ply") : output;
+  CGAL::IO::write_interface(path, result);
+  if (is_foreign_format)
+    write_foreign(path, output);
+}
+
+void convert_tetrahedra(const std::string& input, const std::string& output,
+                        const std::string& labels) {
+  require_format(input, "tetrahedra", output,
+                 {"vtu", "mesh", "off", "obj", "ply", "stl", "png", "vtk"});
+  Labelled_tetrahedra mesh = read_tetrahedra(input, labels);
+  const auto complex = Tracked_complex_3::from_mesh(input, mesh);
+  mesh.leave_out_arrays();
+  mesh.leave_out_entities();
+  print_unused(input, mesh.unused);
+  const bool is_foreign_format = extension(output) == "vtk";
+  const std::string path = is_foreign_format ? temporary_file("cells.vtu") : output;
+  complex->write(path);
+  if (is_foreign_format)
+    write_foreign(path, output);
+}
+
+void convert_image(const std::string& input, const std::string& output) {
+  require_format(input, "an image", output,
+                 {"inr", "mha", "nii", "gz", "tif", "tiff", "vti", "vtk"});
+  std::vector<int> labels;
+  const Grid grid = read_image(input, labels);
+  const std::string path = temporary_file("image.vti");
+  write_vti(path, grid, labels);
+  write_foreign(path, output);
+}
+
+} // namespace
+
+Image_statistics image_statistics(const std::string& path) {
+  std::vector<int> labels;
+  Image_statistics result = {read_image(path, labels), {}};
+  for (const int label : labels)
+    ++result.voxels[label];
+  return result;
+}
+
+void convert_file(const std::string& input, const std::string& output, const std::string& labels,
+                  const std::string& thresholds) {
+  const std::string native = native_file(input, labels, thresholds);
+  Run_start start;
+  start.inputs = {native};
+  if (!std::ifstream(native))
+    throw Input_error("cannot open " + input + "; check that the file exists and is readable");
+  if (dimension_of(start) == 2) {
+    require_format(input, "regions in the plane", output, {"wkt", "poly", "svg", "vtu"});
+    return track_figure(start, std::nullopt)->write(output);
+  }
+  require_extension(native, {"off", "obj", "ply", "stl", "mesh", "vtu", "inr", "gz"});
+  switch (input_kind(native)) {
+  case Input_kind::tetrahedra:
+    return convert_tetrahedra(native, output, labels);
+  case Input_kind::image:
+    return convert_image(native, output);
+  default:
+    return convert_surface(native, output);
+  }
+}
+
+void convert_to_image(const std::string& checkpoint, const std::string& output,
+                      const std::string& grid) {
+  require_format(checkpoint, "a complex", output,
+                 {"inr", "mha", "nii", "gz", "tif", "tiff", "vti", "vtk"});
+  std::string metadata;
+  const auto tracked = track_checkpoint(checkpoint, metadata);
+  const auto* const in_space = dynamic_cast<const Tracked_complex_3*>(tracked.get());
+  if (in_space == nullptr)
+    throw Usage_error("--grid applies only in space; write .svg or .vtu");
+  const std::string native = native_file(grid, "", is_foreign(grid) ? "0" : "");
+  std::vector<int> unused;
+  const Grid voxels = read_image(native, unused);
+  const std::string path = temporary_file("image.vti");
+  write_vti(path, voxels, DSC::sample_labels(in_space->complex, voxels));
+  write_foreign(path, output, native == grid ? "" : grid);
+}
+
+} // namespace dsc

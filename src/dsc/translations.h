@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DSC_TRANSLATIONS_H
+#define DSC_TRANSLATIONS_H
+
+#include <string>
+#include <vector>
+
+namespace dsc {
+
+/// Returns the path of another program in the folder of this program.
+/// \throws std::runtime_error if the folder cannot be found
+std::string path_of_program(const std::string& name);
+
+/// Returns whether the extension belongs to a format that only `dsc-files` reads, or whether the
+/// path is a folder.
+bool is_foreign(const std::string& path);
+
+/// Translates a file of another program into a temporary file in a format that this program reads,
+/// and prints what the translation leaves out. Messages name the file of the user, see
+/// with_user_names().
+/// \param labels, thresholds options of dsc-files; empty for none
+/// \return the name of the translation; the same for the same file
+/// \throws Input_error if the file cannot be read, or there is no program `dsc-files`
+std::string translate(const std::string& path, const std::string& labels,
+                      const std::string& thresholds);
+
+/// Replaces names of translations in a text by the names of the files of the user.
+std::string with_user_names(std::string text);
+std::vector<std::string> with_user_names(const std::vector<std::string>& texts);
+
+/// Writes a grid (.vtu), a surface (.ply) or an image (.vti) of this program in the format of
+/// another program. The file is complete or unchanged.
+/// \param like image whose axes a new image gets; empty for the axes of space
+/// \throws Input_error if it cannot be written, or there is no program `dsc-files`
+void write_foreign(const std::string& input, const std::string& output,
+                   const std::string& like = "");
+
+/// Returns a new file name in a new temporary folder.
+std::string temporary_file(const std::string& name);
+
+/// Removes all temporary files.
+void remove_temporary_files();
+
+} // namespace dsc
+
+#endif // DSC_TRANSLATIONS_H

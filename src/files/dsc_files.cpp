@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The program `dsc-files`, which the other programs execute to read files of other programs. It
+// translates a file into a format of this package, and prints the name of the translation, then
+// what is not in it. It is a program of its own, so that the others need no VTK and survive a
+// crash.
+//
+// Usage: dsc-files INPUT FOLDER [--labels NAME] [--threshold VALUES]
+//        dsc-files --write INPUT OUTPUT [LIKE], see write_foreign()
+
+#include "read_dataset.h"
+#include "write_cells.h"
+#include "write_foreign.h"
+#include "write_image.h"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <string>
+
+namespace {
+
+/// Limits the memory to the memory of the machine, since a damaged file may announce any size.
+void limit_memory() {
+  const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGE_SIZE);
+  if (pages <= 0 || size <= 0)
+    return;
+  rlimit limit = {};
+  getrlimit(RLIMIT_AS, &limit);
+  limit.rlim_cur = std::min(limit.rlim_max, rlim_t(pages) * rlim_t(size));
+  setrlimit(RLIMIT_AS, &limit);
+}
+
+dsc_files::Options options_of(int argc, char** argv) {
+  dsc_files::Options options;
+  if (argc < 3 || argc % 2 == 0)
+    throw dsc_files::Failure("usage: dsc-files INPUT FOLDER [--labels NAME] [--threshold VALUES]");
+  options.input = argv[1];
+  options.folder = argv[2];
+  for (int i = 3; i < argc; i += 2) {
+    const std::string name = argv[i];
+    if (name != "--labels" && name != "--threshold")
+      throw dsc_files::Failure("unknown option " + name);
+    (name == "--labels" ? options.labels : options.thresholds) = argv[i + 1];
+  }
+  return options;
+}
+
+dsc_files::Translation translate(const dsc_files::Options& options) {
+  const dsc_files::Dataset dataset = dsc_files::read_dataset(options.input);
+  vtkImageData* const image = vtkImageData::SafeDownCast(dataset.data);
+  if (image != nullptr)
+    return write_image(image, dataset.has_oblique_axes, options);
+  if (!options.thresholds.empty())
+    throw dsc_files::Failure("is no image, so that --threshold has no meaning");
+  return write_cells(dataset.data, options);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  try {
+    limit_memory();
+    if ((argc == 4 || argc == 5) && std::string(argv[1]) == "--write") {
+      dsc_files::write_foreign(argv[2], argv[3], argc == 5 ? argv[4] : "");
+      return 0;
+    }
+    const dsc_files::Translation result = translate(options_of(argc, argv));
+    std::cout << result.path << '\n';
+    for (const std::string& content : result.unused)
+      std::cout << "unused " << content << '\n';
+    for (const std::string& note : result.notes)
+      std::cout << "note " << note << '\n';
+    return std::cout.flush() ? 0 : 1;
+  } catch (const std::bad_alloc&) {
+    std::cerr << "needs more memory than there is; is it damaged?\n";
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
+  }
+  return 1;
+}

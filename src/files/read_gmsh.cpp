@@ -1,0 +1,132 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "read_gmsh.h"
+
+#include "Translation.h"
+
+#ifdef DSC_HAS_GMSH
+
+#include <gmsh.h>
+
+#include <vtkCellData.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace dsc_files {
+namespace {
+
+/// A type of elements of Gmsh, and the linear type of VTK with the same corners.
+struct Element_type
+{
+  int gmsh, vtk, corners;
+};
+constexpr Element_type element_types[] = {
+    {15, VTK_VERTEX, 1}, {1, VTK_LINE, 2},  {2, VTK_TRIANGLE, 3},   {3, VTK_QUAD, 4},
+    {4, VTK_TETRA, 4},   {6, VTK_WEDGE, 6}, {5, VTK_HEXAHEDRON, 8}, {7, VTK_PYRAMID, 5}};
+
+const Element_type& type_of(int gmsh) {
+  for (const Element_type& type : element_types)
+    if (type.gmsh == gmsh)
+      return type;
+  throw Failure("contains elements of the Gmsh type " + std::to_string(gmsh) +
+                "; write linear elements");
+}
+
+/// Opens a file of Gmsh while it exists.
+class Gmsh_model
+{
+public:
+  explicit Gmsh_model(const std::string& path) {
+    gmsh::initialize();
+    gmsh::option::setNumber("General.Terminal", 0);
+    gmsh::open(path);
+  }
+  ~Gmsh_model() { gmsh::finalize(); }
+  Gmsh_model(const Gmsh_model&) = delete;
+  Gmsh_model& operator=(const Gmsh_model&) = delete;
+};
+
+/// Returns the label of the elements of an entity.
+int label_of(int dimension, int entity, const gmsh::vectorpair& groups) {
+  const bool has_groups = std::any_of(groups.begin(), groups.end(),
+                                      [&](const auto& group) { return group.first == dimension; });
+  if (!has_groups)
+    return entity;
+  std::vector<int> physical;
+  gmsh::model::getPhysicalGroupsForEntity(dimension, entity, physical);
+  return physical.empty() ? 0 : physical.front();
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> grid_of_model() {
+  std::vector<std::size_t> tags;
+  std::vector<double> coordinates, parameters;
+  gmsh::model::mesh::getNodes(tags, coordinates, parameters);
+  std::map<std::size_t, vtkIdType> index;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (std::size_t i = 0; i < tags.size(); ++i)
+    index[tags[i]] = points->InsertNextPoint(&coordinates[3 * i]);
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(points);
+  grid->Allocate();
+  vtkNew<vtkIntArray> labels;
+  labels->SetName("gmsh:physical");
+  gmsh::vectorpair groups, entities;
+  gmsh::model::getPhysicalGroups(groups);
+  gmsh::model::getEntities(entities);
+  for (const auto& [dimension, entity] : entities) {
+    const int label = label_of(dimension, entity, groups);
+    std::vector<int> types;
+    std::vector<std::vector<std::size_t>> elements, nodes;
+    gmsh::model::mesh::getElements(types, elements, nodes, dimension, entity);
+    for (std::size_t t = 0; t < types.size(); ++t) {
+      const Element_type& type = type_of(types[t]);
+      for (std::size_t i = 0; i < elements[t].size(); ++i) {
+        vtkIdType corners[8];
+        for (int k = 0; k < type.corners; ++k)
+          corners[k] = index.at(nodes[t][std::size_t(type.corners) * i + std::size_t(k)]);
+        grid->InsertNextCell(type.vtk, type.corners, corners);
+        labels->InsertNextValue(label);
+      }
+    }
+  }
+  grid->GetCellData()->AddArray(labels);
+  return grid;
+}
+
+} // namespace
+
+vtkSmartPointer<vtkUnstructuredGrid> read_gmsh(const std::string& path) {
+  try {
+    const Gmsh_model model(path);
+    return grid_of_model();
+  } catch (const Failure&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw Failure(std::string("cannot be read by Gmsh: ") + error.what());
+  }
+}
+
+} // namespace dsc_files
+
+#else
+
+namespace dsc_files {
+
+vtkSmartPointer<vtkUnstructuredGrid> read_gmsh(const std::string&) {
+  throw Failure("cannot be read: the program was built without Gmsh (Debian: libgmsh-dev)");
+}
+
+} // namespace dsc_files
+
+#endif

@@ -1,0 +1,388 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "write_cells.h"
+
+#include <vtkAppendFilter.h>
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkDataArray.h>
+#include <vtkDataSetSurfaceFilter.h>
+#include <vtkDataSetTriangleFilter.h>
+#include <vtkIdList.h>
+#include <vtkIdTypeArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkTriangleFilter.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace dsc_files {
+namespace {
+
+/// Writes numbers with all digits.
+class Text_file
+{
+public:
+  explicit Text_file(const std::string& path) : m_out(path) {
+    m_out.precision(std::numeric_limits<double>::max_digits10);
+  }
+
+  template <class T> Text_file& operator<<(const T& value) {
+    m_out << value;
+    return *this;
+  }
+
+  void close() {
+    m_out.close();
+    if (!m_out)
+      throw Failure("cannot be translated: the disk for temporary files is full");
+  }
+
+private:
+  std::ofstream m_out;
+};
+
+/// Returns the dimension of the cells of a type of VTK.
+int dimension_of(int type) {
+  switch (type) {
+  case VTK_VERTEX:
+  case VTK_POLY_VERTEX:
+    return 0;
+  case VTK_LINE:
+  case VTK_POLY_LINE:
+  case VTK_QUADRATIC_EDGE:
+    return 1;
+  case VTK_TRIANGLE:
+  case VTK_TRIANGLE_STRIP:
+  case VTK_POLYGON:
+  case VTK_PIXEL:
+  case VTK_QUAD:
+  case VTK_QUADRATIC_TRIANGLE:
+  case VTK_QUADRATIC_QUAD:
+  case VTK_BIQUADRATIC_QUAD:
+    return 2;
+  default:
+    return 3;
+  }
+}
+
+/// Returns the numbers of cells of each dimension.
+std::array<std::size_t, 4> numbers_of_cells(vtkDataSet* data) {
+  std::array<std::size_t, 4> result = {};
+  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
+    if (data->GetCellType(i) != VTK_EMPTY_CELL)
+      ++result[std::size_t(dimension_of(data->GetCellType(i)))];
+  return result;
+}
+
+/// Lists the arrays of points or cells.
+void leave_out_arrays(vtkFieldData* arrays, const std::string& kind, Translation& result) {
+  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+    if (const char* name = arrays->GetAbstractArray(i)->GetName(); name != nullptr)
+      result.unused.push_back(kind + " array (" + name + ')');
+}
+
+/// Points without repetitions. Pieces of a file repeat the points of their common boundary.
+struct Merged_points
+{
+  std::vector<vtkIdType> index;    ///< of each point among the kept ones
+  std::vector<vtkIdType> original; ///< of each kept point
+};
+
+Merged_points merge_points(vtkPoints* points) {
+  Merged_points result;
+  std::map<std::array<double, 3>, vtkIdType> known;
+  for (vtkIdType i = 0; points != nullptr && i < points->GetNumberOfPoints(); ++i) {
+    std::array<double, 3> p;
+    points->GetPoint(i, p.data());
+    const auto [place, is_new] = known.emplace(p, vtkIdType(result.original.size()));
+    if (is_new)
+      result.original.push_back(i);
+    result.index.push_back(place->second);
+  }
+  return result;
+}
+
+/// Returns the cells of a dimension, with their arrays and without repeated points.
+vtkSmartPointer<vtkUnstructuredGrid> cells_of(vtkDataSet* data, int dimension,
+                                              Translation& translation) {
+  vtkNew<vtkAppendFilter> as_grid; // of any dataset
+  as_grid->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  as_grid->AddInputData(data);
+  as_grid->Update();
+  vtkUnstructuredGrid* const all = as_grid->GetOutput();
+  const Merged_points merged = merge_points(all->GetPoints());
+  if (const std::size_t repeated = merged.index.size() - merged.original.size(); repeated > 0)
+    translation.notes.push_back("merged " + std::to_string(repeated) + " repeated " +
+                                (repeated == 1 ? "point" : "points"));
+  auto result = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  result->GetPointData()->CopyAllocate(all->GetPointData());
+  for (const vtkIdType i : merged.original)
+    result->GetPointData()->CopyData(all->GetPointData(), i,
+                                     points->InsertNextPoint(all->GetPoint(i)));
+  result->SetPoints(points);
+  result->GetCellData()->CopyAllocate(all->GetCellData());
+  result->Allocate();
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType i = 0; i < all->GetNumberOfCells(); ++i) {
+    const int type = all->GetCellType(i);
+    if (type == VTK_EMPTY_CELL || dimension_of(type) != dimension)
+      continue;
+    if (type == VTK_POLYHEDRON)
+      throw Failure("contains polyhedra; divide them into tetrahedra");
+    all->GetCellPoints(i, corners);
+    for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
+      corners->SetId(k, merged.index[std::size_t(corners->GetId(k))]);
+    result->GetCellData()->CopyData(all->GetCellData(), i, result->InsertNextCell(type, corners));
+  }
+  return result;
+}
+
+bool is_of_type(vtkDataSet* data, int type) {
+  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
+    if (data->GetCellType(i) != type)
+      return false;
+  return true;
+}
+
+void write_tetrahedra(vtkSmartPointer<vtkUnstructuredGrid> cells, Translation& result) {
+  if (!is_of_type(cells, VTK_TETRA)) {
+    vtkNew<vtkDataSetTriangleFilter> divided;
+    divided->SetInputData(cells);
+    divided->TetrahedraOnlyOn();
+    divided->Update();
+    cells = divided->GetOutput();
+  }
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  writer->SetInputData(cells);
+  writer->SetFileName(result.path.c_str());
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  writer->SetCompressorTypeToNone();
+  if (writer->Write() == 0)
+    throw Failure("cannot be translated: the disk for temporary files is full");
+}
+
+using Triangle = std::array<vtkIdType, 3>;
+
+std::vector<Triangle> triangles_of(vtkPolyData* surface) {
+  std::vector<Triangle> result;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType i = 0; i < surface->GetNumberOfCells(); ++i) {
+    surface->GetCellPoints(i, corners);
+    if (corners->GetNumberOfIds() == 3)
+      result.push_back({corners->GetId(0), corners->GetId(1), corners->GetId(2)});
+  }
+  return result;
+}
+
+std::array<double, 3> point(vtkDataSet* data, vtkIdType i) {
+  std::array<double, 3> result;
+  data->GetPoint(i, result.data());
+  return result;
+}
+
+bool is_planar(vtkDataSet* data) {
+  const double* const bounds = data->GetBounds();
+  return bounds[4] == bounds[5];
+}
+
+void write_surface(vtkPolyData* surface, Translation& result) {
+  const std::vector<Triangle> triangles = triangles_of(surface);
+  Text_file out(result.path);
+  out << "OFF\n" << surface->GetNumberOfPoints() << ' ' << triangles.size() << " 0\n";
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i) {
+    const auto [x, y, z] = point(surface, i);
+    out << x << ' ' << y << ' ' << z << '\n';
+  }
+  for (const Triangle& t : triangles)
+    out << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
+  out.close();
+}
+
+/// Returns the label of each cell: the values of an array, or 1.
+std::vector<int> labels_of(vtkDataSet* data, const std::string& name, Translation& result) {
+  std::vector<int> labels(std::size_t(data->GetNumberOfCells()), 1);
+  vtkDataArray* array = nullptr;
+  if (name.empty())
+    for (const char* known : {"label", "medit:ref", "gmsh:physical", "MaterialIDs"})
+      array = array == nullptr ? data->GetCellData()->GetArray(known) : array;
+  else if (name != "none")
+    array = data->GetCellData()->GetArray(name.c_str());
+  if (array == nullptr && !name.empty() && name != "none")
+    throw Failure("has no cell array '" + name + "'");
+  for (int i = 0; i < data->GetCellData()->GetNumberOfArrays(); ++i)
+    if (vtkAbstractArray* const other = data->GetCellData()->GetAbstractArray(i); other != array)
+      result.unused.push_back(
+          "cell array (" + std::string(other->GetName() == nullptr ? "" : other->GetName()) + ')');
+  for (std::size_t i = 0; array != nullptr && i < labels.size(); ++i) {
+    const double value = array->GetTuple1(vtkIdType(i));
+    if (!(value == std::floor(value) && std::abs(value) <= std::numeric_limits<int>::max()))
+      throw Failure("has labels that are not integers, in the array '" +
+                    std::string(array->GetName()) + "'");
+    labels[i] = int(value);
+  }
+  return labels;
+}
+
+/// The regions of labelled triangles: segments between different labels, and one point of each
+/// connected component.
+class Regions
+{
+public:
+  Regions(vtkPolyData* data, const std::vector<int>& labels)
+      : m_data(data), m_triangles(triangles_of(data)), m_labels(labels) {
+    for (std::size_t i = 0; i < m_triangles.size(); ++i)
+      for (std::size_t k = 0; k < 3; ++k)
+        m_triangles_at[side(i, k)].push_back(i);
+  }
+
+  void write(const std::string& path) {
+    Text_file out(path);
+    out << m_data->GetNumberOfPoints() << " 2 0 0\n";
+    for (vtkIdType i = 0; i < m_data->GetNumberOfPoints(); ++i) {
+      const auto [x, y, z] = point(m_data, i);
+      out << i << ' ' << x << ' ' << y << '\n';
+    }
+    std::vector<Side> segments;
+    for (const auto& [side, triangles] : m_triangles_at)
+      if (label_across(triangles, 0) != label_across(triangles, 1))
+        segments.push_back(side);
+    out << segments.size() << " 0\n";
+    for (std::size_t i = 0; i < segments.size(); ++i)
+      out << i << ' ' << segments[i].first << ' ' << segments[i].second << '\n';
+    const std::vector<std::size_t> seeds = largest_of_components();
+    out << "0\n" << seeds.size() << '\n';
+    for (std::size_t i = 0; i < seeds.size(); ++i) {
+      std::array<double, 2> middle = {};
+      for (const vtkIdType corner : m_triangles[seeds[i]])
+        for (std::size_t axis = 0; axis < 2; ++axis)
+          middle[axis] += point(m_data, corner)[axis] / 3;
+      out << i << ' ' << middle[0] << ' ' << middle[1] << ' ' << m_labels[seeds[i]] << " 0\n";
+    }
+    out.close();
+  }
+
+private:
+  using Side = std::pair<vtkIdType, vtkIdType>;
+
+  Side side(std::size_t i, std::size_t k) const {
+    return std::minmax(m_triangles[i][(k + 1) % 3], m_triangles[i][(k + 2) % 3]);
+  }
+
+  /// Outside of all triangles is label 0.
+  int label_across(const std::vector<std::size_t>& triangles, std::size_t which) const {
+    return which < triangles.size() ? m_labels[triangles[which]] : 0;
+  }
+
+  double area(std::size_t i) const {
+    const auto [a, b, c] = m_triangles[i];
+    const auto p = point(m_data, a), q = point(m_data, b), r = point(m_data, c);
+    return std::abs((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])) / 2;
+  }
+
+  std::vector<std::size_t> largest_of_components() const {
+    std::vector<std::size_t> result;
+    std::vector<bool> found(m_triangles.size(), false);
+    for (std::size_t first = 0; first < m_triangles.size(); ++first) {
+      if (found[first] || m_labels[first] == 0)
+        continue;
+      result.push_back(first);
+      found[first] = true;
+      for (std::vector<std::size_t> rest = {first}; !rest.empty();) {
+        const std::size_t i = rest.back();
+        rest.pop_back();
+        if (area(i) > area(result.back()))
+          result.back() = i;
+        for (std::size_t k = 0; k < 3; ++k)
+          for (const std::size_t next : m_triangles_at.at(side(i, k)))
+            if (!found[next] && m_labels[next] == m_labels[first]) {
+              found[next] = true;
+              rest.push_back(next);
+            }
+      }
+    }
+    return result;
+  }
+
+  vtkPolyData* m_data;
+  std::vector<Triangle> m_triangles;
+  std::vector<int> m_labels;
+  std::map<Side, std::vector<std::size_t>> m_triangles_at;
+};
+
+void write_points(vtkDataSet* data, Translation& result) {
+  vtkDataArray* const normals = data->GetPointData()->GetNormals();
+  Text_file out(result.path);
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i) {
+    const auto [x, y, z] = point(data, i);
+    out << x << ' ' << y << ' ' << z;
+    for (int axis = 0; normals != nullptr && axis < 3; ++axis)
+      out << ' ' << normals->GetComponent(i, axis);
+    out << '\n';
+  }
+  out.close();
+}
+
+void write_triangles(vtkDataSet* data, const Options& options, Translation& result) {
+  vtkNew<vtkDataSetSurfaceFilter> surface;
+  surface->SetInputData(cells_of(data, 2, result));
+  vtkNew<vtkTriangleFilter> triangulated;
+  triangulated->SetInputConnection(surface->GetOutputPort());
+  triangulated->PassLinesOff();
+  triangulated->PassVertsOff();
+  triangulated->Update();
+  vtkPolyData* const triangles = triangulated->GetOutput();
+  leave_out_arrays(triangles->GetPointData(), "point", result);
+  if (is_planar(triangles)) {
+    result.path = options.folder + "/regions.poly";
+    Regions(triangles, labels_of(triangles, options.labels, result)).write(result.path);
+  } else {
+    result.path = options.folder + "/surface.off";
+    leave_out_arrays(triangles->GetCellData(), "cell", result);
+    write_surface(triangles, result);
+  }
+}
+
+} // namespace
+
+Translation write_cells(vtkDataSet* data, const Options& options) {
+  Translation result;
+  const std::array<std::size_t, 4> numbers = numbers_of_cells(data);
+  const char* const names[][2] = {
+      {"vertex cell", "vertex cells"}, {"line", "lines"}, {"face", "faces"}};
+  const int dimension = numbers[3] > 0 ? 3 : numbers[2] > 0 ? 2 : 0;
+  for (int d = 0; d < dimension; ++d)
+    result.leave_out(numbers[std::size_t(d)], names[d][0], names[d][1]);
+  if (dimension == 3) {
+    result.path = options.folder + "/cells.vtu";
+    write_tetrahedra(cells_of(data, 3, result), result);
+  } else if (dimension == 2) {
+    write_triangles(data, options, result);
+  } else if (data->GetNumberOfPoints() > 0) {
+    result.path = options.folder +
+                  (data->GetPointData()->GetNormals() == nullptr ? "/points.xyz" : "/points.pwn");
+    result.leave_out(numbers[1], names[1][0], names[1][1]);
+    write_points(data, result);
+  } else {
+    throw Failure("contains no points");
+  }
+  return result;
+}
+
+} // namespace dsc_files

@@ -1,0 +1,146 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "write_foreign.h"
+
+#include "Translation.h"
+#include "read_dataset.h"
+#include "write_image.h"
+
+#include <vtkDataArray.h>
+#include <vtkDataSetWriter.h>
+#include <vtkImageData.h>
+#include <vtkMatrix3x3.h>
+#include <vtkMetaImageWriter.h>
+#include <vtkNIFTIImageReader.h>
+#include <vtkNIFTIImageWriter.h>
+#include <vtkNew.h>
+#include <vtkPLYReader.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkTIFFWriter.h>
+#include <vtkXMLImageDataWriter.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <cmath>
+#include <filesystem>
+
+namespace dsc_files {
+namespace {
+
+template <class Writer> void write(vtkDataObject* data, const std::string& path, Writer* writer) {
+  writer->SetInputData(data);
+  writer->SetFileName(path.c_str());
+  writer->Write();
+  if (writer->GetErrorCode() != 0)
+    throw Failure("cannot be written; check that the folder exists and the disk is not full");
+}
+
+template <class Writer> void write(vtkDataObject* data, const std::string& path) {
+  write(data, path, vtkNew<Writer>().Get());
+}
+
+/// Returns an image with the axes of another one, and with the values of the voxels of `labels`
+/// with the same centers.
+vtkSmartPointer<vtkImageData> along_axes_of(vtkImageData* like, vtkImageData* labels) {
+  auto result = vtkSmartPointer<vtkImageData>::New();
+  result->SetDimensions(like->GetDimensions());
+  result->SetSpacing(like->GetSpacing());
+  result->SetOrigin(like->GetOrigin());
+  result->SetDirectionMatrix(like->GetDirectionMatrix());
+  vtkDataArray* const from = labels->GetPointData()->GetArray(0);
+  if (from == nullptr || result->GetNumberOfPoints() != labels->GetNumberOfPoints())
+    throw Failure("has another grid than the image of --grid");
+  const auto to = vtkSmartPointer<vtkDataArray>::Take(from->NewInstance());
+  to->SetName(from->GetName());
+  to->SetNumberOfTuples(from->GetNumberOfTuples());
+  const int* const size = labels->GetDimensions();
+  for (vtkIdType i = 0; i < result->GetNumberOfPoints(); ++i) {
+    double p[3];
+    result->GetPoint(i, p);
+    vtkIdType index[3];
+    for (int axis = 0; axis < 3; ++axis)
+      index[axis] = vtkIdType(
+          std::lround((p[axis] - labels->GetOrigin()[axis]) / labels->GetSpacing()[axis]));
+    to->SetTuple(i, index[0] + size[0] * (index[1] + vtkIdType(size[1]) * index[2]), from);
+  }
+  result->GetPointData()->SetScalars(to);
+  return result;
+}
+
+/// Returns the matrix of an image from its axes to space, without the spacing.
+vtkSmartPointer<vtkMatrix4x4> matrix_of(vtkImageData* image) {
+  auto result = vtkSmartPointer<vtkMatrix4x4>::New();
+  for (int i = 0; i < 3; ++i) {
+    result->SetElement(i, 3, image->GetOrigin()[i]);
+    for (int j = 0; j < 3; ++j)
+      result->SetElement(i, j, image->GetDirectionMatrix()->GetElement(i, j));
+  }
+  return result;
+}
+
+void write_nifti(vtkImageData* image, const std::string& path) {
+  vtkNew<vtkNIFTIImageWriter> writer;
+  const auto matrix = matrix_of(image);
+  writer->SetQFormMatrix(matrix);
+  writer->SetSFormMatrix(matrix);
+  vtkNew<vtkImageData> at_origin; // the matrix contains the place
+  at_origin->ShallowCopy(image);
+  at_origin->SetOrigin(0, 0, 0);
+  at_origin->SetDirectionMatrix(vtkNew<vtkMatrix3x3>().Get());
+  write(at_origin, path, writer.Get());
+}
+
+void write_image_as(vtkImageData* image, const std::string& path, const std::string& format) {
+  if (format == "vti")
+    write<vtkXMLImageDataWriter>(image, path);
+  else if (format == "vtk")
+    write<vtkDataSetWriter>(image, path);
+  else if (format == "mha")
+    write<vtkMetaImageWriter>(image, path);
+  else if (format == "nii" || format == "nii.gz")
+    write_nifti(image, path);
+  else if (format == "tif" || format == "tiff")
+    write<vtkTIFFWriter>(image, path);
+  else
+    throw Failure("cannot contain an image; write .inr, .mha, .nii, .tif, .vti or .vtk");
+}
+
+} // namespace
+
+void write_foreign(const std::string& input, const std::string& output, const std::string& like) {
+  const std::string format = format_of(output);
+  if (format_of(input) == "ply") {
+    vtkNew<vtkPLYReader> reader;
+    reader->SetFileName(input.c_str());
+    reader->Update();
+    if (format == "vtp")
+      write<vtkXMLPolyDataWriter>(reader->GetOutput(), output);
+    else
+      write<vtkDataSetWriter>(reader->GetOutput(), output);
+    return;
+  }
+  const Dataset dataset = read_dataset(input);
+  vtkImageData* const image = vtkImageData::SafeDownCast(dataset.data);
+  if (image == nullptr)
+    return write<vtkDataSetWriter>(dataset.data, output);
+  if (format == "inr") {
+    const std::filesystem::path path(output);
+    Options options;
+    options.folder = path.parent_path().string();
+    const Translation result = write_image(image, false, options);
+    std::filesystem::rename(result.path, path);
+    return;
+  }
+  if (like.empty())
+    return write_image_as(image, output, format);
+  const Dataset model = read_dataset(like);
+  vtkImageData* const model_image = vtkImageData::SafeDownCast(model.data);
+  if (model_image == nullptr)
+    throw Failure("has no image as --grid");
+  write_image_as(along_axes_of(model_image, image), output, format);
+}
+
+} // namespace dsc_files

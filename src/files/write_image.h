@@ -1,0 +1,25 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DSC_FILES_WRITE_IMAGE_H
+#define DSC_FILES_WRITE_IMAGE_H
+
+#include "Translation.h"
+#include "read_dataset.h"
+
+#include <vtkImageData.h>
+
+namespace dsc_files {
+
+/// Writes an image as labels of voxels (`image.inr`) or, if it has a single layer, of pixels
+/// (`image.pgm`). Labels are the values of the image, gray values between thresholds, or the colors
+/// in the order of their values.
+/// \param is_oblique whether the axes of the image are rotated in space; its voxels are then written
+///        along their own axes
+/// \throws Failure if the values are no labels
+Translation write_image(vtkImageData* image, bool is_oblique, const Options& options);
+
+} // namespace dsc_files
+
+#endif // DSC_FILES_WRITE_IMAGE_H

@@ -1,0 +1,104 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Guarded.h"
+#include "Space.h"
+#include "module.h"
+#include "options.h"
+
+#include <CGAL/Solid_reconstruction_3/compiled_3.h>
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace dsc_python {
+namespace {
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
+using Complex = CGAL::Deformable_simplicial_complex_3<>;
+using Report = DSC::Reconstruction_report_3<Complex>;
+
+/// \param array coordinates of vectors, shape (n, 3), or None
+std::vector<DSC::internal::Sampled_surface_3::Vector> normals_of(const py::object& array,
+                                                                 std::size_t points) {
+  std::vector<DSC::internal::Sampled_surface_3::Vector> result;
+  if (array.is_none())
+    return result;
+  for (const auto& row : rows_of<double, 3>(array.cast<Array<double>>(), "normals"))
+    result.emplace_back(row[0], row[1], row[2]);
+  if (result.size() != points)
+    throw py::value_error("there are " + std::to_string(result.size()) + " normals for " +
+                          std::to_string(points) + " points");
+  return result;
+}
+
+/// Returns the indices of the facets without points, in the order of `interface_facets()`.
+std::vector<std::size_t> facets_without_points(const Report& report, const Complex& complex) {
+  std::vector<std::size_t> result;
+  const auto facets = complex.interface_facets();
+  for (std::size_t i = 0; i < facets.size(); ++i)
+    if (result.size() < report.facets_without_points.size() &&
+        facets[i] == report.facets_without_points[result.size()])
+      result.push_back(i);
+  return result;
+}
+
+py::dict report_to_dict(const Report& report, const Complex& complex) {
+  const auto indices = [](const std::vector<std::size_t>& values) {
+    return array_of<std::int64_t>(values.size(), [&](std::size_t i) { return values[i]; });
+  };
+  py::dict result;
+  result["complete"] = report.is_complete;
+  result["steps"] = report.number_of_steps;
+  result["used_points"] = report.number_of_points;
+  result["duplicates"] = report.number_of_duplicates;
+  result["outliers"] = report.number_of_outliers;
+  result["spacing"] = report.spacing;
+  result["noise"] = report.noise;
+  result["root_mean_square"] = report.root_mean_square;
+  result["maximum_distance"] = report.maximum_distance;
+  result["unfit_points"] = indices(report.unfit_points);
+  // In units of the user already.
+  result["doubtful_places"] =
+      array_of<double>(report.doubtful_places.size(), 3, [&](std::size_t i, std::size_t j) {
+        return report.doubtful_places[i][int(j)];
+      });
+  result["facets_without_points"] = indices(facets_without_points(report, complex));
+  return result;
+}
+
+py::tuple reconstruct(const Array<double>& points, const py::object& normals,
+                      const py::dict& options, const py::object& progress) {
+  DSC::Reconstruction_options_3<Complex> reconstruction;
+  Options rest(options);
+  rest.read("tolerance", reconstruction.fit_tolerance);
+  rest.read("keep_open", reconstruction.keep_open);
+  rest.read("maximum_steps", reconstruction.number_of_iterations);
+  rest.read("threads", reconstruction.number_of_threads);
+  rest.require_all_read();
+  reconstruction.check();
+  DSC::internal::Collected_points cloud;
+  for (const auto& row : rows_of<double, 3>(points, "points"))
+    cloud.points.emplace_back(row[0], row[1], row[2]);
+  cloud.normals = normals_of(normals, cloud.points.size());
+  Report report;
+  reconstruction.report = &report;
+  std::unique_ptr<Guarded<Complex>> result;
+  {
+    const Long_function function(progress);
+    const DSC::Progress_phase phase("reconstructing a surface");
+    result = std::make_unique<Guarded<Complex>>(
+        DSC::internal::reconstruct_collected(cloud, reconstruction));
+  }
+  py::dict dictionary = report_to_dict(report, result->read());
+  return py::make_tuple(py::cast(std::move(result)), dictionary);
+}
+
+} // namespace
+
+void bind_reconstruction_3(py::module_& module) { module.def("reconstruct", &reconstruct); }
+
+} // namespace dsc_python
