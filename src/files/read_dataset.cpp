@@ -6,6 +6,7 @@
 
 #include "Translation.h"
 #include "read_gmsh.h"
+#include "read_meshb.h"
 #include "require_complete.h"
 
 #include <vtkCommand.h>
@@ -112,6 +113,7 @@ Dataset read_nifti(const std::string& path, Messages* messages) {
   reader->SetFileName(path.c_str());
   Dataset result;
   result.data = run(reader.Get(), messages);
+  result.slice_order = reader->GetQFac();
   if (reader->GetTimeDimension() > 1)
     throw Failure("contains a series in time; write one image");
   vtkMatrix4x4* matrix = reader->GetSFormMatrix();
@@ -190,6 +192,8 @@ Dataset read_dataset(const std::string& path) {
     return {read_image<vtkPNMReader>(path, messages)};
   if (format == "msh")
     return {read_gmsh(path)};
+  if (format == "meshb")
+    return {read_meshb(path)};
   throw Failure("has the unknown extension '" + format + "'");
 }
 

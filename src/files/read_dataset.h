@@ -17,6 +17,7 @@ struct Dataset
 {
   vtkSmartPointer<vtkDataSet> data;
   bool has_oblique_axes = false; ///< whether the axes of an image are rotated in space
+  double slice_order = 1;        ///< -1 if the file stores the slices of a NIfTI image in reverse
 };
 
 /// Reads a file, or a folder of DICOM images.

@@ -112,6 +112,8 @@ vtkSmartPointer<vtkUnstructuredGrid> read_gmsh(const std::string& path) {
     return grid_of_model();
   } catch (const Failure&) {
     throw;
+  } catch (const std::string& error) { // Gmsh 4.8 throws strings, too
+    throw Failure("cannot be read by Gmsh: " + error);
   } catch (const std::exception& error) {
     throw Failure(std::string("cannot be read by Gmsh: ") + error.what());
   }

@@ -81,9 +81,10 @@ vtkSmartPointer<vtkMatrix4x4> matrix_of(vtkImageData* image) {
   return result;
 }
 
-void write_nifti(vtkImageData* image, const std::string& path) {
+void write_nifti(vtkImageData* image, const std::string& path, double slice_order) {
   vtkNew<vtkNIFTIImageWriter> writer;
   const auto matrix = matrix_of(image);
+  writer->SetQFac(slice_order);
   writer->SetQFormMatrix(matrix);
   writer->SetSFormMatrix(matrix);
   vtkNew<vtkImageData> at_origin; // the matrix contains the place
@@ -93,7 +94,8 @@ void write_nifti(vtkImageData* image, const std::string& path) {
   write(at_origin, path, writer.Get());
 }
 
-void write_image_as(vtkImageData* image, const std::string& path, const std::string& format) {
+void write_image_as(vtkImageData* image, const std::string& path, const std::string& format,
+                    double slice_order) {
   if (format == "vti")
     write<vtkXMLImageDataWriter>(image, path);
   else if (format == "vtk")
@@ -101,7 +103,7 @@ void write_image_as(vtkImageData* image, const std::string& path, const std::str
   else if (format == "mha")
     write<vtkMetaImageWriter>(image, path);
   else if (format == "nii" || format == "nii.gz")
-    write_nifti(image, path);
+    write_nifti(image, path, slice_order);
   else if (format == "tif" || format == "tiff")
     write<vtkTIFFWriter>(image, path);
   else
@@ -135,12 +137,12 @@ void write_foreign(const std::string& input, const std::string& output, const st
     return;
   }
   if (like.empty())
-    return write_image_as(image, output, format);
+    return write_image_as(image, output, format, dataset.slice_order);
   const Dataset model = read_dataset(like);
   vtkImageData* const model_image = vtkImageData::SafeDownCast(model.data);
   if (model_image == nullptr)
     throw Failure("has no image as --grid");
-  write_image_as(along_axes_of(model_image, image), output, format);
+  write_image_as(along_axes_of(model_image, image), output, format, model.slice_order);
 }
 
 } // namespace dsc_files

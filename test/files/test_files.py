@@ -1,0 +1,312 @@
+"""Reads files that other programs wrote, by `dsc`. Expected values do not come from its readers."""
+
+import os
+import pathlib
+import random
+import re
+import subprocess
+
+import foreign_files as files
+import numpy as np
+import pytest
+
+DSC = os.environ["DSC_PROGRAM"]
+pytestmark = pytest.mark.skipif(
+    not (pathlib.Path(DSC).parent / "dsc-files").exists(), reason="dsc-files is not built: VTK is missing"
+)
+vtk = pytest.importorskip("vtk")
+
+BALL = {"label 0": 2248, "label 1": 312}  # tetrahedra of vtk_grid()
+
+
+def run(*arguments, **options):
+    return subprocess.run(
+        [DSC, *map(str, arguments)], capture_output=True, timeout=120, text=True, **options
+    )
+
+
+def info(*arguments):
+    """Returns the number of tetrahedra, triangles or voxels of each label, and the whole text."""
+    result = run("info", *arguments)
+    assert result.returncode == 0, result.stderr
+    numbers = {m[1]: int(m[2]) for m in re.finditer(r"(label -?\d+): (\d+)", result.stdout)}
+    return numbers, result.stdout
+
+
+ENCODINGS = [(m, c) for m in ("Ascii", "Binary", "Appended") for c in ("None", "ZLib", "LZ4", "LZMA")]
+
+
+@pytest.mark.parametrize(("mode", "compressor"), ENCODINGS)
+def test_grids_of_paraview(tmp_path, mode, compressor):
+    path = tmp_path / "grid.vtu"
+    files.write_vtu(path, mode, compressor)
+    assert info(path)[0] == BALL
+
+
+@pytest.mark.parametrize("compressor", ["None", "ZLib", "LZ4"])
+def test_raw_grids(tmp_path, compressor):
+    path = tmp_path / "grid.vtu"
+    files.write_vtu(path, "Appended", compressor, raw=True)
+    assert info(path)[0] == BALL
+
+
+def test_pieces_are_put_together(tmp_path):
+    path = tmp_path / "grid.vtu"
+    files.write_pieces(path)
+    assert info(path)[0] == BALL
+
+
+@pytest.mark.parametrize("binary", [False, True])
+def test_legacy_grids(tmp_path, binary):
+    path = tmp_path / "grid.vtk"
+    files.write_legacy(path, binary)
+    assert info(path)[0] == BALL
+
+
+def test_hexahedra_are_divided(tmp_path):
+    path = tmp_path / "grid.vtu"
+    grid = files.vtk_grid(hexahedra=True)
+    files.write_vtu(path, grid=grid)
+    inside = sum(grid.GetCellData().GetArray("label").GetTuple1(i) for i in range(512))
+    text = info(path)[1]
+    assert float(re.search(r"label 1: .* volume ([\d.]+)", text)[1]) == pytest.approx(inside / 64)
+
+
+def test_triangles_in_the_plane(tmp_path):
+    path = tmp_path / "plane.vtu"
+    files.write_plane(path)
+    text = info(path)[1]
+    assert "triangles" in text
+    area = float(re.search(r"label 1: .* area ([\d.]+)", text)[1])
+    assert area == pytest.approx(np.pi * 0.3**2, rel=0.1)
+    assert run("mean-curvature", path, "--steps", 1).returncode == 0
+
+
+@pytest.mark.parametrize("name", ["sphere.vtp", "sphere.vtk"])
+def test_surfaces(tmp_path, name):
+    path = tmp_path / name
+    if name.endswith("vtp"):
+        files.write_vtp(path)
+    else:
+        files.write_legacy(path, data=files.vtk_sphere())
+    result = run("info", path)
+    assert "triangles             1080" in result.stdout
+    assert "Euler characteristic  2" in result.stdout
+    assert "not used: 1 point array (Normals)" in result.stderr
+    assert run("offset", path, "--steps", 1, "--distance", "0.1e").returncode == 0
+
+
+IMAGES = [
+    ("ball.vti", "vtkXMLImageDataWriter"),
+    ("ball.vtk", "vtkDataSetWriter"),
+    ("ball.mha", "vtkMetaImageWriter"),
+    ("ball.mhd", "vtkMetaImageWriter"),
+    ("ball.nii", "vtkNIFTIImageWriter"),
+    ("ball.nii.gz", "vtkNIFTIImageWriter"),
+    ("ball.tif", "vtkTIFFWriter"),
+]
+
+
+def number_of_voxels():
+    labels, numbers = np.unique(files.ball_voxels(), return_counts=True)
+    return {f"label {label}": number for label, number in zip(labels, numbers)}
+
+
+@pytest.mark.parametrize(("name", "writer"), IMAGES)
+def test_images(tmp_path, name, writer):
+    path = tmp_path / name
+    files.write_image(path, writer)
+    numbers, text = info(path)
+    assert numbers == number_of_voxels()
+    if not name.endswith("tif"):  # which stores no origin
+        assert "size of a voxel       0.5 x 0.5 x 1\nfirst voxel           3 4 5" in text
+
+
+def test_image_of_nrrd(tmp_path):
+    voxels = files.ball_voxels()
+    path = tmp_path / "ball.nrrd"
+    sizes = " ".join(map(str, voxels.shape))
+    header = f"NRRD0004\ntype: uint8\ndimension: 3\nsizes: {sizes}\nspacings: 0.5 0.5 1\nencoding: raw\n\n"
+    path.write_bytes(header.encode() + voxels.tobytes(order="F"))
+    assert info(path)[0] == number_of_voxels()
+
+
+def test_gray_images_need_thresholds(tmp_path):
+    path = tmp_path / "gray.nii"
+    values = files.gray_voxels().astype(np.float32)
+    files.write_image(path, "vtkNIFTIImageWriter", values)
+    refused = run("info", path)
+    assert refused.returncode == 1
+    assert "--threshold" in refused.stderr
+    inside = int((values >= 100).sum())
+    assert info(path, "--threshold", 100)[0]["label 1"] == inside
+    assert info(path, "--threshold", "otsu")[0]["label 1"] == inside  # two peaks far apart
+    assert sorted(info(path, "--threshold", "otsu:2")[0]) == ["label 0", "label 1", "label 2"]
+    assert run("offset", path, "--threshold", "otsu", "--steps", 1, "--distance", ".1e").returncode == 0
+    for wrong in "otsu:9", "3,2", "x", "":
+        assert run("info", path, "--threshold", wrong).returncode != 0
+
+
+def test_colors_are_labels(tmp_path):
+    path = tmp_path / "disks.png"
+    files.write_picture(path)
+    result = run("info", path)
+    assert "label 0 is the color 0 0 255, label 1 is the color 255 0 0" in result.stderr
+    areas = [float(a) for a in re.findall(r"label \d: .* area ([\d.]+)", result.stdout)]
+    assert len(areas) == 3
+    assert areas[1] == pytest.approx(areas[0], rel=0.05)
+
+
+def test_labels_return_to_the_grid_of_the_image(tmp_path):
+    """The image that is written back agrees with the input except near the interface."""
+    nibabel = pytest.importorskip("nibabel")
+    path, back = tmp_path / "ball.nii.gz", tmp_path / "back.nii.gz"
+    voxels = (files.ball_voxels() == 1).astype(np.uint8)
+    files.write_nifti(path, files.AXES, voxels)
+    folder = tmp_path / "run"
+    made = run("offset", path, "--steps", 1, "--distance", "1e-9", "--output", folder)
+    assert made.returncode == 0, made.stderr
+    written = run("convert", folder / "checkpoint.dsc", back, "--grid", path)
+    assert written.returncode == 0, written.stderr
+    result = nibabel.load(back)
+    assert np.allclose(result.affine, files.AXES, atol=1e-5)
+    assert np.mean(np.asarray(result.dataobj) != voxels) < 0.03
+
+
+def test_affine_maps_of_images(tmp_path):
+    pytest.importorskip("nibabel")
+    path = tmp_path / "ball.nii"
+    files.write_nifti(path, files.AXES)
+    numbers, text = info(path)
+    assert numbers == number_of_voxels()
+    assert "size of a voxel       0.5 x 0.7 x 1\nfirst voxel           -1.5 -3 -15" in text
+    files.write_nifti(path, files.OBLIQUE)
+    result = run("info", path)
+    assert "rotation of the axes" in result.stderr
+
+
+@pytest.mark.parametrize(
+    ("name", "labels", "options"),
+    [
+        ("grid.vtu", "label", {}),
+        ("grid.vtu", "label", {"compression": "lzma"}),
+        ("grid.vtk", "label", {"file_format": "vtk42"}),
+        ("grid.mesh", "medit:ref", {}),
+        ("grid.meshb", "medit:ref", {}),
+        ("grid.msh", "gmsh:physical", {"file_format": "gmsh22"}),
+    ],
+)
+def test_meshes_of_meshio(tmp_path, name, labels, options):
+    pytest.importorskip("meshio")
+    files.write_meshio(tmp_path / name, labels, **options)
+    expected = {"label 1": 2248, "label 2": 312} if name.endswith("msh") else BALL
+    if name.endswith("msh"):
+        needs_gmsh(tmp_path)
+    assert info(tmp_path / name)[0] == expected
+
+
+def needs_gmsh(folder):
+    (folder / "empty.msh").write_text("")
+    if "built without Gmsh" in run("info", folder / "empty.msh").stderr:
+        pytest.skip("dsc-files is built without Gmsh")
+
+
+@pytest.mark.parametrize(
+    ("version", "binary"), [("22", "0"), ("22", "1"), ("40", "0"), ("41", "0"), ("41", "1")]
+)
+def test_meshes_of_gmsh(tmp_path, version, binary):
+    needs_gmsh(tmp_path)
+    path = tmp_path / "ball.msh"
+    try:
+        files.write_gmsh(path, "-format", "msh" + version, "-setnumber", "Mesh.Binary", binary)
+    except FileNotFoundError:
+        pytest.skip("there is no program gmsh")
+    text = info(path)[1]
+    volume = float(re.search(r"label 7: .* volume ([\d.]+)", text)[1])
+    assert volume == pytest.approx(4 / 3 * np.pi * 0.6**3, rel=0.15)
+
+
+def test_meshes_of_fenics(tmp_path):
+    pytest.importorskip("dolfinx")
+    path = files.write_dolfinx(tmp_path)
+    text = info(path)[1]
+    assert float(re.search(r"label 1: .* volume ([\d.]+)", text)[1]) == pytest.approx(0.125)
+
+
+def test_conversions_keep_the_content(tmp_path):
+    files.write_vtp(tmp_path / "a.vtp")
+    files.write_legacy(tmp_path / "g.vtk")
+    files.write_image(tmp_path / "i.nii", "vtkNIFTIImageWriter")
+    steps = {
+        "a.vtp": ["a.off", "a.stl", "a.obj", "a.ply", "a.vtk"],
+        "g.vtk": ["g.mesh", "g.vtu", "h.vtk"],
+        "i.nii": ["i.inr", "i.mha", "i.vti", "i.tif", "i.nii.gz"],
+    }
+    for first, others in steps.items():
+        before = info(tmp_path / first)
+        source = first
+        for other in others:
+            result = run("convert", tmp_path / source, tmp_path / other)
+            assert result.returncode == 0, result.stderr
+            after = info(tmp_path / other)
+            assert after[0] == before[0]
+            if first == "a.vtp":
+                assert "triangles             1080" in after[1]
+            source = other
+
+
+def test_standard_input_and_output(tmp_path):
+    files.write_vtp(tmp_path / "a.vtp")
+    stl = subprocess.run([DSC, "convert", tmp_path / "a.vtp", "-", "--to", "stl"], capture_output=True)
+    off = subprocess.run([DSC, "convert", "-", "-", "--from", "stl", "--to", "off"],
+                         input=stl.stdout, capture_output=True)  # fmt: skip
+    assert off.stdout.startswith(b"OFF\n542 1080 0")
+    assert run("convert", "-", "-", "--from", "stl").returncode == 2
+
+
+def test_truncated_files_are_refused(tmp_path):
+    """A file of which a part is missing is refused, or means the same as the whole file."""
+    writers = {
+        "a.vtu": lambda path: files.write_vtu(path, "Appended", "LZ4", raw=True),
+        "a.vtk": files.write_legacy,
+        "b.vtk": lambda path: files.write_legacy(path, binary=True),
+        "c.vtk": lambda path: files.write_image(path, "vtkDataSetWriter"),
+        "a.vtp": files.write_vtp,
+        "a.mha": lambda path: files.write_image(path, "vtkMetaImageWriter"),
+        "a.nii.gz": lambda path: files.write_image(path, "vtkNIFTIImageWriter"),
+        "a.tif": lambda path: files.write_image(path, "vtkTIFFWriter"),
+        "a.vti": lambda path: files.write_image(path, "vtkXMLImageDataWriter"),
+    }
+    numbers = random.Random(1)
+    for name, write in writers.items():
+        path = tmp_path / name
+        write(path)
+        whole, data = run("info", path), path.read_bytes()
+        assert whole.returncode == 0, whole.stderr
+        for _ in range(6):
+            path.write_bytes(data[: numbers.randrange(1, len(data) - 1)])
+            part = run("info", path)
+            assert part.returncode == 1 or part.stdout == whole.stdout, name
+            assert part.returncode == 0 or part.stderr.count("\n") == 1, part.stderr
+
+
+def test_errors_name_the_file(tmp_path):
+    for name in "no.nii", "no.vtk", "no.msh":
+        result = run("info", tmp_path / name)
+        assert result.returncode == 1
+        assert "cannot open" in result.stderr
+        (tmp_path / name).write_text("nothing of the kind\n")
+        result = run("info", tmp_path / name)
+        assert result.returncode == 1
+        assert name in result.stderr
+    assert run("info", tmp_path).returncode == 1  # a folder without DICOM images
+
+
+def test_no_temporary_files_are_left(tmp_path):
+    files.write_vtp(tmp_path / "a.vtp")
+    folder = tmp_path / "temporary"
+    folder.mkdir()
+    environment = {**os.environ, "TMPDIR": str(folder)}
+    run("info", tmp_path / "a.vtp", env=environment)
+    run("offset", tmp_path / "a.vtp", "--steps", 1, "--distance", "1e-3", env=environment)
+    assert list(folder.iterdir()) == []
