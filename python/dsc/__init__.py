@@ -34,8 +34,10 @@ from ._errors import (
 )
 from ._film import Film
 from ._fluid import Balance, Fluid, FluidReport, Gas, Liquid, Source
+from ._progress import ProgressLine
 from ._report import Cells, Changes, Interface, LabelChange, Report, TopologyEvent
 from ._surfaces import CutLocus, Reconstruction, cut_locus, reconstruct
+from ._values import Values
 
 __all__ = [
     "Balance",
@@ -63,6 +65,7 @@ __all__ = [
     "LabelFunction",
     "Liquid",
     "Progress",
+    "ProgressLine",
     "Reconstruction",
     "Report",
     "Scheme",
@@ -70,6 +73,7 @@ __all__ = [
     "TetrahedralizationError",
     "Topology",
     "TopologyEvent",
+    "Values",
     "Velocity",
     "cut_locus",
     "reconstruct",

@@ -13,10 +13,13 @@ import numpy.typing as npt
 
 from . import _dsc
 from ._film import Film
+from ._images import PlacedImage
 from ._report import Cells, Changes, Interface, LabelChange, Points, Report, TopologyEvent
+from ._values import Values
 
-Progress = Callable[[str], Union[bool, None]]
-"""Called about twenty times a second with the name of the current phase. False stops the function."""
+Progress = Union[Callable[[str], Union[bool, None]], bool]
+"""Called about twenty times a second with the name of the current phase. If it returns False, the
+function stops. True shows a line on the terminal."""
 
 Velocity = Callable[[Points, float], Any]
 """Velocities at points at a time: array of shape (n, d) for points of shape (n, d)."""
@@ -205,9 +208,94 @@ class Complex:
         """Returns all cells."""
         return Cells(*self._compiled.cells())
 
+    @property
+    def vertex_values(self) -> Values:
+        """Named values on the vertices, which are interpolated when the mesh changes."""
+        return Values(self._compiled, False)
+
+    @property
+    def cell_values(self) -> Values:
+        """Named averages over the cells, whose integrals are conserved when the mesh changes."""
+        return Values(self._compiled, True)
+
     def is_valid(self) -> bool:
         """Returns whether all cells are positively oriented and the complex is consistent. Slow."""
         return bool(self._compiled.is_valid())
+
+    # Other packages
+
+    def to_meshio(self) -> Any:
+        """Returns the cells, labels, qualities and values as a `meshio.Mesh`."""
+        import meshio
+
+        cells = self.cells()
+        data = {"label": cells.labels, "quality": self.qualities, **self.cell_values}
+        return meshio.Mesh(
+            cells.points,
+            [("tetra" if self.dimension == 3 else "triangle", cells.cells)],
+            point_data=dict(self.vertex_values),
+            cell_data={name: [values] for name, values in data.items()},
+        )
+
+    def to_vtk(self) -> Any:
+        """Returns the cells, labels, qualities and values as a `vtkUnstructuredGrid`."""
+        import vtk
+        from vtk.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+
+        cells = self.cells()
+        in_space = np.zeros((len(cells.points), 3))
+        in_space[:, : self.dimension] = cells.points
+        points = vtk.vtkPoints()
+        points.SetData(numpy_to_vtk(in_space, deep=True))
+        connectivity = vtk.vtkCellArray()
+        offsets = np.arange(len(cells.cells) + 1) * (self.dimension + 1)
+        connectivity.SetData(
+            numpy_to_vtkIdTypeArray(offsets, deep=True),
+            numpy_to_vtkIdTypeArray(cells.cells.ravel(), deep=True),
+        )
+        grid = vtk.vtkUnstructuredGrid()
+        grid.SetPoints(points)
+        grid.SetCells(vtk.VTK_TETRA if self.dimension == 3 else vtk.VTK_TRIANGLE, connectivity)
+        data = {"label": cells.labels, "quality": self.qualities, **self.cell_values}
+        for attributes, arrays in (grid.GetCellData(), data), (grid.GetPointData(), self.vertex_values):
+            for name, values in arrays.items():
+                array = numpy_to_vtk(values, deep=True)
+                array.SetName(name)
+                attributes.AddArray(array)
+        return grid
+
+    def to_pyvista(self) -> Any:
+        """Returns the same as `to_vtk()`, as a `pyvista.UnstructuredGrid`."""
+        import pyvista
+
+        return pyvista.wrap(self.to_vtk())
+
+    def to_image(
+        self,
+        shape: Sequence[int],
+        spacing: float | Sequence[float],
+        origin: Sequence[float],
+        *,
+        outside: int = 0,
+        progress: Progress | None = None,
+    ) -> npt.NDArray[np.int32]:
+        """Returns the labels at the centers of voxels or pixels, as an array of the given shape.
+
+        shape: number of voxels along x, y and z
+        spacing: sides of a voxel
+        origin: center of the first voxel
+        outside: label of voxels outside the domain
+        """
+        d = self.dimension
+        size = [_integer(n, "shape") for n in shape]
+        if len(size) != d or min(size) < 1:
+            raise ValueError(f"shape must be {d} positive integers")
+        sides = np.broadcast_to(np.asarray(spacing, dtype=float), d)
+        place = _numbers(origin, d, "origin")
+        labels: npt.NDArray[np.int32] = self._compiled.sample(
+            size, _numbers(sides, d, "spacing"), place, _integer(outside, "outside"), progress
+        )
+        return labels.reshape(size, order="F")
 
     # Storage
 
@@ -228,8 +316,10 @@ class Complex:
                 os.remove(temporary)
 
     def copy(self: Self) -> Self:
-        """Returns a copy. Both give bitwise equal results."""
-        return type(self)(self._compiled.copy())
+        """Returns a copy, also of the values. Both give bitwise equal results."""
+        result = type(self)(self._compiled.copy())
+        result._set_values(*self._get_values())
+        return result
 
     def __copy__(self: Self) -> Self:
         return self.copy()
@@ -237,11 +327,18 @@ class Complex:
     def __deepcopy__(self: Self, memo: dict[int, Any]) -> Self:
         return self.copy()
 
-    def __reduce__(self) -> tuple[Callable[[bytes], Complex], tuple[bytes]]:
-        return type(self).from_bytes, (self.to_bytes(),)
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _restored, (type(self), self.to_bytes(), *self._get_values())
+
+    def _get_values(self) -> tuple[dict[str, Any], dict[str, Any]]:
+        return dict(self.vertex_values), dict(self.cell_values)
+
+    def _set_values(self, vertex_values: dict[str, Any], cell_values: dict[str, Any]) -> None:
+        self.vertex_values.update(vertex_values)
+        self.cell_values.update(cell_values)
 
     def __eq__(self, other: object) -> bool:
-        """Returns whether both complexes will give bitwise equal results."""
+        """Returns whether both complexes will give bitwise equal results. Values are not compared."""
         if type(self) is not type(other) or not isinstance(other, Complex):
             return NotImplemented
         return bool(self._compiled.equals(other._compiled))
@@ -513,6 +610,12 @@ class Complex:
         return Changes(**self._compiled.control_detail(options, progress))
 
 
+def _restored(cls: type[Self], data: bytes, *values: dict[str, Any]) -> Self:
+    result = cls.from_bytes(data)
+    result._set_values(*values)
+    return result
+
+
 class Complex3(Complex):
     """A complex in space: labelled tetrahedra, and the triangles between different labels."""
 
@@ -587,9 +690,9 @@ class Complex3(Complex):
     @classmethod
     def from_image(
         cls,
-        labels: npt.ArrayLike,
-        spacing: float | Sequence[float] = 1.0,
-        origin: Sequence[float] = (0, 0, 0),
+        labels: Any,
+        spacing: float | Sequence[float] | None = None,
+        origin: Sequence[float] | None = None,
         *,
         edge: float | None = None,
         fill: bool = False,
@@ -598,10 +701,10 @@ class Complex3(Complex):
     ) -> Complex3:
         """Makes a complex from labelled voxels. The interface is smooth and keeps the volumes of labels.
 
-        labels: integers of shape (nx, ny, nz), with axes x, y, z, as nibabel gives them; transpose
-            arrays of SimpleITK. Label 0 is the outside.
-        spacing: sides of a voxel
-        origin: center of the voxel (0, 0, 0)
+        labels: integers of shape (nx, ny, nz), with axes x, y, z; or an image of nibabel or SimpleITK,
+            whose affine map places the voxels in space. Label 0 is the outside.
+        spacing: sides of a voxel; by default 1
+        origin: center of the voxel (0, 0, 0); by default 0
         edge: approximate length of interface edges; by default 2.5 times the longest side of a voxel
         fill: whether the voxels are the whole domain, so that the interface may end on its boundary;
             otherwise a box is around the voxels
@@ -609,8 +712,15 @@ class Complex3(Complex):
 
         Raises `Error` if all labels are 0, a label is negative, or labels reach the box.
         """
+        placed = PlacedImage.of(labels)
+        if placed is not None:
+            if spacing is not None or origin is not None:
+                raise TypeError("an image has a spacing and an origin; leave them out")
+            return cls._from_placed_image(
+                placed, edge=edge, fill=fill, improve=improve, progress=progress
+            )
         voxels = np.asarray(labels)
-        sides = np.broadcast_to(np.asarray(spacing, dtype=float), 3).tolist()
+        sides = _numbers(np.broadcast_to(1.0 if spacing is None else spacing, 3), 3, "spacing")
         if voxels.ndim != 3:
             raise ValueError("labels must have three axes")
         if edge is not None and not edge >= min(sides):
@@ -620,13 +730,31 @@ class Complex3(Complex):
                 voxels.ravel(order="F"),
                 voxels.shape,
                 sides,
-                _numbers(origin, 3, "origin"),
+                _numbers((0, 0, 0) if origin is None else origin, 3, "origin"),
                 0.0 if edge is None else _number(edge, "edge"),
                 bool(fill),
                 _given(improve=improve),
                 progress,
             )
         )
+
+    @classmethod
+    def _from_placed_image(cls, image: PlacedImage, **options: Any) -> Complex3:
+        if image.voxels.ndim != 3:
+            raise ValueError("the image must have three axes")
+        if not image.is_oblique:
+            straight = image.along_axes_of_space()
+            return cls.from_image(
+                straight.voxels, straight.spacing.tolist(), straight.affine[:3, 3].tolist(), **options
+            )
+        # The complex is made along the axes of the image, and then placed in space.
+        spacing = image.spacing
+        cells = cls.from_image(image.voxels, spacing.tolist(), **options).cells()
+        points = cells.points / spacing @ image.affine[:3, :3].T + image.affine[:3, 3]
+        tetrahedra = cells.cells
+        if np.linalg.det(image.affine[:3, :3]) < 0:
+            tetrahedra = tetrahedra[:, [1, 0, 2, 3]]
+        return cls.from_tetrahedra(points, tetrahedra, cells.labels, improve=False)
 
 
 class Complex2(Complex):

@@ -103,7 +103,7 @@ class CutLocus:
 
 
 def cut_locus(
-    surface: Callable[[Points], Any],
+    surface: str | Callable[[Points], Any],
     point: Sequence[float],
     *,
     periods: Sequence[float] = (2 * np.pi, 2 * np.pi),
@@ -113,9 +113,10 @@ def cut_locus(
 ) -> CutLocus:
     """Computes the cut locus of a point of a closed surface.
 
-    surface: returns points in space, shape (n, 3). It is called with many points at once: with u and v,
-        shape (n, 2), if the surface is periodic in u and v; or with unit vectors, shape (n, 3), if it
-        is the image of the unit sphere.
+    surface: three expressions like '(2+cos(v))*cos(u), (2+cos(v))*sin(u), sin(v)' in u and v for a
+        periodic surface, or like 'x, 0.8*y, 0.6*z' in the coordinates x, y and z of the unit sphere.
+        Or a function that returns points in space, shape (n, 3), for u and v, shape (n, 2), or for
+        unit vectors, shape (n, 3). It is called millions of times, so expressions are much faster.
     point: the source: u and v; or x, y, z of its direction
     periods: of u and v
     spacing: length of edges in the chart; by default as small as needed
@@ -123,15 +124,15 @@ def cut_locus(
 
     Raises `Error` if the surface is not regular.
     """
-    _callable(surface, "surface")
+    if not isinstance(surface, str):
+        _callable(surface, "surface")
     source = np.asarray(point, dtype=float)
     if source.shape not in ((2,), (3,)):
         raise ValueError("point must be two numbers, u and v, or three numbers, a direction")
-    in_chart = source.shape == (2,)
     result = _dsc.cut_locus(
         surface,
         source.tolist(),
-        _numbers(periods, 2, "periods") if in_chart else None,
+        _numbers(periods, 2, "periods"),
         0.0 if spacing is None else _positive(spacing, "spacing"),
         0.0 if step is None else _positive(step, "step"),
         progress,

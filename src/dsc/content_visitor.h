@@ -10,8 +10,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Carried_cell_averages.h>
 #include <CGAL/Deformable_simplicial_complexes/Carried_vertex_values.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
-
-#include <CGAL/property_map.h>
+#include <CGAL/Deformable_simplicial_complexes/Number_rows.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -24,39 +23,8 @@ namespace DSC = CGAL::Deformable_simplicial_complexes;
 namespace dsc {
 
 /// The numbers of all arrays at a vertex or cell.
-struct Content_row
-{
-  std::vector<double> numbers;
-
-  friend Content_row operator+(Content_row a, const Content_row& b) {
-    for (std::size_t i = 0; i < a.numbers.size(); ++i)
-      a.numbers[i] += b.numbers[i];
-    return a;
-  }
-  friend Content_row operator*(double factor, Content_row a) {
-    for (double& x : a.numbers)
-      x *= factor;
-    return a;
-  }
-};
-
-/// A property map from vertices or cells to rows, indexed by their ids.
-template <class Handle> struct Content_map
-{
-  using key_type = Handle;
-  using value_type = Content_row;
-  using reference = Content_row;
-  using category = boost::read_write_property_map_tag;
-
-  friend Content_row get(const Content_map& map, Handle h) { return (*map.rows)[h->id()]; }
-  friend void put(const Content_map& map, Handle h, const Content_row& row) {
-    if (map.rows->size() <= h->id())
-      map.rows->resize(h->id() + 1);
-    (*map.rows)[h->id()] = row;
-  }
-
-  std::vector<Content_row>* rows;
-};
+using Content_row = DSC::Number_row;
+template <class Handle> using Content_map = DSC::Number_row_map<Handle>;
 
 /// A visitor that transfers the arrays and entities of a mesh through the changes of a complex.
 /// Arrays of floating-point numbers are averages over cells, whose integrals are conserved, or

@@ -13,8 +13,8 @@
 
 namespace dsc {
 
-Surface_expressions::Surface_expressions(const std::string& expressions)
-    : m_expression(expressions, {"u", "v", "x", "y", "z"}, "--surface",
+Surface_expressions::Surface_expressions(const std::string& expressions, const std::string& place)
+    : m_expression(expressions, {"u", "v", "x", "y", "z"}, place,
                    "torus, ellipsoid, three expressions in u and v, or three in x, y and z") {
   if (m_expression.size() != 3)
     m_expression.refuse("has " + std::to_string(m_expression.size()) +

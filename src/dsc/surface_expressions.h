@@ -9,6 +9,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 namespace dsc {
 
@@ -17,9 +18,11 @@ namespace dsc {
 class Surface_expressions
 {
 public:
+  /// \param place description of the expressions for messages
   /// \throws Usage_error with the reason and the place if these are not three expressions in one of
   /// the two sets of variables
-  explicit Surface_expressions(const std::string& expressions);
+  explicit Surface_expressions(const std::string& expressions,
+                               const std::string& place = "--surface");
 
   /// Returns whether the surface is the image of the unit sphere.
   bool is_of_sphere() const { return m_is_of_sphere; }
@@ -33,6 +36,14 @@ public:
   }
   std::array<double, 3> operator()(const std::array<double, 3>& p) const {
     return at({0, 0, p[0], p[1], p[2]});
+  }
+
+  /// Returns the images of many points of the chart or of the sphere.
+  template <class Points> std::vector<std::array<double, 3>> images(const Points& points) const {
+    std::vector<std::array<double, 3>> result;
+    for (const auto& p : points)
+      result.push_back((*this)(p));
+    return result;
   }
 
 private:

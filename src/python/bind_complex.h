@@ -5,7 +5,7 @@
 #ifndef DSC_PYTHON_BIND_COMPLEX_H
 #define DSC_PYTHON_BIND_COMPLEX_H
 
-#include "Guarded.h"
+#include "Complex_object.h"
 #include "callbacks.h"
 #include "options.h"
 #include "reports.h"
@@ -18,12 +18,14 @@
 #include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
 #include <CGAL/Deformable_simplicial_complexes/restore_volumes.h>
+#include <CGAL/Deformable_simplicial_complexes/sample_labels.h>
 #include <CGAL/Deformable_simplicial_complexes/topology_control.h>
 #include <CGAL/Interface_flows/Mean_curvature_flow.h>
 #include <CGAL/Interface_flows/Normal_offset.h>
 #include <CGAL/Interface_flows/advect_adaptively.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 
+#include <array>
 #include <map>
 #include <memory>
 #include <string>
@@ -36,14 +38,14 @@ namespace dsc_python {
 template <class Make> auto guarded(const py::object& progress, const Make& make) {
   using Complex = decltype(make());
   const Long_function function(progress);
-  return std::make_unique<Guarded<Complex>>(make());
+  return std::make_unique<Complex_object<Complex>>(make());
 }
 
 /// The functions of a complex for Python. Coordinates and measures are those of the user.
 template <class Complex> class Complex_functions
 {
 public:
-  using Object = Guarded<Complex>;
+  using Object = Complex_object<Complex>;
   static constexpr int d = Complex::dimension;
 
   static py::tuple interface_(const Object& object) {
@@ -101,8 +103,22 @@ public:
     return result;
   }
 
+  /// Returns the labels at the points of a grid, the first axis fastest.
+  static py::array_t<std::int32_t> sample(const Object& object,
+                                          const std::array<std::size_t, d>& size,
+                                          const std::array<double, d>& spacing,
+                                          const std::array<double, d>& origin, int outside,
+                                          const py::object& progress) {
+    const std::vector<int> labels = object.read_long(progress, [&](const Complex& complex) {
+      return DSC::sample_labels(complex, {size, spacing, origin}, outside);
+    });
+    return array_of<std::int32_t>(labels.size(), [&](std::size_t i) { return labels[i]; });
+  }
+
   static py::bytes to_bytes(const Object& object) {
-    return CGAL::IO::checkpoint_to_bytes(object.read().state());
+    return object.read_long(py::none(), [](const Complex& complex) {
+      return CGAL::IO::checkpoint_to_bytes(complex.state());
+    });
   }
 
   static std::unique_ptr<Object> from_bytes(const std::string& bytes, const py::object& progress) {
@@ -145,7 +161,7 @@ public:
     read_deformation(rest, space, deformation);
     rest.require_all_read();
     const auto points = space.points(destinations, "destinations");
-    const auto report = object.change(progress, [&](Complex& changed) {
+    const auto report = change(object, progress, deformation, [&](Complex& changed) {
       const DSC::Interface_vertices<Complex> interface_vertices(changed);
       return DSC::deform_interface_to(changed, interface_vertices, points, deformation);
     });
@@ -163,7 +179,7 @@ public:
     rest.require_all_read();
     for (auto& [label, volume] : volumes)
       volume /= space.measure(1);
-    return object.change(progress, [&](Complex& complex) {
+    return change(object, progress, restoration.deformation, [&](Complex& complex) {
       return DSC::restore_volumes(complex, volumes, restoration).complete;
     });
   }
@@ -177,8 +193,9 @@ public:
     rest.read("smooth_interface", improvement.smooth_interface);
     rest.read("threads", improvement.number_of_threads);
     rest.require_all_read();
-    return report_to_dict(object.change(
-        progress, [&](Complex& complex) { return DSC::improve_mesh(complex, improvement); }));
+    return report_to_dict(change(object, progress, improvement, [&](Complex& complex) {
+      return DSC::improve_mesh(complex, improvement);
+    }));
   }
 
   static py::dict improve_interface(Object& object, const py::dict& options,
@@ -197,8 +214,9 @@ public:
     rest.read("curved_splits", improvement.curved_splits);
     rest.read("split_junctions", improvement.split_junctions);
     rest.require_all_read();
-    return report_to_dict(object.change(
-        progress, [&](Complex& complex) { return DSC::improve_interface(complex, improvement); }));
+    return report_to_dict(change(object, progress, improvement, [&](Complex& complex) {
+      return DSC::improve_interface(complex, improvement);
+    }));
   }
 
   static py::dict control_detail(Object& object, const py::dict& options,
@@ -213,8 +231,9 @@ public:
     rest.read("interface_collapse_length", detail.interface_collapse_length);
     rest.read("number_of_iterations", detail.number_of_iterations);
     rest.require_all_read();
-    return report_to_dict(object.change(
-        progress, [&](Complex& complex) { return DSC::control_detail(complex, detail); }));
+    return report_to_dict(change(object, progress, detail, [&](Complex& complex) {
+      return DSC::control_detail(complex, detail);
+    }));
   }
 
   /// Reads the options of deformations.
@@ -239,6 +258,18 @@ private:
                                    [&](std::size_t i) { return vertices[i]->time_stamp(); });
   }
 
+  /// Changes the complex, and transfers its values.
+  template <class Options, class Change>
+  static auto change(Object& object, const py::object& progress, Options& options,
+                     const Change& change) {
+    return object.change(progress, [&](Complex& complex) {
+      Value_visitor<Complex> visitor(complex, object);
+      if (!object.vertex_values.is_empty() || !object.cell_values.is_empty())
+        options.visitor = &visitor;
+      return change(complex);
+    });
+  }
+
   /// Moves the interface for one time step. With the option `adapt`, also adapts it.
   template <class Flow_in>
   static py::dict move(Object& object, bool contracts, const py::dict& options,
@@ -260,7 +291,7 @@ private:
     DSC::Advection_options<Complex>& advection = adapts ? adaptive.advection : plain;
     read_advection(rest, space, advection);
     rest.require_all_read();
-    const auto report = object.change(progress, [&](Complex& changed) {
+    const auto report = change(object, progress, advection.deformation, [&](Complex& changed) {
       return adapts ? DSC::advect_adaptively(changed, flow, t, dt, adaptive)
                     : DSC::advect_interface(changed, flow, t, dt, plain);
     });
@@ -316,14 +347,18 @@ private:
 /// Adds the class of a complex to the module. Constructors that depend on the dimension are added
 /// by the caller.
 template <class Complex>
-py::class_<Guarded<Complex>> bind_complex(py::module_& module, const char* name) {
+py::class_<Complex_object<Complex>> bind_complex(py::module_& module, const char* name) {
   using Functions = Complex_functions<Complex>;
-  using Object = Guarded<Complex>;
+  using Object = Complex_object<Complex>;
   return py::class_<Object>(module, name)
       .def_static("from_bytes", &Functions::from_bytes)
       .def("to_bytes", &Functions::to_bytes)
       .def("copy",
-           [](const Object& object) { return std::make_unique<Object>(Complex(object.read())); })
+           [](const Object& object) {
+             return object.read_long(py::none(), [](const Complex& complex) {
+               return std::make_unique<Object>(Complex(complex));
+             });
+           })
       .def("equals",
            [](const Object& a, const Object& b) { return a.read().state() == b.read().state(); })
       .def("number_of_vertices",
@@ -338,6 +373,31 @@ py::class_<Guarded<Complex>> bind_complex(py::module_& module, const char* name)
       .def("interface", &Functions::interface_)
       .def("cells", &Functions::cells)
       .def("qualities", &Functions::qualities)
+      .def("value_names",
+           [](const Object& object, bool on_cells) {
+             object.read();
+             return on_cells ? object.cell_values.names() : object.vertex_values.names();
+           })
+      .def("get_values",
+           [](const Object& object, bool on_cells, const std::string& name) {
+             const Complex& complex = object.read();
+             return on_cells ? object.cell_values.get(name, complex.cells())
+                             : object.vertex_values.get(name, complex.vertices());
+           })
+      .def("set_values",
+           [](Object& object, bool on_cells, const std::string& name, const Array<double>& values) {
+             const Complex& complex = object.at_rest();
+             if (on_cells)
+               object.cell_values.set(name, values, complex.cells());
+             else
+               object.vertex_values.set(name, values, complex.vertices());
+           })
+      .def("remove_values",
+           [](Object& object, bool on_cells, const std::string& name) {
+             object.at_rest();
+             return on_cells ? object.cell_values.remove(name) : object.vertex_values.remove(name);
+           })
+      .def("sample", &Functions::sample)
       .def("volumes", &Functions::volumes)
       .def("components", &Functions::components)
       .def("advect", &Functions::advect)

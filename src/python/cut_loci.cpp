@@ -6,9 +6,12 @@
 #include "Guarded.h"
 #include "arrays.h"
 #include "callbacks.h"
+#include "errors.h"
 #include "module.h"
+#include "surface_expressions.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -41,21 +44,63 @@ private:
   Shared_function m_function;
 };
 
-/// \param periods None for the image of a sphere
-py::dict cut_locus(const py::function& surface, const std::vector<double>& point,
-                   const py::object& periods, double spacing, double step,
+/// Returns the source of geodesics on a surface that is given by a function or by expressions.
+/// \param point u and v, or a direction
+template <class Surface>
+std::unique_ptr<dsc::Geodesic_source> source_of(const Surface& images,
+                                                const std::vector<double>& point,
+                                                const std::array<double, 2>& periods) {
+  if (point.size() == 2)
+    return dsc::source_in_chart(images, periods, {point[0], point[1]});
+  return dsc::source_on_sphere({images}, {point.at(0), point.at(1), point.at(2)});
+}
+
+/// Expressions of the coordinates, as a surface.
+class Surface_text
+{
+public:
+  Surface_text(const std::string& text, bool is_of_sphere) : m_expressions(read(text)) {
+    if (m_expressions.is_of_sphere() != is_of_sphere)
+      throw py::value_error(is_of_sphere
+                                ? "the surface depends on u and v, but point is a direction"
+                                : "the surface depends on x, y and z, so point must be a "
+                                  "direction");
+  }
+
+  template <class Points> dsc::Space_points operator()(const Points& points) const {
+    return m_expressions.images(points);
+  }
+
+private:
+  static dsc::Surface_expressions read(const std::string& text) {
+    try {
+      return dsc::Surface_expressions(text, "surface");
+    } catch (const dsc::Usage_error& error) {
+      throw py::value_error(error.what());
+    }
+  }
+
+  dsc::Surface_expressions m_expressions;
+};
+
+/// \param surface a function, or three expressions
+/// \param periods of a chart
+py::dict cut_locus(const py::object& surface, const std::vector<double>& point,
+                   const std::array<double, 2>& periods, double spacing, double step,
                    const py::object& progress) {
-  const Surface_function images(surface);
-  const auto box =
-      periods.is_none() ? std::array<double, 2>() : periods.cast<std::array<double, 2>>();
+  const bool is_text = py::isinstance<py::str>(surface);
+  std::optional<Surface_text> text;
+  std::optional<Surface_function> images;
+  if (is_text)
+    text.emplace(surface.cast<std::string>(), point.size() == 3);
+  else
+    images.emplace(surface.cast<py::function>());
   std::unique_ptr<dsc::Geodesic_source> source;
   dsc::Found_cut_locus found;
   dsc::Space_points positions;
   {
     const Long_function function(progress);
-    source = point.size() == 2
-                 ? dsc::source_in_chart(images, box, {point.at(0), point.at(1)})
-                 : dsc::source_on_sphere({images}, {point.at(0), point.at(1), point.at(2)});
+    source = is_text ? source_of(*text, point, periods) : source_of(*images, point, periods);
     found = dsc::find_cut_locus(*source, spacing, step);
     for (const auto& vertex : found.locus.vertices)
       positions.push_back(source->image(vertex.point));

@@ -5,6 +5,7 @@
 // First, because this header declares the templates that are compiled already.
 #include <CGAL/Incompressible_fluids_3/compiled_3.h>
 
+#include "Complex_object.h"
 #include "bind_complex.h"
 #include "module.h"
 #include "options_of_construction.h"
@@ -55,7 +56,7 @@ DSC::Fluid_properties_3 properties_of(const std::map<int, std::pair<double, doub
   return result;
 }
 
-std::unique_ptr<Object> make_fluid(const Guarded<Complex>& given,
+std::unique_ptr<Object> make_fluid(const Complex_object<Complex>& given,
                                    const std::map<int, std::pair<double, double>>& liquids,
                                    const std::map<int, std::pair<double, double>>& gases,
                                    const std::map<std::pair<int, int>, double>& tensions,
@@ -202,7 +203,7 @@ void bind_fluid(py::module_& module) {
       .def(py::init(&make_fluid))
       .def("complex",
            [](const Object& object) {
-             return std::make_unique<Guarded<Complex>>(Complex(*object.read().complex));
+             return std::make_unique<Complex_object<Complex>>(Complex(*object.read().complex));
            })
       .def("time", [](const Object& object) { return object.read().fluid->time(); })
       .def("balance",

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "Guarded.h"
+#include "Complex_object.h"
 #include "Space.h"
 #include "module.h"
 #include "options.h"
@@ -86,11 +86,11 @@ py::tuple reconstruct(const Array<double>& points, const py::object& normals,
   cloud.normals = normals_of(normals, cloud.points.size());
   Report report;
   reconstruction.report = &report;
-  std::unique_ptr<Guarded<Complex>> result;
+  std::unique_ptr<Complex_object<Complex>> result;
   {
     const Long_function function(progress);
     const DSC::Progress_phase phase("reconstructing a surface");
-    result = std::make_unique<Guarded<Complex>>(
+    result = std::make_unique<Complex_object<Complex>>(
         DSC::internal::reconstruct_collected(cloud, reconstruction));
   }
   py::dict dictionary = report_to_dict(report, result->read());

@@ -152,8 +152,8 @@ private:
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Returns the labels at the points of a grid, such as a labelled image of a complex. A point on a facet
-gets the smallest label of its cells.
+Returns the labels at the points of a grid, such as a labelled image of a complex. A point on a
+facet gets the smallest label of its cells.
 
 \tparam Complex a deformable simplicial complex whose domain is not a torus
 

@@ -65,15 +65,6 @@ Space_points ellipsoid(const Space_points& directions) {
   return result;
 }
 
-/// Returns the points of a surface that is given by expressions.
-template <class Points>
-Space_points images(const Surface_expressions& surface, const Points& points) {
-  Space_points result;
-  for (const auto& p : points)
-    result.push_back(surface(p));
-  return result;
-}
-
 Json json_of(const DSC::Cut_locus_2& locus, const Geodesic_source& source, bool has_positions) {
   Json vertices = Json::array();
   for (const auto& vertex : locus.vertices) {
@@ -179,10 +170,10 @@ std::unique_ptr<Geodesic_source> source_of(const Cut_locus_options& options) {
   const Surface_expressions expressions(options.surface);
   if (expressions.is_of_sphere())
     return source_on_sphere(options, {[expressions](const Space_points& points) {
-                              return images(expressions, points);
+                              return expressions.images(points);
                             }});
   return source_in_chart(
-      options, [expressions](const Chart_points& points) { return images(expressions, points); });
+      options, [expressions](const Chart_points& points) { return expressions.images(points); });
 }
 
 int execute(const Cut_locus_options& options) {

@@ -1,0 +1,150 @@
+"""Reconstruction from points and cut loci, against exact values."""
+
+import threading
+
+import dsc
+import numpy as np
+import pytest
+
+
+def points_of_torus(n=3000):
+    numbers = np.random.default_rng(1)
+    u, v, w = numbers.uniform(0, 2 * np.pi, (3, 3 * n))
+    u, v = (a[w / 2 / np.pi * 3 < 2 + np.cos(v)][:n] for a in (u, v))  # uniform on the surface
+    normals = np.c_[np.cos(v) * np.cos(u), np.cos(v) * np.sin(u), np.sin(v)]
+    return np.c_[2 * np.cos(u), 2 * np.sin(u), 0 * u] + normals, normals
+
+
+@pytest.mark.parametrize("with_normals", [False, True])
+def test_reconstruction_of_a_torus(with_normals):
+    points, normals = points_of_torus()
+    result = dsc.reconstruct(points, normals if with_normals else None)
+    assert result.complete
+    assert result.complex.is_valid()
+    assert result.complex.components == {0: 1, 1: 1}
+    assert result.complex.volumes[1] == pytest.approx(4 * np.pi**2, rel=0.02)
+    facets = result.complex.interface()
+    edges = {tuple(sorted(e)) for t in facets.facets.tolist() for e in zip(t, t[1:] + t[:1])}
+    assert len(facets.points) - len(edges) + len(facets.facets) == 0  # Euler characteristic
+    assert result.used_points + result.duplicates + result.outliers == len(points)
+    assert 0 < result.root_mean_square < result.maximum_distance < result.spacing
+    assert len(result.doubtful_places) == 0
+
+
+def test_open_sheets():
+    points, _ = points_of_torus()
+    half = points[points[:, 2] > 0]
+    with pytest.raises(dsc.InvalidPointsError):
+        dsc.reconstruct(half)
+    result = dsc.reconstruct(half, keep_open=True)
+    facets = result.complex.interface()
+    middles = facets.points[facets.facets[result.facets_without_points]].mean(axis=1)
+    assert len(middles) > 0
+    sheet = np.delete(np.arange(len(facets.facets)), result.facets_without_points)
+    on_torus = np.hypot(np.hypot(*facets.points[facets.facets[sheet]].mean(axis=1).T[:2]) - 2,
+                        facets.points[facets.facets[sheet]].mean(axis=1)[:, 2])  # fmt: skip
+    assert np.median(np.abs(on_torus - 1)) < 0.05
+
+
+def test_reconstruction_refuses_bad_points():
+    for points in np.zeros((3, 3)), np.full((9, 3), np.nan), np.zeros((0, 3)):
+        with pytest.raises(dsc.InvalidPointsError):
+            dsc.reconstruct(points)
+    for points in np.zeros((9, 2)), np.zeros(9):
+        with pytest.raises(ValueError):
+            dsc.reconstruct(points)
+    with pytest.raises(ValueError):
+        dsc.reconstruct(np.zeros((9, 3)), np.zeros((8, 3)))
+    with pytest.raises(dsc.Error):
+        dsc.reconstruct(np.zeros((9, 3)), tolerance=0)
+
+
+def test_reconstruction_stops():
+    points, _ = points_of_torus()
+    with pytest.raises(dsc.Interrupted):
+        dsc.reconstruct(points, progress=lambda phase: False)
+
+
+def length_of_meridian(flattening):
+    angle = (np.arange(20000) + 0.5) * np.pi / 20000
+    return np.mean(np.hypot(np.cos(angle), flattening * np.sin(angle))) * np.pi
+
+
+def test_cut_locus_of_a_pole_of_a_spheroid():
+    """The cut locus is the opposite pole."""
+    locus = dsc.cut_locus("x, y, 0.7*z", (0, 0, 1))
+    assert len(locus.points) == 1
+    assert locus.points[0] == pytest.approx([0, 0, -0.7], abs=1e-6)
+    assert locus.distances[0] == pytest.approx(length_of_meridian(0.7), rel=1e-7)
+    assert locus.complete
+
+
+TORUS = "(2+cos(v))*cos(u), (2+cos(v))*sin(u), sin(v)"
+
+
+def test_cut_locus_of_a_torus():
+    locus = dsc.cut_locus(TORUS, (0, 0.3), spacing=0.15)
+    assert locus.complete
+    u, v = locus.parameters.T
+    assert np.c_[(2 + np.cos(v)) * np.cos(u), (2 + np.cos(v)) * np.sin(u), np.sin(v)] == (
+        pytest.approx(locus.points)
+    )
+    # The torus is symmetric by u -> -u, so the meridian u = pi is in the cut locus.
+    assert np.min(np.abs(u - np.pi)) < 1e-6
+    for arc in locus.arcs:
+        assert len(arc) >= 2
+        assert np.all(locus.multiplicities[arc[1:-1]] == 2)
+
+
+def test_cut_locus_of_a_function():
+    """The function gives the same metric as expressions."""
+    locus = dsc.cut_locus(lambda n: n * [1, 1, 0.9], (0, 0, 1), spacing=0.4, step=0.4)
+    same = dsc.cut_locus("x, y, 0.9*z", (0, 0, 1), spacing=0.4, step=0.4)
+    assert locus.distances == pytest.approx(same.distances, rel=1e-12)
+    assert locus.distances[0] == pytest.approx(length_of_meridian(0.9), rel=1e-6)
+
+
+def test_cut_locus_refuses_bad_surfaces():
+    def sphere(n):
+        return n
+
+    with pytest.raises(TypeError):
+        dsc.cut_locus(3, (0, 0, 1))
+    for point in (0,), (0, 0, 0, 1), "ab":
+        with pytest.raises(ValueError):
+            dsc.cut_locus(sphere, point)
+    with pytest.raises(dsc.Error):
+        dsc.cut_locus(sphere, (0, 0, 0))
+    with pytest.raises(dsc.Error):
+        dsc.cut_locus(lambda n: 0 * n, (0, 0, 1))
+    with pytest.raises(ValueError):
+        dsc.cut_locus(lambda n: n[:1], (0, 0, 1))
+    with pytest.raises(ValueError):
+        dsc.cut_locus(lambda n: n[:, :2], (0, 0, 1))
+    with pytest.raises(ValueError):
+        dsc.cut_locus(sphere, (0, 0, 1), spacing=-1)
+    for text in "x,y", "u,v,x", "1,2,3", "x,y,z+", "x,y,q":
+        with pytest.raises(ValueError):
+            dsc.cut_locus(text, (0, 0, 1))
+    with pytest.raises(ValueError):
+        dsc.cut_locus("x,y,z", (0, 1))
+    with pytest.raises(ValueError):
+        dsc.cut_locus(TORUS, (0, 0, 1))
+    with pytest.raises(ZeroDivisionError):
+        dsc.cut_locus(lambda n: 1 // 0, (0, 0, 1))
+    with pytest.raises(dsc.Interrupted):
+        dsc.cut_locus("x, 0.8*y, 0.6*z", (1, 0.3, 0), progress=lambda phase: False)
+
+
+def test_cut_loci_in_threads():
+    results = []
+
+    def compute():
+        results.append(dsc.cut_locus("x, y, 0.8*z", (0, 0, 1)).distances[0])
+
+    threads = [threading.Thread(target=compute) for _ in range(2)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert results[0] == results[1]
