@@ -1,12 +1,15 @@
 #!/usr/bin/env bash
 # Runs the checks that take too long for scripts/test.sh: the benchmarks, all headers alone, the thread
-# sanitizer, the other sanitizers, Clang, CGAL 6, more damaged files, and random deformations.
+# sanitizer, the other sanitizers, Clang, CGAL 6, more damaged files, random deformations, files of all
+# programs that Debian has, packages on a bare Debian 12, and Debian 13.
 # Usage: scripts/check_more.sh [benchmarks] [headers] [threads] [sanitizers] [clang] [cgal_6] [fuzz] [abuse]
+#          [formats] [packages] [debian_13]
 # Runs all parts by default. Prints a line for each part; its full output is in build-more/PART.log.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 parts=("$@")
-[ ${#parts[@]} -gt 0 ] || parts=(benchmarks headers threads sanitizers clang cgal_6 fuzz abuse)
+[ ${#parts[@]} -gt 0 ] || parts=(benchmarks headers threads sanitizers clang cgal_6 fuzz abuse formats
+  packages debian_13)
 jobs=$(nproc)
 work=build-more
 mkdir -p "$work"
@@ -80,6 +83,27 @@ check_abuse() {
   "$work/checked/benchmark/random_abuse" --seed 2
 }
 
+# Reads files that Gmsh, meshio, nibabel and FEniCS write. scripts/test.sh reads only those of VTK.
+check_formats() {
+  scripts/install_dependencies.sh gmsh libgmsh-dev libvtk9-dev python3-dolfinx python3-meshio \
+    python3-nibabel python3-pytest
+  cmake -S . -B "$work/formats" -G Ninja -DCMAKE_BUILD_TYPE=Release -DDSC_BUILD_TESTS=OFF \
+    -DDSC_BUILD_EXAMPLES=OFF -DDSC_BUILD_BENCHMARKS=OFF -DDSC_BUILD_PYTHON=OFF
+  cmake --build "$work/formats" --parallel "$jobs" --target dsc dsc-full dsc-files
+  DSC_PROGRAM=$(realpath "$work/formats/dsc") /usr/bin/python3 -m pytest -rs -p no:cacheprovider test/files
+}
+
+check_packages() {
+  scripts/make_packages.sh
+  tar --extract --gzip --file /usr/share/doc/libcgal-dev/data.tar.gz --directory build/packages \
+    --strip-components=2 data/meshes/bunny00.off
+  scripts/in_debian.sh bookworm "$work/bare" scripts/check_packages.sh build/packages/bunny00.off
+}
+
+check_debian_13() {
+  scripts/in_debian.sh trixie "$work/debian-13" bash -c 'scripts/main_job.sh && scripts/test.sh'
+}
+
 failed=0
 for part in "${parts[@]}"; do
   SECONDS=0
@@ -90,7 +114,7 @@ for part in "${parts[@]}"; do
   status=$?
   set -e
   outcome=$(grep --only-matching --extended-regexp \
-    '^skipped: .*|[0-9]+ headers compile alone|PASSED  \] [0-9]+ tests|tests passed.* out of [0-9]+|^Every state was valid' \
+    '^skipped: .*|^packages: .*|[0-9]+ passed.*|[0-9]+ headers compile alone|PASSED  \] [0-9]+ tests|tests passed.* out of [0-9]+|^Every state was valid' \
     "$log" | tail -n 1 || true)
   if [ $status -ne 0 ]; then
     outcome="FAILED, see $log"

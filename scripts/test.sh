@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 jobs=$(nproc)
 
-scripts/install_dependencies.sh chromium mypy pybind11-dev python3-dev python3-mypy python3-numpy python3-pytest
+scripts/install_dependencies.sh chromium libvtk9-dev mypy pybind11-dev python3-dev python3-mypy python3-numpy python3-pytest
 
 # -O1 saves a third of the compilation time. scripts/check_more.sh builds the benchmarks, because nothing
 # runs them here.

@@ -21,8 +21,7 @@ namespace {
 
 using Point = Geodesic_source::Point;
 using Domain = DSC::Torus_domain<2>;
-using Chart_metric = Surface_by_differences<Chart_embedding>;
-using Sphere_surface = DSC::Sphere_like_surface_2<Sphere_embedding, Surface_by_differences>;
+using Sphere = DSC::Sphere_like_surface_2<Sphere_surface, Metric_of_chart>;
 
 /// Returns the smallest length of unit vectors along the axes of a chart.
 double scale_of(const DSC::Metric_jet_2& g) { return std::sqrt(std::min(g.E, g.G)); }
@@ -48,35 +47,33 @@ Geodesic_source::Ball grow(Front front, double radius, double step, const std::s
 class In_chart : public Geodesic_source
 {
 public:
-  In_chart(const Chart_embedding& embedding, const std::array<double, 2>& periods,
+  In_chart(const Chart_surface& surface, const std::array<double, 2>& periods,
            const std::array<double, 2>& point)
-      : m_embedding(embedding), m_metric(embedding, periods), m_domain(periods),
-        m_source(point[0], point[1]) {}
+      : m_surface(surface), m_domain(periods), m_source(point[0], point[1]) {}
 
   double default_spacing() const override {
     static constexpr double edges = 40; // on the shorter period
     return std::min(m_domain.periods()[0], m_domain.periods()[1]) / edges;
   }
   double default_step(double spacing) const override {
-    return spacing / 2 * scale_of(m_metric(m_source.x(), m_source.y()));
+    return spacing / 2 * scale_of(m_surface.metric(m_source.x(), m_source.y()));
   }
   DSC::Cut_locus_2 cut_locus(double spacing, double step) const override {
-    return DSC::cut_locus_2(m_metric, m_domain, m_source, spacing, step);
+    return DSC::cut_locus_2(m_surface.metric, m_domain, m_source, spacing, step);
   }
   Ball ball(double radius, double spacing, double step, const std::string& path) const override {
-    return grow(DSC::Geodesic_front_2<Chart_metric>(m_metric, m_domain, m_source, spacing), radius,
-                step, path);
+    return grow(DSC::Geodesic_front_2<Any_metric>(m_surface.metric, m_domain, m_source, spacing),
+                radius, step, path);
   }
   void draw(const DSC::Cut_locus_2& locus, const std::string& path) const override {
     CGAL::IO::write_SVG(path, locus, m_domain, m_source);
   }
   std::array<double, 3> image(const Point& p) const override {
-    return m_embedding({{p.x(), p.y()}}).front();
+    return m_surface.image(p.x(), p.y());
   }
 
 private:
-  Chart_embedding m_embedding;
-  Chart_metric m_metric;
+  Chart_surface m_surface;
   Domain m_domain;
   Point m_source;
 };
@@ -84,23 +81,22 @@ private:
 class On_sphere : public Geodesic_source
 {
 public:
-  On_sphere(const Sphere_embedding& embedding, const std::array<double, 3>& direction)
-      : m_surface(embedding, direction) {}
+  On_sphere(const Sphere_surface& surface, const std::array<double, 3>& direction)
+      : m_surface(surface, direction) {}
 
   double default_spacing() const override {
     static constexpr double edges = 40; // on half of the width of the chart
-    return Sphere_surface::half_width / edges;
+    return Sphere::half_width / edges;
   }
   // Measured opposite to the source.
   double default_step(double spacing) const override {
-    return spacing / 2 *
-           scale_of(m_surface(Sphere_surface::half_width, Sphere_surface::half_width));
+    return spacing / 2 * scale_of(m_surface(Sphere::half_width, Sphere::half_width));
   }
   DSC::Cut_locus_2 cut_locus(double spacing, double step) const override {
     return DSC::cut_locus_2(m_surface, spacing, step);
   }
   Ball ball(double radius, double spacing, double step, const std::string& path) const override {
-    return grow(DSC::Geodesic_front_2<Sphere_surface>(m_surface, spacing), radius, step, path);
+    return grow(DSC::Geodesic_front_2<Sphere>(m_surface, spacing), radius, step, path);
   }
   void draw(const DSC::Cut_locus_2& locus, const std::string& path) const override {
     CGAL::IO::write_SVG(path, locus, m_surface);
@@ -108,20 +104,20 @@ public:
   std::array<double, 3> image(const Point& p) const override { return m_surface.image(p); }
 
 private:
-  Sphere_surface m_surface;
+  Sphere m_surface;
 };
 
 } // namespace
 
-std::unique_ptr<Geodesic_source> source_in_chart(const Chart_embedding& embedding,
+std::unique_ptr<Geodesic_source> source_in_chart(const Chart_surface& surface,
                                                  const std::array<double, 2>& periods,
                                                  const std::array<double, 2>& point) {
-  return std::make_unique<In_chart>(embedding, periods, point);
+  return std::make_unique<In_chart>(surface, periods, point);
 }
 
-std::unique_ptr<Geodesic_source> source_on_sphere(const Sphere_embedding& embedding,
+std::unique_ptr<Geodesic_source> source_on_sphere(const Sphere_surface& surface,
                                                   const std::array<double, 3>& direction) {
-  return std::make_unique<On_sphere>(embedding, direction);
+  return std::make_unique<On_sphere>(surface, direction);
 }
 
 Found_cut_locus find_cut_locus(const Geodesic_source& source, double spacing, double step) {

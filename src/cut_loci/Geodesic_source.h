@@ -5,7 +5,7 @@
 #ifndef DSC_CUT_LOCI_GEODESIC_SOURCE_H
 #define DSC_CUT_LOCI_GEODESIC_SOURCE_H
 
-#include "Surface_by_differences.h"
+#include "Any_surface.h"
 
 #include <CGAL/Cut_loci_2/cut_locus_2.h>
 
@@ -52,13 +52,13 @@ public:
 
 /// Returns a point of a surface with a periodic chart.
 /// \param point u and v
-std::unique_ptr<Geodesic_source> source_in_chart(const Chart_embedding& embedding,
+std::unique_ptr<Geodesic_source> source_in_chart(const Chart_surface& surface,
                                                  const std::array<double, 2>& periods,
                                                  const std::array<double, 2>& point);
 
 /// Returns a point of a surface that is the image of the unit sphere.
 /// \param direction the point is the image of this direction, of any length
-std::unique_ptr<Geodesic_source> source_on_sphere(const Sphere_embedding& embedding,
+std::unique_ptr<Geodesic_source> source_on_sphere(const Sphere_surface& surface,
                                                   const std::array<double, 3>& direction);
 
 /// A cut locus with the spacing and the step of its computation.

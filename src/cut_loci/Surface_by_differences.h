@@ -6,72 +6,51 @@
 #define DSC_CUT_LOCI_SURFACE_BY_DIFFERENCES_H
 
 #include <CGAL/Cut_loci_2/Riemannian_metric_2.h>
-#include <CGAL/Cut_loci_2/Sphere_like_surface_2.h>
 #include <CGAL/number_utils.h>
 
 #include <array>
 #include <cstddef>
 #include <functional>
 #include <utility>
-#include <vector>
 
 namespace dsc {
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
-using Chart_points = std::vector<std::array<double, 2>>; ///< u and v of points of a chart
-using Space_points = std::vector<std::array<double, 3>>; ///< points or directions in space
+/// Number of points at which a surface is evaluated for its metric: one, and three pairs on each of
+/// three lines.
+inline constexpr std::size_t samples_of_metric = 19;
+using Chart_samples = std::array<std::array<double, 2>, samples_of_metric>; ///< u and v
+using Space_samples = std::array<std::array<double, 3>, samples_of_metric>; ///< x, y and z
 
-/// An embedding of a chart: returns the images of points.
-using Chart_embedding = std::function<Space_points(const Chart_points&)>;
-
-/// An embedding of the unit sphere.
-struct Sphere_embedding
-{
-  std::function<Space_points(const Space_points&)> images; ///< of directions of unit length
-
-  std::array<double, 3> operator()(const std::array<double, 3>& direction) const {
-    return images({direction}).front();
-  }
-};
-
-inline Space_points images(const Chart_embedding& embedding, const Chart_points& points) {
-  return embedding(points);
-}
-
-inline Space_points
-images(const DSC::internal::Stereographic_embedding_2<Sphere_embedding>& embedding,
-       const Chart_points& points) {
-  Space_points directions;
-  for (const auto& [u, v] : points)
-    directions.push_back(embedding.direction(u, v));
-  return embedding.embedding().images(directions);
-}
+/// An embedding of a chart: returns the images of the points.
+using Chart_images = std::function<Space_samples(const Chart_samples&)>;
 
 /// The metric of an embedding of a chart, computed by finite differences of sixth order. The
 /// default width of the differences, 1/600 of a full turn, balances truncation and rounding errors.
-/// \tparam Embedding `Chart_embedding`, or a chart of a `Sphere_embedding`
-template <class Embedding> class Surface_by_differences
+class Surface_by_differences
 {
 public:
-  explicit Surface_by_differences(Embedding embedding)
-      : m_embedding(std::move(embedding)), m_widths{width, width} {}
+  explicit Surface_by_differences(Chart_images images)
+      : m_images(std::move(images)), m_widths{width, width} {}
 
   /// \param periods periods of the chart; the widths of the differences are proportional to them
-  Surface_by_differences(Embedding embedding, const std::array<double, 2>& periods)
-      : m_embedding(std::move(embedding)), m_widths{periods[0] / turn * width,
-                                                    periods[1] / turn * width} {}
+  Surface_by_differences(Chart_images images, const std::array<double, 2>& periods)
+      : m_images(std::move(images)), m_widths{periods[0] / turn * width,
+                                              periods[1] / turn * width} {}
 
   DSC::Metric_jet_2 operator()(double u, double v) const {
     const double a = m_widths[0], b = m_widths[1];
-    // The point itself, then pairs of points on lines along u, along v, and along the diagonal.
-    Chart_points points = {{u, v}};
-    for (const auto& [du, dv] : {std::pair(a, 0.), std::pair(0., b), std::pair(a, b)})
-      for (int k = 1; k <= pairs; ++k) {
-        points.push_back({u + k * du, v + k * dv});
-        points.push_back({u - k * du, v - k * dv});
+    const std::array<std::array<double, 2>, 3> steps = {{{a, 0}, {0, b}, {a, b}}};
+    Chart_samples points;
+    points[0] = {u, v};
+    for (std::size_t line = 0; line < 3; ++line)
+      for (std::size_t k = 0; k < pairs; ++k) {
+        const double du = double(k + 1) * steps[line][0], dv = double(k + 1) * steps[line][1];
+        points[place(line, k)] = {u + du, v + dv};
+        points[place(line, k) + 1] = {u - du, v - dv};
       }
-    const Space_points samples = images(m_embedding, points);
+    const Space_samples samples = m_images(points);
     Vector ru, ruu, rv, rvv, unused, ruv; // derivatives in units of the widths
     derive(samples, 0, ru, ruu);
     derive(samples, 1, rv, rvv);
@@ -91,7 +70,7 @@ public:
 
 private:
   static constexpr double turn = 2 * CGAL_PI, width = .01;
-  static constexpr int pairs = 3; // on each line
+  static constexpr std::size_t pairs = 3; // on each line
 
   using Vector = std::array<double, 3>;
 
@@ -99,22 +78,27 @@ private:
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
   }
 
+  static std::size_t place(std::size_t line, std::size_t pair) {
+    return 1 + 2 * (pairs * line + pair);
+  }
+
   // Computes the first and second derivative along a line, in units of the step.
-  static void derive(const Space_points& samples, std::size_t line, Vector& first, Vector& second) {
+  static void derive(const Space_samples& samples, std::size_t line, Vector& first,
+                     Vector& second) {
     static constexpr double firsts[] = {3. / 4, -3. / 20, 1. / 60},
                             seconds[] = {3. / 2, -3. / 20, 1. / 90}, middle = -49. / 18;
     for (std::size_t i = 0; i < 3; ++i) {
       first[i] = 0;
       second[i] = middle * samples[0][i];
       for (std::size_t k = 0; k < pairs; ++k) {
-        const std::size_t pair = 1 + 2 * (pairs * line + k);
-        first[i] += firsts[k] * (samples[pair][i] - samples[pair + 1][i]);
-        second[i] += seconds[k] * (samples[pair][i] + samples[pair + 1][i]);
+        const double ahead = samples[place(line, k)][i], behind = samples[place(line, k) + 1][i];
+        first[i] += firsts[k] * (ahead - behind);
+        second[i] += seconds[k] * (ahead + behind);
       }
     }
   }
 
-  Embedding m_embedding;
+  Chart_images m_images;
   std::array<double, 2> m_widths;
 };
 

@@ -8,8 +8,8 @@
 #include "expression.h"
 
 #include <array>
+#include <cstddef>
 #include <string>
-#include <vector>
 
 namespace dsc {
 
@@ -39,10 +39,11 @@ public:
   }
 
   /// Returns the images of many points of the chart or of the sphere.
-  template <class Points> std::vector<std::array<double, 3>> images(const Points& points) const {
-    std::vector<std::array<double, 3>> result;
-    for (const auto& p : points)
-      result.push_back((*this)(p));
+  template <class Coordinates, std::size_t n>
+  std::array<std::array<double, 3>, n> images(const std::array<Coordinates, n>& points) const {
+    std::array<std::array<double, 3>, n> result;
+    for (std::size_t i = 0; i < n; ++i)
+      result[i] = (*this)(points[i]);
     return result;
   }
 

@@ -10,10 +10,14 @@
 #include "module.h"
 #include "surface_expressions.h"
 
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 namespace dsc_python {
 namespace {
@@ -24,19 +28,22 @@ class Surface_function
 public:
   explicit Surface_function(py::function function) : m_function(std::move(function)) {}
 
-  /// \tparam Points std::vector of arrays: of u and v, or of directions
-  template <class Points> dsc::Space_points operator()(const Points& points) const {
-    static constexpr std::size_t columns = std::tuple_size_v<typename Points::value_type>;
+  /// \tparam Coordinates of u and v, or of a direction
+  template <class Coordinates>
+  dsc::Space_samples
+  operator()(const std::array<Coordinates, dsc::samples_of_metric>& points) const {
+    static constexpr std::size_t columns = std::tuple_size_v<Coordinates>;
     const py::gil_scoped_acquire lock;
     const py::array array(m_function(array_of<double>(
         points.size(), columns, [&](std::size_t i, std::size_t j) { return points[i][j]; })));
     if (!is_of_real_numbers(array))
       throw py::type_error("the points of the surface must be an array of real numbers");
-    dsc::Space_points result =
-        rows_of<double, 3>(Array<double>(array), "the points of the surface");
-    if (result.size() != points.size())
-      throw py::value_error("the surface function returned " + std::to_string(result.size()) +
+    const auto rows = rows_of<double, 3>(Array<double>(array), "the points of the surface");
+    if (rows.size() != points.size())
+      throw py::value_error("the surface function returned " + std::to_string(rows.size()) +
                             " points for " + std::to_string(points.size()) + " points");
+    dsc::Space_samples result;
+    std::copy(rows.begin(), rows.end(), result.begin());
     return result;
   }
 
@@ -51,8 +58,10 @@ std::unique_ptr<dsc::Geodesic_source> source_of(const Surface& images,
                                                 const std::vector<double>& point,
                                                 const std::array<double, 2>& periods) {
   if (point.size() == 2)
-    return dsc::source_in_chart(images, periods, {point[0], point[1]});
-  return dsc::source_on_sphere({images}, {point.at(0), point.at(1), point.at(2)});
+    return dsc::source_in_chart(dsc::sampled_chart_surface(images, periods), periods,
+                                {point[0], point[1]});
+  return dsc::source_on_sphere(dsc::sampled_sphere_surface(images),
+                               {point.at(0), point.at(1), point.at(2)});
 }
 
 /// Expressions of the coordinates, as a surface.
@@ -67,7 +76,7 @@ public:
                                   "direction");
   }
 
-  template <class Points> dsc::Space_points operator()(const Points& points) const {
+  template <class Points> dsc::Space_samples operator()(const Points& points) const {
     return m_expressions.images(points);
   }
 
@@ -97,7 +106,7 @@ py::dict cut_locus(const py::object& surface, const std::vector<double>& point,
     images.emplace(surface.cast<py::function>());
   std::unique_ptr<dsc::Geodesic_source> source;
   dsc::Found_cut_locus found;
-  dsc::Space_points positions;
+  std::vector<std::array<double, 3>> positions;
   {
     const Long_function function(progress);
     source = is_text ? source_of(*text, point, periods) : source_of(*images, point, periods);

@@ -49,21 +49,22 @@ struct Cut_locus_options
   bool quiet = false;
 };
 
-Space_points torus(const Chart_points& points) {
-  Space_points result;
-  for (const auto& [u, v] : points) {
-    const double radius = 2 + std::cos(v);
-    result.push_back({radius * std::cos(u), radius * std::sin(u), std::sin(v)});
+struct Torus
+{
+  template <class T> std::array<T, 3> operator()(const T& u, const T& v) const {
+    using std::cos;
+    using std::sin;
+    const T radius = 2. + cos(v);
+    return {radius * cos(u), radius * sin(u), 1. * sin(v)};
   }
-  return result;
-}
+};
 
-Space_points ellipsoid(const Space_points& directions) {
-  Space_points result;
-  for (const auto& n : directions)
-    result.push_back({n[0], .8 * n[1], .6 * n[2]});
-  return result;
-}
+struct Ellipsoid
+{
+  template <class T> std::array<T, 3> operator()(const std::array<T, 3>& n) const {
+    return {1. * n[0], .8 * n[1], .6 * n[2]};
+  }
+};
 
 Json json_of(const DSC::Cut_locus_2& locus, const Geodesic_source& source, bool has_positions) {
   Json vertices = Json::array();
@@ -148,32 +149,30 @@ int write_cut_locus(const Cut_locus_options& options, const Geodesic_source& sou
 }
 
 std::unique_ptr<Geodesic_source> source_in_chart(const Cut_locus_options& options,
-                                                 const Chart_embedding& embedding) {
+                                                 const Chart_surface& surface) {
   if (options.point.size() != 2)
     throw Usage_error("--point needs two numbers for a surface in u and v; write it like 0,0.3");
-  return dsc::source_in_chart(embedding, options.periods, {options.point[0], options.point[1]});
+  return dsc::source_in_chart(surface, options.periods, {options.point[0], options.point[1]});
 }
 
 std::unique_ptr<Geodesic_source> source_on_sphere(const Cut_locus_options& options,
-                                                  const Sphere_embedding& embedding) {
+                                                  const Sphere_surface& surface) {
   if (options.point.size() != 3)
     throw Usage_error("--point needs three numbers for a surface in x, y and z: a direction; write "
                       "it like 1,0.5,0");
-  return dsc::source_on_sphere(embedding, {options.point[0], options.point[1], options.point[2]});
+  return dsc::source_on_sphere(surface, {options.point[0], options.point[1], options.point[2]});
 }
 
 std::unique_ptr<Geodesic_source> source_of(const Cut_locus_options& options) {
   if (options.surface == "torus")
-    return source_in_chart(options, torus);
+    return source_in_chart(options, chart_surface(Torus()));
   if (options.surface == "ellipsoid")
-    return source_on_sphere(options, {ellipsoid});
+    return source_on_sphere(options, sphere_surface(Ellipsoid()));
   const Surface_expressions expressions(options.surface);
+  const auto images = [expressions](const auto& points) { return expressions.images(points); };
   if (expressions.is_of_sphere())
-    return source_on_sphere(options, {[expressions](const Space_points& points) {
-                              return expressions.images(points);
-                            }});
-  return source_in_chart(
-      options, [expressions](const Chart_points& points) { return expressions.images(points); });
+    return source_on_sphere(options, sampled_sphere_surface(images));
+  return source_in_chart(options, sampled_chart_surface(images, options.periods));
 }
 
 int execute(const Cut_locus_options& options) {
