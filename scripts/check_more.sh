@@ -101,7 +101,7 @@ check_packages() {
 }
 
 check_debian_13() {
-  scripts/in_debian.sh trixie "$work/debian-13" bash -c 'scripts/main_job.sh && scripts/test.sh'
+  scripts/in_debian.sh trixie "$work/debian-13" bash -c 'scripts/main_job.sh && scripts/test.sh && scripts/check_pip.sh'
 }
 
 failed=0

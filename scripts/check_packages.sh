@@ -10,6 +10,7 @@ apt-get update --quiet >/dev/null
 SECONDS=0
 apt-get install --yes --quiet --no-install-recommends ./build/packages/deformable-simplicial-complex_*.deb >/dev/null
 installed=$SECONDS
+apt-get install --yes --quiet --no-install-recommends ./build/packages/python3-deformable-simplicial-complex_*.deb >/dev/null
 work=$(mktemp -d)
 cd "$work"
 SECONDS=0

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import operator
 import os
 import warnings
@@ -226,8 +227,7 @@ class Complex:
 
     def to_meshio(self) -> Any:
         """Returns the cells, labels, qualities and values as a `meshio.Mesh`."""
-        import meshio
-
+        meshio = importlib.import_module("meshio")
         cells = self.cells()
         data = {"label": cells.labels, "quality": self.qualities, **self.cell_values}
         return meshio.Mesh(
@@ -239,36 +239,34 @@ class Complex:
 
     def to_vtk(self) -> Any:
         """Returns the cells, labels, qualities and values as a `vtkUnstructuredGrid`."""
-        import vtk
-        from vtk.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
-
+        vtk = importlib.import_module("vtk")
+        support = importlib.import_module("vtk.util.numpy_support")
         cells = self.cells()
         in_space = np.zeros((len(cells.points), 3))
         in_space[:, : self.dimension] = cells.points
         points = vtk.vtkPoints()
-        points.SetData(numpy_to_vtk(in_space, deep=True))
+        points.SetData(support.numpy_to_vtk(in_space, deep=True))
         connectivity = vtk.vtkCellArray()
         offsets = np.arange(len(cells.cells) + 1) * (self.dimension + 1)
         connectivity.SetData(
-            numpy_to_vtkIdTypeArray(offsets, deep=True),
-            numpy_to_vtkIdTypeArray(cells.cells.ravel(), deep=True),
+            support.numpy_to_vtkIdTypeArray(offsets, deep=True),
+            support.numpy_to_vtkIdTypeArray(cells.cells.ravel(), deep=True),
         )
         grid = vtk.vtkUnstructuredGrid()
         grid.SetPoints(points)
         grid.SetCells(vtk.VTK_TETRA if self.dimension == 3 else vtk.VTK_TRIANGLE, connectivity)
         data = {"label": cells.labels, "quality": self.qualities, **self.cell_values}
-        for attributes, arrays in (grid.GetCellData(), data), (grid.GetPointData(), self.vertex_values):
+        of_points = dict(self.vertex_values)
+        for attributes, arrays in (grid.GetCellData(), data), (grid.GetPointData(), of_points):
             for name, values in arrays.items():
-                array = numpy_to_vtk(values, deep=True)
+                array = support.numpy_to_vtk(values, deep=True)
                 array.SetName(name)
                 attributes.AddArray(array)
         return grid
 
     def to_pyvista(self) -> Any:
         """Returns the same as `to_vtk()`, as a `pyvista.UnstructuredGrid`."""
-        import pyvista
-
-        return pyvista.wrap(self.to_vtk())
+        return importlib.import_module("pyvista").wrap(self.to_vtk())
 
     def to_image(
         self,

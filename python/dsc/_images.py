@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 from typing import Any
 
 import numpy as np
@@ -24,9 +25,7 @@ class PlacedImage:
         if hasattr(image, "affine") and hasattr(image, "dataobj"):
             return cls(np.asanyarray(image.dataobj), np.asarray(image.affine, dtype=float))
         if hasattr(image, "GetSpacing") and hasattr(image, "GetDirection"):
-            import SimpleITK  # the image comes from this package
-
-            voxels = SimpleITK.GetArrayFromImage(image)
+            voxels = importlib.import_module("SimpleITK").GetArrayFromImage(image)
             d = voxels.ndim
             affine = np.eye(d + 1)
             affine[:d, :d] = np.reshape(image.GetDirection(), (d, d)) * np.asarray(image.GetSpacing())

@@ -63,7 +63,7 @@ const Charts = {
   },
 
   // Draws the color map with the numbers of its ends and its middle.
-  colorBar(svg, title, low, high) {
+  colorBar(svg, { title, low, high }) {
     svg.replaceChildren();
     svg.setAttribute('viewBox', '0 0 220 46');
     Charts.add(svg, 'text', { x: 6, y: 12, class: 'title' }, title);
@@ -73,6 +73,24 @@ const Charts = {
     const anchors = ['start', 'middle', 'end'];
     anchors.forEach((anchor, i) => {
       Charts.add(svg, 'text', { x: 6 + 104 * i, y: 41, 'text-anchor': anchor }, Format.number(low + (high - low) * i / 2, 3));
+    });
+  },
+
+  // Draws the same color bar into the lower left corner of a canvas, with a width of a quarter of the canvas.
+  drawColorBar(context, { title, low, high }) {
+    const { canvas } = context;
+    const scale = Math.max(1, canvas.width / 880);
+    context.setTransform(scale, 0, 0, scale, 12 * scale, canvas.height - 58 * scale);
+    for (let i = 0; i < 52; i++) {
+      context.fillStyle = Colors.css(Colors.map((i + 0.5) / 52));
+      context.fillRect(6 + 4 * i, 18, 4.3, 10);
+    }
+    context.fillStyle = Colors.css(Theme.color('--text'));
+    context.font = '11px sans-serif';
+    context.fillText(title, 6, 12);
+    ['left', 'center', 'right'].forEach((align, i) => {
+      context.textAlign = align;
+      context.fillText(Format.number(low + (high - low) * i / 2, 3), 6 + 104 * i, 41);
     });
   },
 

@@ -280,11 +280,9 @@ class Controls {
     element('wire').checked = viewer.wire;
     element('box').checked = viewer.box;
     element('up').value = viewer.camera.up;
-    const field = film.fields.find((one) => one.name === viewer.color);
-    element('color_bar').toggleAttribute('hidden', viewer.color === 'label');
-    if (viewer.color === 'quality') {
-      Charts.colorBar(element('color_bar'), film.dimension === 3 ? 'volume-length ratio' : 'area-length ratio', 0, 1);
-    } else if (field) Charts.colorBar(element('color_bar'), field.name, field.minimum, field.maximum);
+    const legend = viewer.legend();
+    element('color_bar').toggleAttribute('hidden', legend === null);
+    if (legend) Charts.colorBar(element('color_bar'), legend);
     this.showCut();
   }
 

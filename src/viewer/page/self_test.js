@@ -370,6 +370,16 @@ class SelfTest {
     element('save').click();
     await this.until(() => controls.picture, 'saving a picture');
     this.check(controls.picture.size > 500 && controls.picture.type === 'image/png', 'the saved picture is empty');
+    const color = this.viewer.color;
+    this.viewer.setColor('quality');
+    const bitmap = await createImageBitmap(await this.viewer.picture());
+    const context = Object.assign(document.createElement('canvas'), { width: bitmap.width, height: bitmap.height }).getContext('2d');
+    context.drawImage(bitmap, 0, 0);
+    const saved = context.getImageData(0, bitmap.height - 58, 120, 58).data;
+    const drawn = new Set();
+    for (let i = 0; i < saved.length; i += 4) drawn.add(saved.slice(i, i + 3).join());
+    this.check(drawn.size > 20, 'the saved picture has no color bar');
+    this.viewer.setColor(color);
     if (this.film.count < 2) return;
     this.set(element('speed'), 20);
     element('record').click();

@@ -250,10 +250,26 @@ class Viewer {
     return this.renderer.pixels();
   }
 
-  // Draws and returns the picture as a PNG blob.
+  // Returns the meaning of the colors: a title, and the values of the first and the last color; null for labels.
+  legend() {
+    if (this.color === 'quality') {
+      return { title: this.film.dimension === 3 ? 'volume-length ratio' : 'area-length ratio', low: 0, high: 1 };
+    }
+    const field = this.film.fields.find((one) => one.name === this.color);
+    return field ? { title: field.name, low: field.minimum, high: field.maximum } : null;
+  }
+
+  // Draws and returns the picture, with a color bar if there is one, as a PNG blob.
   picture() {
     this.redraw();
-    return new Promise((resolve) => this.canvas.toBlob(resolve, 'image/png'));
+    const copy = document.createElement('canvas');
+    copy.width = this.canvas.width;
+    copy.height = this.canvas.height;
+    const context = copy.getContext('2d');
+    context.drawImage(this.canvas, 0, 0);
+    const legend = this.legend();
+    if (legend) Charts.drawColorBar(context, legend);
+    return new Promise((resolve) => copy.toBlob(resolve, 'image/png'));
   }
 
   redraw() {
