@@ -255,8 +255,9 @@ class Complex:
         grid = vtk.vtkUnstructuredGrid()
         grid.SetPoints(points)
         grid.SetCells(vtk.VTK_TETRA if self.dimension == 3 else vtk.VTK_TRIANGLE, connectivity)
-        data = {"label": cells.labels, "quality": self.qualities, **self.cell_values}
-        of_points = dict(self.vertex_values)
+        data: dict[str, npt.NDArray[Any]] = {"label": cells.labels, "quality": self.qualities}
+        data.update(self.cell_values)
+        of_points: dict[str, npt.NDArray[Any]] = dict(self.vertex_values)
         for attributes, arrays in (grid.GetCellData(), data), (grid.GetPointData(), of_points):
             for name, values in arrays.items():
                 array = support.numpy_to_vtk(values, deep=True)

@@ -149,9 +149,9 @@ std::string path_of_program(const std::string& name) {
 }
 
 bool is_foreign(const std::string& path) {
-  static constexpr std::array extensions = {"mha",  "mhd", "meshb", "msh", "nhdr", "nii",
-                                            "nrrd", "ppm", "pvtu",  "tif", "tiff", "vti",
-                                            "vtk",  "vtp", "vtr",   "vts"};
+  static constexpr std::array extensions = {"csv", "geojson", "mha", "mhd", "meshb", "msh", "nhdr",
+                                            "nii", "nrrd",    "pcd", "ppm", "pvtu",  "tif", "tiff",
+                                            "vti", "vtk",     "vtp", "vtr", "vts"};
   std::error_code error;
   const std::string format = extension(path);
   return std::find(extensions.begin(), extensions.end(), format) != extensions.end() ||

@@ -11,6 +11,7 @@
 //        dsc-files --write INPUT OUTPUT [LIKE], see write_foreign()
 
 #include "read_dataset.h"
+#include "translate_text.h"
 #include "write_cells.h"
 #include "write_foreign.h"
 #include "write_image.h"
@@ -53,6 +54,13 @@ dsc_files::Options options_of(int argc, char** argv) {
 }
 
 dsc_files::Translation translate(const dsc_files::Options& options) {
+  const std::string format = dsc_files::format_of(options.input);
+  if (format == "csv")
+    return translate_csv(options);
+  if (format == "pcd")
+    return translate_pcd(options);
+  if (format == "geojson")
+    return translate_geojson(options);
   const dsc_files::Dataset dataset = dsc_files::read_dataset(options.input);
   vtkImageData* const image = vtkImageData::SafeDownCast(dataset.data);
   if (image != nullptr)

@@ -1,5 +1,6 @@
 """Reads files that other programs wrote, by `dsc`. Expected values do not come from its readers."""
 
+import json
 import os
 import pathlib
 import random
@@ -231,6 +232,73 @@ def test_meshes_of_fenics(tmp_path):
     path = files.write_dolfinx(tmp_path)
     text = info(path)[1]
     assert float(re.search(r"label 1: .* volume ([\d.]+)", text)[1]) == pytest.approx(0.125)
+
+
+def cloud(path, nans=0):
+    """Writes points of a sphere as a table, or as a file of the Point Cloud Library."""
+    p = np.random.default_rng(1).normal(size=(2000, 3))
+    p /= np.linalg.norm(p, axis=1)[:, None]
+    p[:nans] = np.nan
+    if path.suffix == ".csv":
+        text = "\n".join(",".join(map(repr, map(float, row))) for row in p)
+        path.write_text("X,Y,Z\n" + text)
+        return
+    header = "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z rgb\nSIZE 4 4 4 4\nTYPE F F F U\nCOUNT 1 1 1 1\n"
+    header += f"WIDTH {len(p)}\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS {len(p)}\n"
+    if path.name.startswith("text"):
+        rows = "".join(f"{x} {y} {z} 255\n" for x, y, z in p)
+        path.write_text(header + "DATA ascii\n" + rows)
+        return
+    rows = np.zeros(len(p), dtype=[("p", "<f4", 3), ("rgb", "<u4")])
+    rows["p"] = p
+    path.write_bytes((header + "DATA binary\n").encode() + rows.tobytes())
+
+
+@pytest.mark.parametrize("name", ["cloud.csv", "text.pcd", "binary.pcd"])
+def test_clouds(tmp_path, name):
+    cloud(tmp_path / name, nans=7)
+    result = run("reconstruct", tmp_path / name, "-o", tmp_path / "ball.off")
+    assert result.returncode == 0, result.stderr
+    assert "7 points that are not finite" in result.stderr
+    assert name == "cloud.csv" or "column (rgb)" in result.stderr
+    assert "1993 points" in result.stdout
+    volume = float(re.search(r"volume +([\d.]+)", run("info", tmp_path / "ball.off").stdout)[1])
+    assert volume == pytest.approx(4 / 3 * np.pi, rel=0.02)
+
+
+def test_damaged_clouds(tmp_path):
+    path = tmp_path / "binary.pcd"
+    cloud(path)
+    path.write_bytes(path.read_bytes()[:-100])
+    result = run("reconstruct", path, "-o", tmp_path / "a.off")
+    assert result.returncode == 1
+    assert "truncated" in result.stderr
+    for text in "", "a,b,c\n1,2,3\n", "x,y,z\n1,2\n", "x,y,z\n1,2,three\n":
+        (tmp_path / "a.csv").write_text(text)
+        assert run("reconstruct", tmp_path / "a.csv", "-o", tmp_path / "a.off").returncode == 1
+
+
+def test_geojson(tmp_path):
+    square = [[0, 0], [4, 0], [4, 4], [0, 4], [0, 0]]
+    hole = [[1, 1], [1, 2], [2, 2], [2, 1], [1, 1]]
+    island = [[10, 0], [11, 0], [11, 1], [10, 1], [10, 0]]
+    features = [
+        {"type": "Polygon", "coordinates": [square, hole]},
+        {"type": "Point", "coordinates": [0, 0]},
+        {"type": "MultiPolygon", "coordinates": [[island], [[[x, y + 3] for x, y in island]]]},
+    ]
+    text = {"type": "FeatureCollection",
+            "features": [{"type": "Feature", "properties": {}, "geometry": g} for g in features]}  # fmt: skip
+    path = tmp_path / "map.geojson"
+    path.write_text(json.dumps(text))
+    result = run("info", path)
+    assert result.returncode == 0, result.stderr
+    assert "1 geometry that is no polygon" in result.stderr
+    areas = re.findall(r"label (\d): .* area ([\d.]+).* components (\d)", result.stdout)[1:]
+    assert [(int(n), float(a), int(c)) for n, a, c in areas] == [(1, 15, 1), (2, 2, 2)]
+    for wrong in "{", "[]", '{"type": "Polygon"}', '{"type": "Polygon", "coordinates": [["a"]]}':
+        path.write_text(wrong)
+        assert run("info", path).returncode == 1
 
 
 def test_conversions_keep_the_content(tmp_path):

@@ -27,6 +27,7 @@
 
 #include <algorithm>
 #include <climits>
+#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <filesystem>
@@ -137,6 +138,17 @@ Json json_of(const Reconstruction_report& report, const Complex& complex) {
           {"facets_without_points", facets}};
 }
 
+/// Removes points that are not finite: organized clouds contain one for each ray without a point.
+void leave_out_points(std::vector<Point_and_normal_3>& points, Unused_content& unused) {
+  const auto end = std::remove_if(points.begin(), points.end(), [](const auto& p) {
+    return !(std::isfinite(p.first.x()) && std::isfinite(p.first.y()) &&
+             std::isfinite(p.first.z()));
+  });
+  const auto number = std::size_t(points.end() - end);
+  unused.add(noun(number, "point that is not finite", "points that are not finite"), number);
+  points.erase(end, points.end());
+}
+
 std::size_t number_of_normals(const std::vector<Point_and_normal_3>& points) {
   return std::size_t(std::count_if(points.begin(), points.end(),
                                    [](const auto& p) { return p.second != CGAL::NULL_VECTOR; }));
@@ -234,7 +246,8 @@ int execute(const Reconstruct_options& options) {
   Unused_content unused;
   const std::string input = native_file(options.input);
   require_extension(input, {"xyz", "pwn", "ply", "off"});
-  const std::vector<Point_and_normal_3> points = CGAL::IO::read_point_set(input, &unused);
+  std::vector<Point_and_normal_3> points = CGAL::IO::read_point_set(input, &unused);
+  leave_out_points(points, unused);
   print_unused(options.input, unused);
   const auto begin = Clock::now();
   Progress_line progress(options.steps, options.quiet);
@@ -298,7 +311,7 @@ void add_reconstruct(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("reconstruct", description_of_reconstruct);
   command
       ->add_option("POINTS", options->input,
-                   "Points, with or without normals (.xyz, .pwn, .ply, .off)")
+                   "Points, with or without normals (.xyz, .pwn, .ply, .off, .csv, .pcd, .vtp)")
       ->required();
   command
       ->add_option("-o", options->output,

@@ -1,0 +1,333 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "translate_text.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <sstream>
+#include <vector>
+
+namespace dsc_files {
+namespace {
+
+using Names = std::vector<std::string>;
+
+Names words_of(std::string line) {
+  std::replace_if(
+      line.begin(), line.end(),
+      [](char c) { return c == ',' || c == ';' || c == '\t' || c == '"'; }, ' ');
+  std::istringstream in(line);
+  return Names(std::istream_iterator<std::string>(in), std::istream_iterator<std::string>());
+}
+
+/// Returns the number of a word, which may be nan or inf.
+/// \throws Failure
+double number_of(const std::string& word) {
+  char* end = nullptr;
+  const double result = std::strtod(word.c_str(), &end);
+  if (word.empty() || *end != '\0')
+    throw Failure("contains '" + word + "' instead of a number");
+  return result;
+}
+
+/// The columns of points and of normals in a table.
+class Point_columns
+{
+public:
+  /// \param names names of the columns, in any case
+  explicit Point_columns(const Names& names) : m_number(names.size()) {
+    static const Names points[] = {{"x"}, {"y"}, {"z"}},
+                       normals[] = {{"nx", "normal_x"}, {"ny", "normal_y"}, {"nz", "normal_z"}};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      m_columns[axis] = find(names, points[axis]);
+      m_columns[axis + 3] = find(names, normals[axis]);
+      if (m_columns[axis] == names.size())
+        throw Failure("has no column x, y or z");
+    }
+    m_has_normals = *std::max_element(m_columns.begin() + 3, m_columns.end()) < names.size();
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (std::find(m_columns.begin(), m_columns.begin() + (m_has_normals ? 6 : 3), i) ==
+          m_columns.begin() + (m_has_normals ? 6 : 3))
+        m_unused.push_back("column (" + names[i] + ')');
+  }
+
+  /// Opens the translation.
+  void open(const std::string& folder) {
+    m_result.path = folder + (m_has_normals ? "/points.pwn" : "/points.xyz");
+    m_out.open(m_result.path);
+    m_out.precision(std::numeric_limits<double>::max_digits10);
+  }
+
+  /// Writes the point of a row.
+  void add(const std::vector<double>& row) {
+    if (row.size() != m_number)
+      throw Failure("has a row with " + std::to_string(row.size()) + " numbers instead of " +
+                    std::to_string(m_number));
+    const auto is_finite = [&](std::size_t column) {
+      return std::isfinite(row[m_columns[column]]);
+    };
+    if (!(is_finite(0) && is_finite(1) && is_finite(2))) {
+      ++m_left_out;
+      return;
+    }
+    for (std::size_t i = 0; i < (m_has_normals ? 6U : 3U); ++i)
+      m_out << (i == 0 ? "" : " ") << (is_finite(i) ? row[m_columns[i]] : 0.);
+    m_out << '\n';
+  }
+
+  /// Ends the translation.
+  Translation close() {
+    m_out.close();
+    if (!m_out)
+      throw Failure("cannot be translated: the disk for temporary files is full");
+    m_result.unused = m_unused;
+    m_result.leave_out(m_left_out, "point that is not finite", "points that are not finite");
+    return m_result;
+  }
+
+private:
+  static std::size_t find(const Names& names, const Names& known) {
+    const auto is_known = [&](std::string name) {
+      std::transform(name.begin(), name.end(), name.begin(),
+                     [](unsigned char c) { return char(std::tolower(c)); });
+      return std::find(known.begin(), known.end(), name) != known.end();
+    };
+    return std::size_t(std::find_if(names.begin(), names.end(), is_known) - names.begin());
+  }
+
+  std::size_t m_number; // of columns
+  std::array<std::size_t, 6> m_columns;
+  bool m_has_normals = false;
+  std::size_t m_left_out = 0;
+  Names m_unused;
+  std::ofstream m_out;
+  Translation m_result;
+};
+
+std::vector<double> numbers_of(const Names& words) {
+  std::vector<double> result;
+  for (const std::string& word : words)
+    result.push_back(number_of(word));
+  return result;
+}
+
+/// A field of the points of a PCD file.
+struct Pcd_field
+{
+  std::size_t size;
+  char type; ///< I, U or F
+};
+
+double read_number(std::istream& in, const Pcd_field& field) {
+  char bytes[8];
+  if (!in.read(bytes, std::streamsize(field.size)))
+    throw Failure("is truncated: it lacks points that its header announces");
+  const auto as = [&](auto number) {
+    std::memcpy(&number, bytes, sizeof number);
+    return double(number);
+  };
+  switch (field.type) {
+  case 'F':
+    return field.size == 4 ? as(float()) : as(double());
+  case 'U':
+    return field.size == 1   ? as(std::uint8_t())
+           : field.size == 2 ? as(std::uint16_t())
+           : field.size == 4 ? as(std::uint32_t())
+                             : as(std::uint64_t());
+  default:
+    return field.size == 1   ? as(std::int8_t())
+           : field.size == 2 ? as(std::int16_t())
+           : field.size == 4 ? as(std::int32_t())
+                             : as(std::int64_t());
+  }
+}
+
+/// The header of a PCD file.
+struct Pcd_header
+{
+  Names names; ///< one for each number of a point
+  std::vector<Pcd_field> fields;
+  std::size_t points = 0;
+  std::string data; ///< ascii, binary or binary_compressed
+};
+
+Pcd_header read_header(std::istream& in) {
+  Names fields, sizes, types, counts;
+  Pcd_header header;
+  for (std::string line; header.data.empty() && std::getline(in, line);) {
+    Names words = words_of(line);
+    if (words.empty() || words[0][0] == '#')
+      continue;
+    const std::string key = words[0];
+    words.erase(words.begin());
+    if (key == "FIELDS")
+      fields = words;
+    else if (key == "SIZE")
+      sizes = words;
+    else if (key == "TYPE")
+      types = words;
+    else if (key == "COUNT")
+      counts = words;
+    else if (key == "POINTS" && words.size() == 1)
+      header.points = std::size_t(number_of(words[0]));
+    else if (key == "DATA" && words.size() == 1)
+      header.data = words[0];
+  }
+  if (header.data.empty() || fields.empty() || sizes.size() != fields.size() ||
+      types.size() != fields.size() || (!counts.empty() && counts.size() != fields.size()))
+    throw Failure("has no complete PCD header");
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const double size = number_of(sizes[i]), count = counts.empty() ? 1 : number_of(counts[i]);
+    if (!(size == 1 || size == 2 || size == 4 || size == 8) || !(count >= 0 && count <= 1024) ||
+        (types[i] == "F" && size < 4))
+      throw Failure("has an unknown type of the field " + fields[i]);
+    for (int k = 0; k < int(count); ++k) {
+      header.names.push_back(fields[i] + (count > 1 ? std::to_string(k) : ""));
+      header.fields.push_back({std::size_t(size), types[i][0]});
+    }
+  }
+  return header;
+}
+
+using Json = nlohmann::json;
+
+void write_ring(const Json& ring, std::ostream& out) {
+  const char* separator = "(";
+  for (const Json& point : ring) {
+    out << separator << point.at(0).get<double>() << ' ' << point.at(1).get<double>();
+    separator = ", ";
+  }
+  out << ')';
+}
+
+void write_polygon(const Json& rings, std::ostream& out) {
+  out << "POLYGON ";
+  const char* separator = "(";
+  for (const Json& ring : rings) {
+    out << separator;
+    write_ring(ring, out);
+    separator = ", ";
+  }
+  out << ")\n";
+}
+
+/// Writes a geometry. Returns the number of its parts that are no polygons.
+std::size_t write_geometry(const Json& geometry, std::ostream& out) {
+  if (geometry.is_null())
+    return 0;
+  const std::string type = geometry.at("type");
+  std::size_t others = 0;
+  if (type == "Polygon") {
+    write_polygon(geometry.at("coordinates"), out);
+  } else if (type == "MultiPolygon") {
+    // One region: its polygons share a label.
+    out << "MULTIPOLYGON ";
+    const char* before = "(";
+    for (const Json& polygon : geometry.at("coordinates")) {
+      out << before;
+      const char* separator = "(";
+      for (const Json& ring : polygon) {
+        out << separator;
+        write_ring(ring, out);
+        separator = ", ";
+      }
+      out << ')';
+      before = ", ";
+    }
+    out << ")\n";
+  } else if (type == "GeometryCollection") {
+    for (const Json& part : geometry.at("geometries"))
+      others += write_geometry(part, out);
+  } else {
+    others = 1;
+  }
+  return others;
+}
+
+} // namespace
+
+Translation translate_csv(const Options& options) {
+  std::ifstream in(options.input);
+  std::string line;
+  if (!std::getline(in, line))
+    throw Failure("is empty");
+  Names names = words_of(line);
+  const bool has_names =
+      !names.empty() && std::isalpha(static_cast<unsigned char>(names[0][0])) != 0;
+  const std::vector<double> first = has_names ? std::vector<double>() : numbers_of(names);
+  if (!has_names) {
+    static const Names usual = {"x", "y", "z", "nx", "ny", "nz"};
+    const std::size_t columns = names.size();
+    names.assign(usual.begin(), usual.begin() + (columns >= 6 ? 6 : 3));
+    for (std::size_t i = names.size(); i < columns; ++i)
+      names.push_back(std::to_string(i + 1));
+  }
+  Point_columns columns(names);
+  columns.open(options.folder);
+  if (!has_names)
+    columns.add(first);
+  while (std::getline(in, line))
+    if (const Names words = words_of(line); !words.empty())
+      columns.add(numbers_of(words));
+  return columns.close();
+}
+
+Translation translate_pcd(const Options& options) {
+  std::ifstream in(options.input, std::ios::binary);
+  const Pcd_header header = read_header(in);
+  Point_columns columns(header.names);
+  columns.open(options.folder);
+  if (header.data != "ascii" && header.data != "binary")
+    throw Failure("has the data format " + header.data + "; write ascii or binary");
+  for (std::size_t i = 0; i < header.points; ++i) {
+    std::vector<double> row;
+    if (header.data == "binary") {
+      for (const Pcd_field& field : header.fields)
+        row.push_back(read_number(in, field));
+    } else {
+      std::string line;
+      if (!std::getline(in, line))
+        throw Failure("is truncated: it lacks points that its header announces");
+      row = numbers_of(words_of(line));
+    }
+    columns.add(row);
+  }
+  return columns.close();
+}
+
+Translation translate_geojson(const Options& options) {
+  Translation result;
+  result.path = options.folder + "/regions.wkt";
+  std::ofstream out(result.path);
+  out.precision(std::numeric_limits<double>::max_digits10);
+  std::size_t others = 0;
+  try {
+    const Json json = Json::parse(std::ifstream(options.input));
+    const std::string type = json.at("type");
+    if (type == "FeatureCollection")
+      for (const Json& feature : json.at("features"))
+        others += write_geometry(feature.at("geometry"), out);
+    else
+      others = write_geometry(type == "Feature" ? json.at("geometry") : json, out);
+  } catch (const Json::exception& error) {
+    throw Failure(std::string("is no GeoJSON: ") + error.what());
+  }
+  result.leave_out(others, "geometry that is no polygon", "geometries that are no polygons");
+  out.close();
+  if (!out)
+    throw Failure("cannot be translated: the disk for temporary files is full");
+  return result;
+}
+
+} // namespace dsc_files
