@@ -24,6 +24,8 @@ import dsc, numpy as np
 c = dsc.Complex3.from_function(lambda p: (np.linalg.norm(p, axis=1) < .5).astype(int),
                                box=[(-1, -1, -1), (1, 1, 1)], edge=.2)
 assert c.offset(.02).complete and c.is_valid()'
+apt-get install --yes --quiet --no-install-recommends python3-pytest >/dev/null
+python3 -m pytest -q -p no:cacheprovider "$OLDPWD/test/python/test_tori.py"
 apt-get install --yes --quiet --no-install-recommends "$OLDPWD"/build/packages/deformable-simplicial-complex-files_*.deb >/dev/null
 dsc convert run/volume_000020.vtu last.vtk && dsc info last.vtk >/dev/null
 echo "packages: installed in $installed s, main job in $ran s"

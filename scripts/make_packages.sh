@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.."
 scripts/install_dependencies.sh dpkg-dev libgmsh-dev libvtk9-dev pybind11-dev python3-dev python3-numpy
 cmake -S . -B build-packages -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX=/usr \
   -DDSC_BUILD_TESTS=OFF -DDSC_BUILD_EXAMPLES=OFF -DDSC_BUILD_BENCHMARKS=OFF -DDSC_SHARE_COMPILATION=ON \
-  -DDSC_BUILD_PYTHON=ON -DPython_EXECUTABLE=/usr/bin/python3 \
+  -DDSC_BUILD_PYTHON=ON -DDSC_PYTHON_TORI=ON -DPython_EXECUTABLE=/usr/bin/python3 \
   -DDSC_PYTHON_INSTALL_DIR=lib/python3/dist-packages
 cmake --build build-packages --parallel "$(nproc)"
 (cd build-packages && cpack)

@@ -18,6 +18,9 @@ from ._complex import (
     Progress,
     Scheme,
     Topology,
+    Torus,
+    Torus2,
+    Torus3,
     Velocity,
 )
 from ._errors import (
@@ -73,6 +76,9 @@ __all__ = [
     "TetrahedralizationError",
     "Topology",
     "TopologyEvent",
+    "Torus",
+    "Torus2",
+    "Torus3",
     "Values",
     "Velocity",
     "cut_locus",

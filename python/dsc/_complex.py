@@ -233,7 +233,7 @@ class Complex:
         return meshio.Mesh(
             cells.points,
             [("tetra" if self.dimension == 3 else "triangle", cells.cells)],
-            point_data=dict(self.vertex_values),
+            point_data={name: values[cells.vertices] for name, values in self.vertex_values.items()},
             cell_data={name: [values] for name, values in data.items()},
         )
 
@@ -257,7 +257,9 @@ class Complex:
         grid.SetCells(vtk.VTK_TETRA if self.dimension == 3 else vtk.VTK_TRIANGLE, connectivity)
         data: dict[str, npt.NDArray[Any]] = {"label": cells.labels, "quality": self.qualities}
         data.update(self.cell_values)
-        of_points: dict[str, npt.NDArray[Any]] = dict(self.vertex_values)
+        of_points: dict[str, npt.NDArray[Any]] = {
+            name: values[cells.vertices] for name, values in self.vertex_values.items()
+        }
         for attributes, arrays in (grid.GetCellData(), data), (grid.GetPointData(), of_points):
             for name, values in arrays.items():
                 array = support.numpy_to_vtk(values, deep=True)
@@ -845,3 +847,55 @@ class Complex2(Complex):
                 progress,
             )
         )
+
+
+class Torus(Complex):
+    """Common part of `Torus2` and `Torus3`: complexes on flat tori, which fill all space periodically.
+
+    Points of `cells()` and `interface()` are the vertices, in the box from 0 to the periods, and then
+    images of vertices across its sides. Destinations of `deform()` belong to the vertices of the
+    interface.
+    """
+
+    @classmethod
+    def from_function(  # type: ignore[override]
+        cls: type[SelfTorus],
+        labels: LabelFunction,
+        periods: Sequence[float],
+        edge: float,
+        *,
+        progress: Progress | None = None,
+    ) -> SelfTorus:
+        """Fills a torus with cells whose labels are given by a function, and fits the interface to it.
+
+        labels: a periodic function, called with many points at once
+        periods: d lengths
+        edge: approximate length of edges
+        """
+        if cls._class is None:
+            raise NotImplementedError("tori are not in this build; set the CMake option DSC_PYTHON_TORI")
+        _callable(labels, "labels")
+        lengths = _numbers(periods, cls.dimension, "periods")
+        return cls(cls._class.from_function(labels, lengths, _number(edge, "edge"), progress))
+
+    @property
+    def periods(self) -> tuple[float, ...]:
+        """Periods of the torus."""
+        return tuple(self._compiled.periods())
+
+
+SelfTorus = TypeVar("SelfTorus", bound=Torus)
+
+
+class Torus3(Torus):
+    """A complex on a flat torus of three dimensions."""
+
+    dimension = 3
+    _class = getattr(_dsc, "Torus3", None)
+
+
+class Torus2(Torus):
+    """A complex on a flat torus of two dimensions."""
+
+    dimension = 2
+    _class = getattr(_dsc, "Torus2", None)

@@ -24,7 +24,9 @@ class Interface:
     labels: Labels
     """Larger and smaller label at each facet, shape (m, 2)."""
     ids: Ids
-    """Numbers that identify the vertices while they exist, shape (n,)."""
+    """Numbers that identify the points while their vertices exist, shape (n,)."""
+    vertices: Indices
+    """Vertex of each point, shape (n,): the points 0, 1, ..., and on a torus also their images."""
 
 
 @dataclass(frozen=True)
@@ -38,7 +40,9 @@ class Cells:
     labels: Labels
     """Labels of the cells, shape (m,)."""
     ids: Ids
-    """Numbers that identify the vertices while they exist, shape (n,)."""
+    """Numbers that identify the points while their vertices exist, shape (n,)."""
+    vertices: Indices
+    """Vertex of each point, shape (n,): the points 0, 1, ..., and on a torus also their images."""
 
 
 @dataclass(frozen=True)

@@ -34,21 +34,6 @@ Json labels_json(const std::vector<Label_statistics>& labels, const Names& names
   return json;
 }
 
-const char* name_of(DSC::Component_event::Kind kind) {
-  using Kind = DSC::Component_event::Kind;
-  switch (kind) {
-  case Kind::merged:
-    return "merged";
-  case Kind::split:
-    return "split";
-  case Kind::vanished:
-    return "vanished";
-  case Kind::appeared:
-    break;
-  }
-  return "appeared";
-}
-
 } // namespace
 
 Json event_json(const DSC::Component_event& event, const std::array<double, 3>& where,
@@ -59,7 +44,7 @@ Json event_json(const DSC::Component_event& event, const std::array<double, 3>& 
       result.push_back(component.volume);
     return result;
   };
-  return {{"kind", name_of(event.kind)},
+  return {{"kind", DSC::Component_event::name_of(event.kind)},
           {"label", event.label},
           {"where", std::vector<double>(where.begin(), where.begin() + dimension)},
           {"volumes_before", volumes(event.before)},

@@ -19,7 +19,6 @@
 #include "surface.h"
 #include "tracked_complex.h"
 #include "translations.h"
-#include "unused.h"
 
 #include <algorithm>
 #include <cmath>
@@ -326,8 +325,6 @@ int Run::finish() {
 } // namespace
 
 int run(const Run_options& options) {
-  if (options.output.quiet)
-    keep_silent_about_unused();
   Run run(options);
   run.check_places(); // fails before the computation starts
   run.start();

@@ -16,26 +16,45 @@
 #include "write_foreign.h"
 #include "write_image.h"
 
+#include <signal.h>
 #include <sys/resource.h>
 #include <unistd.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 
 #include <algorithm>
+#include <cstdint>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <string>
+#include <system_error>
 
 namespace {
 
-/// Limits the memory to the memory of the machine, since a damaged file may announce any size.
-void limit_memory() {
+void limit(int resource, rlim_t bound) {
+  rlimit limits = {};
+  getrlimit(resource, &limits);
+  limits.rlim_cur = std::min(limits.rlim_max, bound);
+  setrlimit(resource, &limits);
+}
+
+/// Ends this process if a damaged file makes a reader allocate more memory than the machine has, or
+/// loop forever, and when the calling program ends.
+void limit_resources(const std::string& input) {
+  static constexpr rlim_t least_seconds = 10, bytes_per_second = 1 << 18; // of processor time
   const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGE_SIZE);
-  if (pages <= 0 || size <= 0)
-    return;
-  rlimit limit = {};
-  getrlimit(RLIMIT_AS, &limit);
-  limit.rlim_cur = std::min(limit.rlim_max, rlim_t(pages) * rlim_t(size));
-  setrlimit(RLIMIT_AS, &limit);
+  if (pages > 0 && size > 0)
+    limit(RLIMIT_AS, rlim_t(pages) * rlim_t(size));
+  std::error_code error;
+  const std::uintmax_t bytes = std::filesystem::file_size(input, error);
+  if (!error)
+    limit(RLIMIT_CPU, least_seconds + rlim_t(bytes) / bytes_per_second);
+#ifdef __linux__
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
 }
 
 dsc_files::Options options_of(int argc, char** argv) {
@@ -63,10 +82,12 @@ dsc_files::Translation translate(const dsc_files::Options& options) {
     return translate_geojson(options);
   const dsc_files::Dataset dataset = dsc_files::read_dataset(options.input);
   vtkImageData* const image = vtkImageData::SafeDownCast(dataset.data);
+  if (image != nullptr && !options.labels.empty())
+    throw dsc_files::Failure("is an image, whose labels are its values; leave out --labels");
   if (image != nullptr)
     return write_image(image, dataset.has_oblique_axes, options);
   if (!options.thresholds.empty())
-    throw dsc_files::Failure("is no image, so that --threshold has no meaning");
+    throw dsc_files::Failure("is no image; leave out --threshold");
   return write_cells(dataset.data, options);
 }
 
@@ -74,7 +95,7 @@ dsc_files::Translation translate(const dsc_files::Options& options) {
 
 int main(int argc, char** argv) {
   try {
-    limit_memory();
+    limit_resources(argc < 2 ? "" : argv[1]);
     if ((argc == 4 || argc == 5) && std::string(argv[1]) == "--write") {
       dsc_files::write_foreign(argv[2], argv[3], argc == 5 ? argv[4] : "");
       return 0;

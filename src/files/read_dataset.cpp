@@ -194,7 +194,7 @@ Dataset read_dataset(const std::string& path) {
     return {read_gmsh(path)};
   if (format == "meshb")
     return {read_meshb(path)};
-  throw Failure("has the unknown extension '" + format + "'");
+  throw Failure("is in no format that VTK or Gmsh reads: its extension is '" + format + "'");
 }
 
 } // namespace dsc_files

@@ -353,6 +353,8 @@ void write_triangles(vtkDataSet* data, const Options& options, Translation& resu
     result.path = options.folder + "/regions.poly";
     Regions(triangles, labels_of(triangles, options.labels, result)).write(result.path);
   } else {
+    if (!options.labels.empty())
+      throw Failure("is a surface, whose triangles have no labels; leave out --labels");
     result.path = options.folder + "/surface.off";
     leave_out_arrays(triangles->GetCellData(), "cell", result);
     write_surface(triangles, result);

@@ -6,6 +6,7 @@
 #define DSC_PYTHON_BIND_COMPLEX_H
 
 #include "Complex_object.h"
+#include "Vertex_images.h"
 #include "callbacks.h"
 #include "options.h"
 #include "reports.h"
@@ -52,15 +53,17 @@ public:
     const Complex& complex = object.read();
     const DSC::Interface_snapshot<Complex> snapshot(complex);
     const auto& facets = snapshot.facets();
-    return py::make_tuple(
-        Space<Complex>(complex).array(snapshot.positions(complex)),
-        array_of<std::int64_t>(facets.size(), d,
-                               [&](std::size_t i, std::size_t j) { return facets[i].vertices[j]; }),
-        array_of<std::int32_t>(facets.size(), 2,
-                               [&](std::size_t i, std::size_t j) {
-                                 return j == 0 ? facets[i].behind : facets[i].in_front;
-                               }),
-        ids_of(snapshot.vertices));
+    Vertex_images<Complex> images(complex, snapshot.vertices);
+    const auto indices =
+        array_of<std::int64_t>(facets.size(), d, [&](std::size_t i, std::size_t j) {
+          const auto& v = facets[i].vertices;
+          return images.index(v[j],
+                              complex.domain().near(images.position(v[0]), images.position(v[j])));
+        });
+    const auto labels = array_of<std::int32_t>(facets.size(), 2, [&](std::size_t i, std::size_t j) {
+      return j == 0 ? facets[i].behind : facets[i].in_front;
+    });
+    return py::make_tuple(images.points(), indices, labels, images.ids(), images.vertices());
   }
 
   static py::tuple cells(const Object& object) {
@@ -68,16 +71,14 @@ public:
     const auto vertices = complex.vertices();
     const auto cells = complex.cells();
     const DSC::Vertex_numbers numbers(complex, vertices);
-    std::vector<typename Complex::Approximate_point> positions;
-    for (const auto v : vertices)
-      positions.push_back(complex.position(v));
-    return py::make_tuple(
-        Space<Complex>(complex).array(positions),
-        array_of<std::int64_t>(
-            cells.size(), d + 1,
-            [&](std::size_t i, std::size_t j) { return numbers(cells[i]->vertex(int(j))); }),
-        array_of<std::int32_t>(cells.size(), [&](std::size_t i) { return cells[i]->label(); }),
-        ids_of(vertices));
+    Vertex_images<Complex> images(complex, vertices);
+    const auto indices =
+        array_of<std::int64_t>(cells.size(), d + 1, [&](std::size_t i, std::size_t j) {
+          return images.index(numbers(cells[i]->vertex(int(j))), complex.corner(cells[i], int(j)));
+        });
+    const auto labels =
+        array_of<std::int32_t>(cells.size(), [&](std::size_t i) { return cells[i]->label(); });
+    return py::make_tuple(images.points(), indices, labels, images.ids(), images.vertices());
   }
 
   static py::array_t<double> qualities(const Object& object) {
@@ -109,9 +110,13 @@ public:
                                           const std::array<double, d>& spacing,
                                           const std::array<double, d>& origin, int outside,
                                           const py::object& progress) {
-    const std::vector<int> labels = object.read_long(progress, [&](const Complex& complex) {
-      return DSC::sample_labels(complex, {size, spacing, origin}, outside);
-    });
+    std::vector<int> labels;
+    if constexpr (Complex::Domain::has_outside)
+      labels = object.read_long(progress, [&](const Complex& complex) {
+        return DSC::sample_labels(complex, {size, spacing, origin}, outside);
+      });
+    else
+      throw py::value_error("labels cannot be sampled on a torus");
     return array_of<std::int32_t>(labels.size(), [&](std::size_t i) { return labels[i]; });
   }
 
@@ -252,11 +257,6 @@ public:
 
 private:
   using Deformation_options = DSC::Deformation_options<Complex>;
-
-  template <class Vertices> static py::array_t<std::uint64_t> ids_of(const Vertices& vertices) {
-    return array_of<std::uint64_t>(vertices.size(),
-                                   [&](std::size_t i) { return vertices[i]->time_stamp(); });
-  }
 
   /// Changes the complex, and transfers its values.
   template <class Options, class Change>

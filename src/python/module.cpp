@@ -9,6 +9,10 @@ PYBIND11_MODULE(_dsc, module) {
   dsc_python::bind_exceptions(module);
   dsc_python::bind_complex_2(module);
   dsc_python::bind_complex_3(module);
+#ifdef DSC_PYTHON_TORI
+  dsc_python::bind_torus_2(module);
+  dsc_python::bind_torus_3(module);
+#endif
   dsc_python::bind_image_3(module);
   dsc_python::bind_reconstruction_3(module);
   dsc_python::bind_cut_loci(module);

@@ -16,19 +16,6 @@ namespace dsc_python {
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
-inline const char* name_of(DSC::Component_event::Kind kind) {
-  switch (kind) {
-  case DSC::Component_event::Kind::merged:
-    return "merged";
-  case DSC::Component_event::Kind::split:
-    return "split";
-  case DSC::Component_event::Kind::vanished:
-    return "vanished";
-  default:
-    return "appeared";
-  }
-}
-
 template <class Complex>
 py::dict event_to_dict(const DSC::Topology_event<Complex>& event, const Space<Complex>& space) {
   const auto volumes = [&](const auto& components) {
@@ -39,7 +26,7 @@ py::dict event_to_dict(const DSC::Topology_event<Complex>& event, const Space<Co
   };
   const auto where = space.to_user(event.where);
   py::dict result;
-  result["kind"] = name_of(event.kind);
+  result["kind"] = DSC::Component_event::name_of(event.kind);
   result["label"] = event.label;
   result["volumes_before"] = volumes(event.before);
   result["volumes_after"] = volumes(event.after);

@@ -32,6 +32,21 @@ struct Component_event
     appeared  ///< a component has no predecessor
   };
 
+  /// Returns the name of a kind, which is the name of its enumerator.
+  static const char* name_of(Kind kind) {
+    switch (kind) {
+    case Kind::merged:
+      return "merged";
+    case Kind::split:
+      return "split";
+    case Kind::vanished:
+      return "vanished";
+    case Kind::appeared:
+      break;
+    }
+    return "appeared";
+  }
+
   /// Component that took part in the change.
   struct Component
   {

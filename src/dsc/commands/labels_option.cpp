@@ -18,7 +18,8 @@ CLI::Option* add_labels_option(CLI::App& command, std::string& labels) {
 }
 
 void require_file_with_arrays(const std::string& path, const std::string& labels) {
-  if (!labels.empty() && extension(path) != "vtu" && !is_foreign(path))
+  const std::string file = with_user_names(path);
+  if (!labels.empty() && extension(file) != "vtu" && !is_foreign(file))
     throw Usage_error(
         "--labels applies only to .vtu files and grids of other programs; leave it out");
 }

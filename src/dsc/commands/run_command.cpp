@@ -7,6 +7,7 @@
 #include "continue_steps.h"
 #include "native_file.h"
 #include "option_values.h"
+#include "unused.h"
 
 #include <climits>
 
@@ -72,6 +73,8 @@ Run_options begin_run_options(const CLI::App& command, const Run_command_options
     if (option->count() > 0)
       run.given.insert(option->get_name());
   run.start = options.start.start;
+  if (options.output.quiet)
+    keep_silent_about_unused();
   for (std::string& input : run.start.inputs)
     input = native_file(input, run.start.labels, run.start.thresholds);
   run.resume = options.resume;

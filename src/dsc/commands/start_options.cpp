@@ -65,6 +65,9 @@ void require_kind(const Run_options& run, const Default_start& defaults, bool is
   const std::string format = run.start.inputs.empty() ? "" : extension(run.start.inputs.front());
   const bool has_edge = kind == Input_kind::inequalities || kind == Input_kind::image ||
                         format == "pgm" || format == "png";
+  const bool is_image = kind == Input_kind::image || format == "pgm";
+  if (is_given("--threshold") && !is_image)
+    throw Usage_error("--threshold applies only to images; leave it out");
   if (is_given("--edge") && !has_edge)
     throw Usage_error("--edge applies only to inequalities and images; leave it out");
   if (is_given("--labels"))
