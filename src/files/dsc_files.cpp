@@ -30,7 +30,6 @@
 #include <iostream>
 #include <new>
 #include <string>
-#include <system_error>
 
 namespace {
 
@@ -41,17 +40,29 @@ void limit(int resource, rlim_t bound) {
   setrlimit(resource, &limits);
 }
 
-/// Ends this process if a damaged file makes a reader allocate more memory than the machine has, or
-/// loop forever, and when the calling program ends.
+/// Returns the number of bytes of a file; of the files beside it, if it is only a header.
+std::uintmax_t bytes_of(const std::filesystem::path& input) {
+  const std::string format = dsc_files::format_of(input.string());
+  if (format != "mhd" && format != "nhdr" && format != "pvtu")
+    return std::filesystem::file_size(input);
+  std::uintmax_t result = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::filesystem::absolute(input).parent_path()))
+    if (entry.is_regular_file())
+      result += entry.file_size();
+  return result;
+}
+
+/// Ends this process if a damaged file makes a reader allocate much memory or loop forever, and
+/// when the calling program ends. The bounds allow for compressed images.
 void limit_resources(const std::string& input) {
   static constexpr rlim_t least_seconds = 10, bytes_per_second = 1 << 18; // of processor time
-  const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGE_SIZE);
-  if (pages > 0 && size > 0)
-    limit(RLIMIT_AS, rlim_t(pages) * rlim_t(size));
-  std::error_code error;
-  const std::uintmax_t bytes = std::filesystem::file_size(input, error);
-  if (!error)
+  static constexpr rlim_t least_memory = rlim_t(4) << 30, memory_of_byte = 2000;
+  if (std::filesystem::is_regular_file(input)) {
+    const std::uintmax_t bytes = bytes_of(input);
     limit(RLIMIT_CPU, least_seconds + rlim_t(bytes) / bytes_per_second);
+    limit(RLIMIT_AS, least_memory + rlim_t(bytes) * memory_of_byte);
+  }
 #ifdef __linux__
   prctl(PR_SET_PDEATHSIG, SIGKILL);
 #endif
