@@ -68,6 +68,11 @@ def _integer(value: Any, name: str) -> int:
     return result
 
 
+def _not_masked(array: Any, name: str) -> None:
+    if isinstance(array, np.ma.MaskedArray):
+        raise TypeError(f"{name} must not be masked; fill the array or leave out masked rows")
+
+
 def _numbers(values: Any, number: int, name: str) -> list[float]:
     array = np.asarray(values, dtype=float)
     if array.shape != (number,):
@@ -713,6 +718,7 @@ class Complex3(Complex):
 
         Raises `Error` if all labels are 0, a label is negative, or labels reach the box.
         """
+        _not_masked(labels, "labels")
         placed = PlacedImage.of(labels)
         if placed is not None:
             if spacing is not None or origin is not None:

@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _dsc
-from ._complex import Complex3, Progress, _callable, _given, _number, _numbers
+from ._complex import Complex3, Progress, _callable, _given, _not_masked, _number, _numbers
 from ._report import Indices, Points
 
 
@@ -21,7 +21,7 @@ class Reconstruction:
     complex: Complex3
     """The solid, with label 1 inside and label 0 in a box around it."""
     complete: bool
-    """Whether the interface came to rest and no place is doubtful."""
+    """Whether the interface converged. `doubtful_places` is then empty."""
     steps: int
     """Number of steps of the interface."""
     used_points: int
@@ -69,6 +69,7 @@ def reconstruct(
 
     Raises `InvalidPointsError` if the points are not finite or enclose no solid.
     """
+    _not_masked(points, "points")
     positions = np.asarray(points, dtype=float)
     directions = None if normals is None else np.asarray(normals, dtype=float)
     options = _given(
@@ -89,7 +90,7 @@ class CutLocus:
     distances: npt.NDArray[np.float64]
     """Lengths of the shortest geodesics to the vertices, shape (n,)."""
     multiplicities: Indices
-    """Number of edges at each vertex, shape (n,): the number of shortest geodesics, and 1 at an end."""
+    """Number of shortest geodesics to each vertex, shape (n,). End vertices have multiplicity 1."""
     arcs: list[Indices]
     """Chains of vertices, from one vertex with a multiplicity other than 2 to the next."""
     complete: bool

@@ -28,6 +28,10 @@ class Values(MutableMapping[str, npt.NDArray[np.float64]]):
         return values
 
     def __setitem__(self, name: str, values: npt.ArrayLike) -> None:
+        if self._on_cells and name in ("label", "quality"):
+            raise ValueError(f"{name!r} is the name of an array of every mesh; choose another name")
+        if isinstance(values, np.ma.MaskedArray):
+            raise TypeError("values must not be masked; fill the array")
         array = np.asarray(values)
         if array.dtype.kind not in "biuf":
             raise TypeError("values must be real numbers")

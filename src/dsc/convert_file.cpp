@@ -182,6 +182,8 @@ void convert_to_image(const std::string& checkpoint, const std::string& output,
   if (in_space == nullptr)
     throw Usage_error("--grid applies only in space; write .svg or .vtu");
   const std::string native = native_file(grid, "", is_foreign(grid) ? "0" : "");
+  if (extension(native) != "inr" && extension(native) != "gz")
+    throw Input_error(grid + " is no image of voxels with several layers; --grid needs one");
   std::vector<int> unused;
   const Grid voxels = read_image(native, unused);
   const std::string path = temporary_file("image.vti");

@@ -13,7 +13,7 @@
 
 namespace dsc {
 
-/// What `dsc info` prints about an image.
+/// Statistics of an image.
 struct Image_statistics
 {
   CGAL::Deformable_simplicial_complexes::Sampling_grid<3> grid; ///< centers of the voxels

@@ -13,6 +13,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <string>
 
 namespace dsc {
 namespace {
@@ -25,6 +26,13 @@ bool is_native_grid(const std::string& path, const std::string& labels) {
   } catch (const CGAL::Deformable_simplicial_complexes::File_error&) {
     return false;
   }
+}
+
+/// Returns whether the header of a VTK file names a compressor.
+bool is_compressed(const std::string& path) {
+  char header[512] = {};
+  std::ifstream(path, std::ios::binary).read(header, sizeof header - 1);
+  return std::string(header).find("compressor=") != std::string::npos;
 }
 
 /// Returns whether a picture has colors, and neither gray values nor a palette.
@@ -50,7 +58,9 @@ std::string native_file(const std::string& path, const std::string& labels,
   try {
     return translate(path, labels, thresholds);
   } catch (const Input_error&) {
-    return path; // the own reader says what is wrong
+    if (is_compressed(path))
+      throw; // the reader of this program would only say that it is compressed
+    return path;
   }
 }
 

@@ -19,16 +19,15 @@ class Surface_expressions
 {
 public:
   /// \param place description of the expressions for messages
+  /// \param names names of surfaces that are accepted instead, for messages
   /// \throws Usage_error with the reason and the place if these are not three expressions in one of
   /// the two sets of variables
   explicit Surface_expressions(const std::string& expressions,
-                               const std::string& place = "--surface");
+                               const std::string& place = "--surface",
+                               const std::string& names = "torus, ellipsoid, ");
 
   /// Returns whether the surface is the image of the unit sphere.
   bool is_of_sphere() const { return m_is_of_sphere; }
-
-  /// Returns whether lengths on a surface in u and v are periodic, tested at samples.
-  bool repeats_after(const std::array<double, 2>& periods) const;
 
   std::array<double, 3> operator()(double u, double v) const { return at({u, v, 0, 0, 0}); }
   std::array<double, 3> operator()(const std::array<double, 2>& p) const {

@@ -9,6 +9,7 @@
 #include "interrupt.h"
 #include "unused.h"
 
+#include <CGAL/Deformable_simplicial_complexes/IO/replace_file.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
 #include <fcntl.h>
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
@@ -112,9 +114,15 @@ std::string read_answer(const std::string& path, const std::string& answer) {
   Unused_content unused;
   const std::string unused_line = "unused ", note = "note ";
   for (std::string line; std::getline(lines, line);)
-    if (line.compare(0, unused_line.size(), unused_line) == 0)
-      unused.add(line.substr(unused_line.size()));
-    else
+    if (line.compare(0, unused_line.size(), unused_line) == 0) {
+      std::istringstream content(line.substr(unused_line.size()));
+      std::size_t number = 1;
+      if (std::isdigit(content.peek()) != 0)
+        content >> number >> std::ws;
+      std::string kind;
+      std::getline(content, kind);
+      unused.add(kind, number);
+    } else
       print_note(path, line.substr(note.size()));
   print_unused(path, unused);
   return translation;
@@ -134,8 +142,9 @@ std::string run_dsc_files(const std::string& path, std::vector<std::string> argu
     return content_of(output);
   const std::string message = content_of(messages);
   throw Input_error(path + ' ' +
-                    (code < 0 || message.empty() ? "crashes its reader; is it damaged?"
-                                                 : message.substr(0, message.find('\n'))));
+                    (code < 0 || message.empty()
+                         ? "crashes its reader or takes too long; is it damaged?"
+                         : message.substr(0, message.find('\n'))));
 }
 
 } // namespace
@@ -152,11 +161,9 @@ bool is_foreign(const std::string& path) {
   static constexpr std::array extensions = {"csv", "geojson", "mha", "mhd", "meshb", "msh", "nhdr",
                                             "nii", "nrrd",    "pcd", "ppm", "pvtu",  "tif", "tiff",
                                             "vti", "vtk",     "vtp", "vtr", "vts"};
-  std::error_code error;
   const std::string format = extension(path);
   return std::find(extensions.begin(), extensions.end(), format) != extensions.end() ||
-         (format == "gz" && extension(fs::path(path).stem().string()) == "nii") ||
-         fs::is_directory(path, error);
+         (format == "gz" && extension(fs::path(path).stem().string()) == "nii");
 }
 
 std::string translate(const std::string& path, const std::string& labels,
@@ -178,18 +185,13 @@ std::string translate(const std::string& path, const std::string& labels,
 }
 
 void write_foreign(const std::string& input, const std::string& output, const std::string& like) {
-  const std::string written = new_folder() + '/' + fs::path(output).filename().string(),
-                    part = output + ".part";
+  const std::string written = new_folder() + '/' + fs::path(output).filename().string();
   std::vector<std::string> arguments = {"--write", input, written};
   if (!like.empty())
     arguments.push_back(like);
   run_dsc_files(output, arguments);
-  std::error_code error;
-  fs::copy_file(written, part, fs::copy_options::overwrite_existing, error);
-  if (!error)
-    fs::rename(part, output, error);
-  if (error)
-    throw Input_error("cannot write '" + output + "': " + error.message());
+  CGAL::Deformable_simplicial_complexes::replace_file_by_stream(
+      output, [&](std::ostream& out) { out << std::ifstream(written, std::ios::binary).rdbuf(); });
 }
 
 std::string with_user_names(std::string text) {
@@ -205,6 +207,10 @@ std::vector<std::string> with_user_names(const std::vector<std::string>& texts) 
   for (const std::string& text : texts)
     result.push_back(with_user_names(text));
   return result;
+}
+
+void name_in_messages(const std::string& path, const std::string& name) {
+  temporary_files().translations[name] = path;
 }
 
 std::string temporary_file(const std::string& name) { return new_folder() + '/' + name; }

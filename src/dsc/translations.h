@@ -14,8 +14,7 @@ namespace dsc {
 /// \throws std::runtime_error if the folder cannot be found
 std::string path_of_program(const std::string& name);
 
-/// Returns whether the extension belongs to a format that only `dsc-files` reads, or whether the
-/// path is a folder.
+/// Returns whether the extension belongs to a format that only `dsc-files` reads.
 bool is_foreign(const std::string& path);
 
 /// Translates a file of another program into a temporary file in a format that this program reads,
@@ -37,6 +36,9 @@ std::vector<std::string> with_user_names(const std::vector<std::string>& texts);
 /// \throws Input_error if it cannot be written, or there is no program `dsc-files`
 void write_foreign(const std::string& input, const std::string& output,
                    const std::string& like = "");
+
+/// Lets messages name a temporary file differently, see with_user_names().
+void name_in_messages(const std::string& path, const std::string& name);
 
 /// Returns a new file name in a new temporary folder.
 std::string temporary_file(const std::string& name);

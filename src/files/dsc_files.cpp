@@ -91,15 +91,18 @@ dsc_files::Translation translate(const dsc_files::Options& options) {
     return translate_pcd(options);
   if (format == "geojson")
     return translate_geojson(options);
-  const dsc_files::Dataset dataset = dsc_files::read_dataset(options.input);
+  const dsc_files::Dataset dataset = dsc_files::read_dataset(options.input, options.folder);
   vtkImageData* const image = vtkImageData::SafeDownCast(dataset.data);
   if (image != nullptr && !options.labels.empty())
     throw dsc_files::Failure("is an image, whose labels are its values; leave out --labels");
-  if (image != nullptr)
-    return write_image(image, dataset.has_oblique_axes, options);
-  if (!options.thresholds.empty())
+  if (image == nullptr && !options.thresholds.empty())
     throw dsc_files::Failure("is no image; leave out --threshold");
-  return write_cells(dataset.data, options);
+  dsc_files::Translation result =
+      image != nullptr ? write_image(image, options) : write_cells(dataset.data, options);
+  const dsc_files::Translation& before = dataset.translation;
+  result.unused.insert(result.unused.begin(), before.unused.begin(), before.unused.end());
+  result.notes.insert(result.notes.begin(), before.notes.begin(), before.notes.end());
+  return result;
 }
 
 } // namespace

@@ -10,8 +10,8 @@
 #include "require_complete.h"
 
 #include <vtkCommand.h>
-#include <vtkDICOMImageReader.h>
-#include <vtkDataSetReader.h>
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
 #include <vtkErrorCode.h>
 #include <vtkGenericDataObjectReader.h>
 #include <vtkImageData.h>
@@ -26,14 +26,23 @@
 #include <vtkOutputWindow.h>
 #include <vtkPNGReader.h>
 #include <vtkPNMReader.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
 #include <vtkStringArray.h>
 #include <vtkTIFFReader.h>
+#include <vtkUnstructuredGrid.h>
 #include <vtkXMLGenericDataObjectReader.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <initializer_list>
+#include <iterator>
+#include <sstream>
+#include <vector>
 
 namespace dsc_files {
 namespace {
@@ -63,6 +72,8 @@ std::string shortened(std::string message) {
   while (!message.empty() && std::isspace(static_cast<unsigned char>(message.back())) != 0)
     message.pop_back();
   message.erase(0, message.rfind('\n') + 1);
+  std::replace_if(
+      message.begin(), message.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
   const std::size_t end_of_address = message.find("): ");
   return end_of_address == std::string::npos ? message : message.substr(end_of_address + 3);
 }
@@ -104,8 +115,33 @@ vtkSmartPointer<vtkDataSet> read_image(const std::string& path, Messages* messag
   return run(reader.Get(), messages);
 }
 
-/// Reads an image of medicine. Its axes may be permuted or reversed in space: the image gets a
-/// direction matrix then.
+/// Places an image: sets its origin, and from the images of unit vectors along its axes its
+/// spacing and directions.
+/// \param columns for each axis of the image, the vector between neighbors in space
+void place(vtkImageData* image, const std::array<std::array<double, 3>, 3>& columns,
+           const std::array<double, 3>& origin) {
+  vtkNew<vtkMatrix3x3> directions;
+  double spacing[3];
+  for (int j = 0; j < 3; ++j) {
+    const auto& [x, y, z] = columns[std::size_t(j)];
+    spacing[j] = std::hypot(x, y, z);
+    if (!(spacing[j] > 0 && std::isfinite(spacing[j])))
+      throw Failure("has an axis of length 0 in its header");
+    for (int i = 0; i < 3; ++i)
+      directions->SetElement(i, j, columns[std::size_t(j)][std::size_t(i)] / spacing[j]);
+  }
+  image->SetSpacing(spacing);
+  image->SetOrigin(origin.data());
+  image->SetDirectionMatrix(directions);
+}
+
+vtkImageData* image_of(const Dataset& dataset) {
+  vtkImageData* const image = vtkImageData::SafeDownCast(dataset.data);
+  if (image == nullptr)
+    throw Failure("contains no image");
+  return image;
+}
+
 Dataset read_nifti(const std::string& path, Messages* messages) {
   vtkNew<vtkNIFTIImageReader> reader;
   if (reader->CanReadFile(path.c_str()) == 0)
@@ -116,39 +152,113 @@ Dataset read_nifti(const std::string& path, Messages* messages) {
   result.slice_order = reader->GetQFac();
   if (reader->GetTimeDimension() > 1)
     throw Failure("contains a series in time; write one image");
+  vtkImageData* const image = image_of(result);
+  const double slope = reader->GetRescaleSlope(), intercept = reader->GetRescaleIntercept();
+  vtkDataArray* const stored = image->GetPointData()->GetScalars();
+  if (stored != nullptr && slope != 0 && (slope != 1 || intercept != 0)) {
+    vtkNew<vtkDoubleArray> scaled;
+    scaled->SetName(stored->GetName());
+    scaled->SetNumberOfComponents(stored->GetNumberOfComponents());
+    scaled->SetNumberOfTuples(stored->GetNumberOfTuples());
+    for (vtkIdType i = 0; i < stored->GetNumberOfTuples(); ++i)
+      for (int k = 0; k < stored->GetNumberOfComponents(); ++k)
+        scaled->SetComponent(i, k, slope * stored->GetComponent(i, k) + intercept);
+    image->GetPointData()->SetScalars(scaled);
+  }
   vtkMatrix4x4* matrix = reader->GetSFormMatrix();
   if (matrix == nullptr)
     matrix = reader->GetQFormMatrix();
-  vtkImageData* const image = vtkImageData::SafeDownCast(result.data);
-  if (matrix == nullptr || image == nullptr)
+  if (matrix == nullptr)
     return result;
   // The matrix maps coordinates with the spacing, but without the origin, to space.
-  static constexpr double rounding = 1e-4; // of numbers that files store in 32 bits
-  vtkNew<vtkMatrix3x3> directions;
-  double origin[3];
+  std::array<std::array<double, 3>, 3> columns;
+  std::array<double, 3> origin;
   for (int i = 0; i < 3; ++i) {
-    origin[i] = matrix->GetElement(i, 3);
-    for (int j = 0; j < 3; ++j) {
-      const double x = matrix->GetElement(i, j), nearest = std::round(x);
-      result.has_oblique_axes = result.has_oblique_axes || std::abs(x - nearest) > rounding;
-      directions->SetElement(i, j, nearest);
-    }
+    origin[std::size_t(i)] = matrix->GetElement(i, 3);
+    for (int j = 0; j < 3; ++j)
+      columns[std::size_t(j)][std::size_t(i)] = matrix->GetElement(i, j) * image->GetSpacing()[j];
   }
-  if (!result.has_oblique_axes) {
-    image->SetDirectionMatrix(directions);
-    image->SetOrigin(origin);
-  }
+  place(image, columns, origin);
   return result;
 }
 
-vtkSmartPointer<vtkDataSet> read_dicom(const std::string& folder) {
-  vtkNew<vtkDICOMImageReader> reader;
-  reader->SetDirectoryName(folder.c_str());
-  reader->Update(); // warns of other files in the folder
-  vtkImageData* const image = reader->GetOutput();
-  if (image == nullptr || image->GetNumberOfPoints() == 0)
-    throw Failure("contains no DICOM images that VTK reads");
-  return image;
+/// Returns the numbers in a text, which parentheses and commas may separate.
+std::vector<double> numbers_in(std::string text) {
+  for (char& c : text)
+    if (c == '(' || c == ')' || c == ',')
+      c = ' ';
+  std::istringstream in(text);
+  return std::vector<double>(std::istream_iterator<double>(in), std::istream_iterator<double>());
+}
+
+/// Returns the value of the first of some keys in the text header of a file; empty if there is
+/// none.
+std::string header_value(const std::string& path, char separator,
+                         std::initializer_list<const char*> keys) {
+  std::ifstream file(path, std::ios::binary);
+  for (std::string line; std::getline(file, line) && !line.empty() && line != "\r";) {
+    const std::size_t mark = line.find(separator);
+    std::string key = line.substr(0, mark);
+    key.erase(key.find_last_not_of(" \t") + 1);
+    if (mark != std::string::npos && std::find(keys.begin(), keys.end(), key) != keys.end())
+      return line.substr(mark + 1);
+    if (key == "ElementDataFile")
+      break;
+  }
+  return "";
+}
+
+/// Reads a MetaImage. VTK ignores its directions.
+Dataset read_meta_image(const std::string& path, Messages* messages) {
+  Dataset result;
+  result.data = read_image<vtkMetaImageReader>(path, messages);
+  vtkImageData* const image = image_of(result);
+  const std::vector<double> matrix =
+      numbers_in(header_value(path, '=', {"TransformMatrix", "Rotation", "Orientation"}));
+  if (matrix.size() != 9)
+    return result;
+  std::array<std::array<double, 3>, 3> columns;
+  std::array<double, 3> origin;
+  for (std::size_t j = 0; j < 3; ++j) {
+    origin[j] = image->GetOrigin()[j];
+    for (std::size_t i = 0; i < 3; ++i)
+      columns[j][i] = matrix[3 * j + i] * image->GetSpacing()[j];
+  }
+  place(image, columns, origin);
+  return result;
+}
+
+/// Reads an image in the NRRD format. VTK ignores its directions.
+Dataset read_nrrd(const std::string& path, Messages* messages) {
+  // The reader of VTK does not end if the header does not end.
+  std::ifstream file(path, std::ios::binary);
+  std::string line = "NRRD";
+  while (!line.empty() && line != "\r")
+    if (!std::getline(file, line))
+      throw Failure("has a header without an empty line at its end; is it truncated?");
+  Dataset result;
+  result.data = read_image<vtkNrrdReader>(path, messages);
+  const std::vector<double> vectors = numbers_in(header_value(path, ':', {"space directions"})),
+                            first = numbers_in(header_value(path, ':', {"space origin"}));
+  if (vectors.size() != 9)
+    return result;
+  std::array<std::array<double, 3>, 3> columns;
+  std::array<double, 3> origin = {0, 0, 0};
+  for (std::size_t j = 0; j < 3; ++j) {
+    origin[j] = first.size() == 3 ? first[j] : 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      columns[j][i] = vectors[3 * j + i];
+  }
+  place(image_of(result), columns, origin);
+  return result;
+}
+
+/// Removes cells that other pieces of a file repeat.
+void remove_ghost_cells(vtkDataSet* data) {
+  if (vtkUnstructuredGrid* const grid = vtkUnstructuredGrid::SafeDownCast(data))
+    grid->RemoveGhostCells();
+  else if (vtkPolyData* const surface = vtkPolyData::SafeDownCast(data))
+    surface->RemoveGhostCells();
 }
 
 } // namespace
@@ -165,36 +275,40 @@ std::string format_of(const std::string& path) {
   return dot == std::string::npos ? "" : name.substr(dot + 1);
 }
 
-Dataset read_dataset(const std::string& path) {
+Dataset read_dataset(const std::string& path, const std::string& folder) {
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // messages are reported below
   const vtkNew<Messages> messages;
   vtkOutputWindow::SetInstance(messages);
   if (std::filesystem::is_directory(path))
-    return {read_dicom(path)};
+    throw Failure("is a folder; name a file in it (dcm2niix converts DICOM images to NIfTI)");
   const std::string format = format_of(path);
   require_complete(path, format);
+  Dataset result;
   if (format == "vtu" || format == "vtp" || format == "vti" || format == "vtr" || format == "vts" ||
       format == "pvtu")
-    return {read_named<vtkXMLGenericDataObjectReader>(path, messages)};
-  if (format == "vtk")
-    return {read_named<vtkGenericDataObjectReader>(path, messages)};
-  if (format == "nii" || format == "nii.gz")
-    return read_nifti(path, messages);
-  if (format == "mha" || format == "mhd")
-    return {read_image<vtkMetaImageReader>(path, messages)};
-  if (format == "nrrd" || format == "nhdr")
-    return {read_image<vtkNrrdReader>(path, messages)};
-  if (format == "tif" || format == "tiff")
-    return {read_image<vtkTIFFReader>(path, messages)};
-  if (format == "png")
-    return {read_image<vtkPNGReader>(path, messages)};
-  if (format == "pgm" || format == "ppm")
-    return {read_image<vtkPNMReader>(path, messages)};
-  if (format == "msh")
-    return {read_gmsh(path)};
-  if (format == "meshb")
-    return {read_meshb(path)};
-  throw Failure("is in no format that VTK or Gmsh reads: its extension is '" + format + "'");
+    result.data = read_named<vtkXMLGenericDataObjectReader>(path, messages);
+  else if (format == "vtk")
+    result.data = read_named<vtkGenericDataObjectReader>(path, messages);
+  else if (format == "nii" || format == "nii.gz")
+    result = read_nifti(path, messages);
+  else if (format == "mha" || format == "mhd")
+    result = read_meta_image(path, messages);
+  else if (format == "nrrd" || format == "nhdr")
+    result = read_nrrd(path, messages);
+  else if (format == "tif" || format == "tiff")
+    result.data = read_image<vtkTIFFReader>(path, messages);
+  else if (format == "png")
+    result.data = read_image<vtkPNGReader>(path, messages);
+  else if (format == "pgm" || format == "ppm")
+    result.data = read_image<vtkPNMReader>(path, messages);
+  else if (format == "msh")
+    result.data = read_gmsh(path, folder, result.translation);
+  else if (format == "meshb")
+    result.data = read_meshb(path, result.translation);
+  else
+    throw Failure("is in no format that VTK or Gmsh reads: its extension is '" + format + "'");
+  remove_ghost_cells(result.data);
+  return result;
 }
 
 } // namespace dsc_files

@@ -5,6 +5,8 @@
 #ifndef DSC_FILES_READ_DATASET_H
 #define DSC_FILES_READ_DATASET_H
 
+#include "Translation.h"
+
 #include <vtkDataSet.h>
 #include <vtkSmartPointer.h>
 
@@ -16,13 +18,14 @@ namespace dsc_files {
 struct Dataset
 {
   vtkSmartPointer<vtkDataSet> data;
-  bool has_oblique_axes = false; ///< whether the axes of an image are rotated in space
-  double slice_order = 1;        ///< -1 if the file stores the slices of a NIfTI image in reverse
+  Translation translation; ///< the unused contents so far
+  double slice_order = 1;  ///< -1 if the file stores the slices of a NIfTI image in reverse
 };
 
-/// Reads a file, or a folder of DICOM images.
+/// Reads a file. Images have their direction matrix, and scaled values.
+/// \param folder folder for copies, which exists
 /// \throws Failure if the format is unknown, the file cannot be read or is damaged
-Dataset read_dataset(const std::string& path);
+Dataset read_dataset(const std::string& path, const std::string& folder);
 
 /// Returns the extension in lower case, without the dot; of compressed NIfTI files `nii.gz`.
 std::string format_of(const std::string& path);

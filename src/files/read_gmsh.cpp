@@ -17,6 +17,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -42,32 +44,53 @@ const Element_type& type_of(int gmsh) {
                 "; write linear elements");
 }
 
-/// Opens a file of Gmsh while it exists.
+/// Throws unless a file is a mesh. Gmsh executes other files as scripts.
+void require_mesh(const std::string& path) {
+  const std::string begin = "$MeshFormat";
+  std::string line;
+  std::ifstream file(path, std::ios::binary);
+  std::getline(file, line);
+  if (line != begin && line != begin + '\r')
+    throw Failure("does not begin with $MeshFormat; write a mesh of Gmsh, version 2 or later");
+}
+
+/// A Gmsh session with one mesh.
 class Gmsh_model
 {
 public:
-  explicit Gmsh_model(const std::string& path) {
-    gmsh::initialize();
+  /// \param folder new folder for a copy of the file: Gmsh executes scripts beside a file
+  Gmsh_model(const std::string& path, const std::string& folder) {
+    require_mesh(path);
+    const std::string copy = folder + "/mesh.msh";
+    std::filesystem::copy_file(path, copy);
+    gmsh::initialize(0, nullptr, false); // without the configuration of the user
     gmsh::option::setNumber("General.Terminal", 0);
-    gmsh::open(path);
+    gmsh::merge(copy);
   }
   ~Gmsh_model() { gmsh::finalize(); }
   Gmsh_model(const Gmsh_model&) = delete;
   Gmsh_model& operator=(const Gmsh_model&) = delete;
 };
 
-/// Returns the label of the elements of an entity.
-int label_of(int dimension, int entity, const gmsh::vectorpair& groups) {
+/// Returns the label of the elements of an entity: its first physical group, or 0. If the dimension
+/// has no groups, returns the number of the entity.
+int label_of(int dimension, int entity, const gmsh::vectorpair& groups, Translation& translation) {
   const bool has_groups = std::any_of(groups.begin(), groups.end(),
                                       [&](const auto& group) { return group.first == dimension; });
   if (!has_groups)
     return entity;
   std::vector<int> physical;
   gmsh::model::getPhysicalGroupsForEntity(dimension, entity, physical);
+  if (physical.size() > 1)
+    translation.leave_out(physical.size() - 1, "further physical group of an entity",
+                          "further physical groups of an entity");
+  if (physical.empty() && dimension >= 2)
+    translation.notes.push_back("entity " + std::to_string(entity) + " of dimension " +
+                                std::to_string(dimension) + " has no physical group: label 0");
   return physical.empty() ? 0 : physical.front();
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> grid_of_model() {
+vtkSmartPointer<vtkUnstructuredGrid> grid_of_model(Translation& translation) {
   std::vector<std::size_t> tags;
   std::vector<double> coordinates, parameters;
   gmsh::model::mesh::getNodes(tags, coordinates, parameters);
@@ -85,7 +108,7 @@ vtkSmartPointer<vtkUnstructuredGrid> grid_of_model() {
   gmsh::model::getPhysicalGroups(groups);
   gmsh::model::getEntities(entities);
   for (const auto& [dimension, entity] : entities) {
-    const int label = label_of(dimension, entity, groups);
+    const int label = label_of(dimension, entity, groups, translation);
     std::vector<int> types;
     std::vector<std::vector<std::size_t>> elements, nodes;
     gmsh::model::mesh::getElements(types, elements, nodes, dimension, entity);
@@ -106,10 +129,14 @@ vtkSmartPointer<vtkUnstructuredGrid> grid_of_model() {
 
 } // namespace
 
-vtkSmartPointer<vtkUnstructuredGrid> read_gmsh(const std::string& path) {
+vtkSmartPointer<vtkUnstructuredGrid> read_gmsh(const std::string& path, const std::string& folder,
+                                               Translation& translation) {
   try {
-    const Gmsh_model model(path);
-    return grid_of_model();
+    const Gmsh_model model(path, folder);
+    std::vector<int> views;
+    gmsh::view::getTags(views);
+    translation.leave_out(views.size(), "view with values", "views with values");
+    return grid_of_model(translation);
   } catch (const Failure&) {
     throw;
   } catch (const std::string& error) { // Gmsh 4.8 throws strings, too
@@ -125,7 +152,8 @@ vtkSmartPointer<vtkUnstructuredGrid> read_gmsh(const std::string& path) {
 
 namespace dsc_files {
 
-vtkSmartPointer<vtkUnstructuredGrid> read_gmsh(const std::string&) {
+vtkSmartPointer<vtkUnstructuredGrid> read_gmsh(const std::string&, const std::string&,
+                                               Translation&) {
   throw Failure("cannot be read: the program was built without Gmsh (Debian: libgmsh-dev)");
 }
 

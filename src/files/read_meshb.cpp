@@ -80,7 +80,8 @@ enum Keyword { dimension = 3, vertices = 4, edges = 5, triangles = 6, tetrahedra
 class Meshb_grid
 {
 public:
-  explicit Meshb_grid(Meshb_file& file) : m_file(file) {
+  Meshb_grid(Meshb_file& file, Translation& translation)
+      : m_file(file), m_translation(translation) {
     m_points->SetDataTypeToDouble();
     m_references->SetName("medit:ref");
     m_grid->Allocate();
@@ -99,6 +100,8 @@ public:
         read_cells(VTK_TRIANGLE, 3);
       else if (keyword == tetrahedra)
         read_cells(VTK_TETRA, 4);
+      else
+        m_translation.unused.push_back("section (keyword " + std::to_string(keyword) + ')');
       if (next == 0)
         break;
       m_file.go_to(next);
@@ -112,13 +115,15 @@ private:
   void read_vertices() {
     if (m_dimension != 2 && m_dimension != 3)
       throw Failure("has no dimension before its vertices");
+    std::size_t references = 0;
     for (std::int64_t i = m_file.count(); i > 0; --i) {
       double p[3] = {0, 0, 0};
       for (int axis = 0; axis < m_dimension; ++axis)
         p[axis] = m_file.real();
       m_points->InsertNextPoint(p);
-      m_file.integer(); // reference
+      references += m_file.integer() != 0;
     }
+    m_translation.leave_out(references, "vertex reference", "vertex references");
   }
 
   void read_cells(int type, int corners) {
@@ -135,6 +140,7 @@ private:
   }
 
   Meshb_file& m_file;
+  Translation& m_translation;
   int m_dimension = 0;
   vtkNew<vtkPoints> m_points;
   vtkNew<vtkIntArray> m_references;
@@ -143,9 +149,9 @@ private:
 
 } // namespace
 
-vtkSmartPointer<vtkUnstructuredGrid> read_meshb(const std::string& path) {
+vtkSmartPointer<vtkUnstructuredGrid> read_meshb(const std::string& path, Translation& translation) {
   Meshb_file file(path);
-  return Meshb_grid(file).read();
+  return Meshb_grid(file, translation).read();
 }
 
 } // namespace dsc_files

@@ -5,6 +5,8 @@
 #ifndef DSC_FILES_READ_MESHB_H
 #define DSC_FILES_READ_MESHB_H
 
+#include "Translation.h"
+
 #include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -14,8 +16,9 @@ namespace dsc_files {
 
 /// Reads a binary mesh in the Gamma Mesh Format (.meshb): vertices, edges, triangles and
 /// tetrahedra. The cell array `medit:ref` contains their references.
+/// \param translation receives the unused contents
 /// \throws Failure if it cannot be read
-vtkSmartPointer<vtkUnstructuredGrid> read_meshb(const std::string& path);
+vtkSmartPointer<vtkUnstructuredGrid> read_meshb(const std::string& path, Translation& translation);
 
 } // namespace dsc_files
 

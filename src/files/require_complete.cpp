@@ -6,6 +6,7 @@
 
 #include "Translation.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -33,6 +34,14 @@ std::uint64_t bytes_of(const std::string& type) {
   return found == bytes.end() ? 0 : found->second;
 }
 
+std::uint64_t header_number(const std::string& text) {
+  std::istringstream in(text);
+  std::uint64_t result = 0;
+  if (!(in >> result))
+    throw Failure("has a header in which '" + text + "' stands for a number");
+  return result;
+}
+
 void require_complete_meta_image(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::map<std::string, std::string> header;
@@ -54,10 +63,11 @@ void require_complete_meta_image(const std::string& path) {
   for (std::uint64_t size = 0; sizes >> size;)
     bytes *= size;
   if (header.count("ElementNumberOfChannels") > 0)
-    bytes *= std::stoull(header["ElementNumberOfChannels"]);
+    bytes *= header_number(header["ElementNumberOfChannels"]);
   const bool is_compressed = header["CompressedData"] == "True";
   if (is_compressed)
-    bytes = header.count("CompressedDataSize") > 0 ? std::stoull(header["CompressedDataSize"]) : 0;
+    bytes =
+        header.count("CompressedDataSize") > 0 ? header_number(header["CompressedDataSize"]) : 0;
   const std::string data = header["ElementDataFile"];
   if (data.empty())
     throw Failure("has no ElementDataFile in its header; is it truncated?");
@@ -92,7 +102,7 @@ public:
     const std::uint64_t word = m_is_big ? 8 : 4;
     for (std::uint64_t at = number(m_is_big ? 8 : 4, word); at != 0;) {
       if (!known.insert(at).second)
-        throw Failure("has images that form a circle; is it damaged?");
+        throw Failure("contains a cycle of image directories; is it damaged?");
       const std::uint64_t count_size = m_is_big ? 8 : 2, entry_size = m_is_big ? 20 : 12,
                           entries = number(at, count_size);
       const std::uint64_t first = at + count_size;
@@ -151,11 +161,37 @@ private:
   bool m_is_big_endian = false, m_is_big = false;
 };
 
+/// Returns the numbers of cells of the extents with a name in an XML file, at least one along each
+/// axis.
+double cells_of_extents(const std::string& text, const std::string& name) {
+  double result = 0;
+  for (std::size_t at = 0; (at = text.find(name + "=\"", at)) != std::string::npos;) {
+    at += name.size() + 2;
+    std::istringstream numbers(text.substr(at, text.find('"', at) - at));
+    double cells = 1, first = 0, last = 0;
+    while (numbers >> first >> last)
+      cells *= std::max(1., last - first);
+    result += cells;
+  }
+  return result;
+}
+
+/// VTK leaves the values of an image undefined where there is no piece.
+void require_all_pieces(const std::string& path) {
+  std::ostringstream content;
+  content << std::ifstream(path, std::ios::binary).rdbuf();
+  const std::string text = content.str(), markup = text.substr(0, text.find("<AppendedData"));
+  if (cells_of_extents(markup, " Extent") != cells_of_extents(markup, "WholeExtent"))
+    throw Failure("has pieces that do not cover its extent; write one piece");
+}
+
 } // namespace
 
 void require_complete(const std::string& path, const std::string& format) {
   if (format == "mha" || format == "mhd")
     require_complete_meta_image(path);
+  else if (format == "vti" || format == "vtr" || format == "vts")
+    require_all_pieces(path);
   else if (format == "tif" || format == "tiff")
     Tiff_file(path).require_complete();
 }

@@ -10,7 +10,7 @@
 namespace dsc_files {
 
 /// Checks whether a file has all bytes that its header announces, for formats whose readers in VTK
-/// accept truncated files: MetaImage (.mha, .mhd) and TIFF.
+/// accept truncated files: MetaImage (.mha, .mhd), TIFF, and images of VTK in pieces.
 /// \throws Failure if bytes are missing
 void require_complete(const std::string& path, const std::string& format);
 

@@ -23,20 +23,47 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-Names words_of(std::string line) {
-  std::replace_if(
-      line.begin(), line.end(),
-      [](char c) { return c == ',' || c == ';' || c == '\t' || c == '"'; }, ' ');
+/// Returns the words between spaces.
+Names words_of(const std::string& line) {
   std::istringstream in(line);
   return Names(std::istream_iterator<std::string>(in), std::istream_iterator<std::string>());
+}
+
+/// Returns the separator of the columns of a table; a space for any number of spaces.
+char separator_of(const std::string& line) {
+  for (const char separator : {';', '\t', ','})
+    if (line.find(separator) != std::string::npos)
+      return separator;
+  return ' ';
+}
+
+/// Returns the cells of a row. With semicolons, commas are decimal points.
+Names cells_of(std::string line, char separator) {
+  if (!line.empty() && line.back() == '\r')
+    line.pop_back();
+  if (separator == ' ')
+    return words_of(line);
+  if (separator == ';')
+    std::replace(line.begin(), line.end(), ',', '.');
+  Names result;
+  for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1) {
+    end = line.find(separator, begin);
+    std::string cell = line.substr(begin, end == std::string::npos ? end : end - begin);
+    cell.erase(0, cell.find_first_not_of(" \""));
+    cell.erase(cell.find_last_not_of(" \"") + 1);
+    result.push_back(cell);
+  }
+  return result;
 }
 
 /// Returns the number of a word, which may be nan or inf.
 /// \throws Failure
 double number_of(const std::string& word) {
+  if (word.empty()) // a missing value
+    return std::numeric_limits<double>::quiet_NaN();
   char* end = nullptr;
   const double result = std::strtod(word.c_str(), &end);
-  if (word.empty() || *end != '\0')
+  if (*end != '\0')
     throw Failure("contains '" + word + "' instead of a number");
   return result;
 }
@@ -69,11 +96,16 @@ public:
     m_out.precision(std::numeric_limits<double>::max_digits10);
   }
 
-  /// Writes the point of a row.
+  /// Writes the point of a row. Only its columns must be numbers.
+  void add(const Names& cells) {
+    require_length(cells.size());
+    std::vector<double> row(cells.size(), 0);
+    for (std::size_t i = 0; i < (m_has_normals ? 6U : 3U); ++i)
+      row[m_columns[i]] = number_of(cells[m_columns[i]]);
+    add(row);
+  }
   void add(const std::vector<double>& row) {
-    if (row.size() != m_number)
-      throw Failure("has a row with " + std::to_string(row.size()) + " numbers instead of " +
-                    std::to_string(m_number));
+    require_length(row.size());
     const auto is_finite = [&](std::size_t column) {
       return std::isfinite(row[m_columns[column]]);
     };
@@ -97,6 +129,12 @@ public:
   }
 
 private:
+  void require_length(std::size_t length) const {
+    if (length != m_number)
+      throw Failure("has a row with " + std::to_string(length) + " values instead of " +
+                    std::to_string(m_number));
+  }
+
   static std::size_t find(const Names& names, const Names& known) {
     const auto is_known = [&](std::string name) {
       std::transform(name.begin(), name.end(), name.begin(),
@@ -114,13 +152,6 @@ private:
   std::ofstream m_out;
   Translation m_result;
 };
-
-std::vector<double> numbers_of(const Names& words) {
-  std::vector<double> result;
-  for (const std::string& word : words)
-    result.push_back(number_of(word));
-  return result;
-}
 
 /// A field of the points of a PCD file.
 struct Pcd_field
@@ -153,12 +184,22 @@ double read_number(std::istream& in, const Pcd_field& field) {
   }
 }
 
+constexpr auto none = static_cast<std::size_t>(-1);
+
+std::size_t count_of(const std::string& word) {
+  std::istringstream in(word);
+  std::size_t result = 0;
+  if (!(in >> result))
+    throw Failure("has the number of points '" + word + "' in its header");
+  return result;
+}
+
 /// The header of a PCD file.
 struct Pcd_header
 {
   Names names; ///< one for each number of a point
   std::vector<Pcd_field> fields;
-  std::size_t points = 0;
+  std::size_t points = none;
   std::string data; ///< ascii, binary or binary_compressed
 };
 
@@ -180,12 +221,13 @@ Pcd_header read_header(std::istream& in) {
     else if (key == "COUNT")
       counts = words;
     else if (key == "POINTS" && words.size() == 1)
-      header.points = std::size_t(number_of(words[0]));
+      header.points = count_of(words[0]);
     else if (key == "DATA" && words.size() == 1)
       header.data = words[0];
   }
-  if (header.data.empty() || fields.empty() || sizes.size() != fields.size() ||
-      types.size() != fields.size() || (!counts.empty() && counts.size() != fields.size()))
+  if (header.data.empty() || header.points == none || fields.empty() ||
+      sizes.size() != fields.size() || types.size() != fields.size() ||
+      (!counts.empty() && counts.size() != fields.size()))
     throw Failure("has no complete PCD header");
   for (std::size_t i = 0; i < fields.size(); ++i) {
     const double size = number_of(sizes[i]), count = counts.empty() ? 1 : number_of(counts[i]);
@@ -262,24 +304,26 @@ Translation translate_csv(const Options& options) {
   std::string line;
   if (!std::getline(in, line))
     throw Failure("is empty");
-  Names names = words_of(line);
-  const bool has_names =
-      !names.empty() && std::isalpha(static_cast<unsigned char>(names[0][0])) != 0;
-  const std::vector<double> first = has_names ? std::vector<double>() : numbers_of(names);
+  const char separator = separator_of(line);
+  const Names first = cells_of(line, separator);
+  const bool has_names = std::any_of(first.begin(), first.end(), [](const std::string& cell) {
+    return !cell.empty() && std::isalpha(static_cast<unsigned char>(cell[0])) != 0 &&
+           cell != "nan" && cell != "inf";
+  });
+  Names names = first;
   if (!has_names) {
-    static const Names usual = {"x", "y", "z", "nx", "ny", "nz"};
-    const std::size_t columns = names.size();
-    names.assign(usual.begin(), usual.begin() + (columns >= 6 ? 6 : 3));
-    for (std::size_t i = names.size(); i < columns; ++i)
-      names.push_back(std::to_string(i + 1));
+    if (first.size() != 3 && first.size() != 6)
+      throw Failure("has no names of columns, and neither three nor six columns");
+    names = {"x", "y", "z", "nx", "ny", "nz"};
+    names.resize(first.size());
   }
   Point_columns columns(names);
   columns.open(options.folder);
   if (!has_names)
     columns.add(first);
   while (std::getline(in, line))
-    if (const Names words = words_of(line); !words.empty())
-      columns.add(numbers_of(words));
+    if (line.find_first_not_of(" \t\r") != std::string::npos)
+      columns.add(cells_of(line, separator));
   return columns.close();
 }
 
@@ -299,11 +343,15 @@ Translation translate_pcd(const Options& options) {
       std::string line;
       if (!std::getline(in, line))
         throw Failure("is truncated: it lacks points that its header announces");
-      row = numbers_of(words_of(line));
+      columns.add(words_of(line));
+      continue;
     }
     columns.add(row);
   }
-  return columns.close();
+  Translation result = columns.close();
+  if (std::string word; in >> word)
+    result.unused.push_back("content after the last point");
+  return result;
 }
 
 Translation translate_geojson(const Options& options) {
@@ -315,13 +363,15 @@ Translation translate_geojson(const Options& options) {
   try {
     const Json json = Json::parse(std::ifstream(options.input));
     const std::string type = json.at("type");
+    if (json.dump().find("\"properties\":{\"") != std::string::npos)
+      result.unused.push_back("properties of features");
     if (type == "FeatureCollection")
       for (const Json& feature : json.at("features"))
         others += write_geometry(feature.at("geometry"), out);
     else
       others = write_geometry(type == "Feature" ? json.at("geometry") : json, out);
   } catch (const Json::exception& error) {
-    throw Failure(std::string("is no GeoJSON: ") + error.what());
+    throw Failure(std::string("is not valid GeoJSON: ") + error.what());
   }
   result.leave_out(others, "geometry that is no polygon", "geometries that are no polygons");
   out.close();

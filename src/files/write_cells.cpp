@@ -55,7 +55,33 @@ private:
   std::ofstream m_out;
 };
 
-/// Returns the dimension of the cells of a type of VTK.
+/// Returns the linear type with the corners of a quadratic, Lagrange or Bezier type; linear types
+/// are returned as they are.
+/// \throws Failure for other nonlinear types
+int linear_type(int type) {
+  static constexpr int last_linear = 21;
+  switch (type) {
+  case VTK_QUADRATIC_EDGE:
+  case VTK_LAGRANGE_CURVE:
+  case VTK_BEZIER_CURVE:
+    return VTK_LINE;
+  case VTK_QUADRATIC_TRIANGLE:
+  case VTK_LAGRANGE_TRIANGLE:
+  case VTK_BEZIER_TRIANGLE:
+    return VTK_TRIANGLE;
+  case VTK_QUADRATIC_TETRA:
+  case VTK_LAGRANGE_TETRAHEDRON:
+  case VTK_BEZIER_TETRAHEDRON:
+    return VTK_TETRA;
+  default:
+    if (type >= last_linear)
+      throw Failure("contains cells of the type " + std::to_string(type) +
+                    " of VTK; write linear cells");
+    return type;
+  }
+}
+
+/// Returns the dimension of the cells of a linear type of VTK.
 int dimension_of(int type) {
   switch (type) {
   case VTK_VERTEX:
@@ -63,16 +89,12 @@ int dimension_of(int type) {
     return 0;
   case VTK_LINE:
   case VTK_POLY_LINE:
-  case VTK_QUADRATIC_EDGE:
     return 1;
   case VTK_TRIANGLE:
   case VTK_TRIANGLE_STRIP:
   case VTK_POLYGON:
   case VTK_PIXEL:
   case VTK_QUAD:
-  case VTK_QUADRATIC_TRIANGLE:
-  case VTK_QUADRATIC_QUAD:
-  case VTK_BIQUADRATIC_QUAD:
     return 2;
   default:
     return 3;
@@ -84,7 +106,7 @@ std::array<std::size_t, 4> numbers_of_cells(vtkDataSet* data) {
   std::array<std::size_t, 4> result = {};
   for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
     if (data->GetCellType(i) != VTK_EMPTY_CELL)
-      ++result[std::size_t(dimension_of(data->GetCellType(i)))];
+      ++result[std::size_t(dimension_of(linear_type(data->GetCellType(i))))];
   return result;
 }
 
@@ -108,10 +130,12 @@ Merged_points merge_points(vtkPoints* points) {
   for (vtkIdType i = 0; points != nullptr && i < points->GetNumberOfPoints(); ++i) {
     std::array<double, 3> p;
     points->GetPoint(i, p.data());
-    const auto [place, is_new] = known.emplace(p, vtkIdType(result.original.size()));
-    if (is_new)
+    const bool is_finite = std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+    const auto next = vtkIdType(result.original.size());
+    const vtkIdType index = is_finite ? known.emplace(p, next).first->second : next;
+    if (index == next)
       result.original.push_back(i);
-    result.index.push_back(place->second);
+    result.index.push_back(index);
   }
   return result;
 }
@@ -138,18 +162,25 @@ vtkSmartPointer<vtkUnstructuredGrid> cells_of(vtkDataSet* data, int dimension,
   result->SetPoints(points);
   result->GetCellData()->CopyAllocate(all->GetCellData());
   result->Allocate();
+  std::size_t curved = 0;
   vtkNew<vtkIdList> corners;
   for (vtkIdType i = 0; i < all->GetNumberOfCells(); ++i) {
-    const int type = all->GetCellType(i);
-    if (type == VTK_EMPTY_CELL || dimension_of(type) != dimension)
+    if (all->GetCellType(i) == VTK_EMPTY_CELL)
       continue;
-    if (type == VTK_POLYHEDRON)
-      throw Failure("contains polyhedra; divide them into tetrahedra");
+    const int type = linear_type(all->GetCellType(i));
+    if (dimension_of(type) != dimension)
+      continue;
     all->GetCellPoints(i, corners);
+    if (type != all->GetCellType(i)) { // the corners come first
+      curved += corners->GetNumberOfIds() > dimension + 1;
+      corners->SetNumberOfIds(dimension + 1);
+    }
     for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
       corners->SetId(k, merged.index[std::size_t(corners->GetId(k))]);
     result->GetCellData()->CopyData(all->GetCellData(), i, result->InsertNextCell(type, corners));
   }
+  translation.leave_out(curved, "curved cell, replaced by a straight one",
+                        "curved cells, replaced by straight ones");
   return result;
 }
 
@@ -329,25 +360,37 @@ private:
 void write_points(vtkDataSet* data, Translation& result) {
   vtkDataArray* const normals = data->GetPointData()->GetNormals();
   Text_file out(result.path);
+  std::size_t left_out = 0;
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i) {
     const auto [x, y, z] = point(data, i);
+    if (!(std::isfinite(x) && std::isfinite(y) && std::isfinite(z))) {
+      ++left_out;
+      continue;
+    }
     out << x << ' ' << y << ' ' << z;
     for (int axis = 0; normals != nullptr && axis < 3; ++axis)
       out << ' ' << normals->GetComponent(i, axis);
     out << '\n';
   }
   out.close();
+  result.leave_out(left_out, "point that is not finite", "points that are not finite");
 }
 
 void write_triangles(vtkDataSet* data, const Options& options, Translation& result) {
+  const auto faces = cells_of(data, 2, result);
+  vtkIdType expected = 0; // number of triangles
+  for (vtkIdType i = 0; i < faces->GetNumberOfCells(); ++i)
+    expected += faces->GetCells()->GetCellSize(i) - 2;
   vtkNew<vtkDataSetSurfaceFilter> surface;
-  surface->SetInputData(cells_of(data, 2, result));
+  surface->SetInputData(faces);
   vtkNew<vtkTriangleFilter> triangulated;
   triangulated->SetInputConnection(surface->GetOutputPort());
   triangulated->PassLinesOff();
   triangulated->PassVertsOff();
   triangulated->Update();
   vtkPolyData* const triangles = triangulated->GetOutput();
+  if (triangles->GetNumberOfCells() != expected)
+    throw Failure("contains polygons that cannot be divided into triangles");
   leave_out_arrays(triangles->GetPointData(), "point", result);
   if (is_planar(triangles)) {
     result.path = options.folder + "/regions.poly";
@@ -380,6 +423,11 @@ Translation write_cells(vtkDataSet* data, const Options& options) {
     result.path = options.folder +
                   (data->GetPointData()->GetNormals() == nullptr ? "/points.xyz" : "/points.pwn");
     result.leave_out(numbers[1], names[1][0], names[1][1]);
+    vtkDataArray* const normals = data->GetPointData()->GetNormals();
+    for (int i = 0; i < data->GetPointData()->GetNumberOfArrays(); ++i)
+      if (vtkAbstractArray* const array = data->GetPointData()->GetAbstractArray(i);
+          array != normals && array->GetName() != nullptr)
+        result.unused.push_back(std::string("point array (") + array->GetName() + ')');
     write_points(data, result);
   } else {
     throw Failure("contains no points");

@@ -61,9 +61,12 @@ vtkSmartPointer<vtkImageData> along_axes_of(vtkImageData* like, vtkImageData* la
     double p[3];
     result->GetPoint(i, p);
     vtkIdType index[3];
-    for (int axis = 0; axis < 3; ++axis)
+    for (int axis = 0; axis < 3; ++axis) {
       index[axis] = vtkIdType(
           std::lround((p[axis] - labels->GetOrigin()[axis]) / labels->GetSpacing()[axis]));
+      if (index[axis] < 0 || index[axis] >= size[axis])
+        throw Failure("cannot get the grid of --grid, whose axes are rotated in space");
+    }
     to->SetTuple(i, index[0] + size[0] * (index[1] + vtkIdType(size[1]) * index[2]), from);
   }
   result->GetPointData()->SetScalars(to);
@@ -104,9 +107,11 @@ void write_image_as(vtkImageData* image, const std::string& path, const std::str
     write<vtkMetaImageWriter>(image, path);
   else if (format == "nii" || format == "nii.gz")
     write_nifti(image, path, slice_order);
-  else if (format == "tif" || format == "tiff")
+  else if (format == "tif" || format == "tiff") {
+    if (image->GetScalarType() != VTK_UNSIGNED_SHORT)
+      throw Failure("cannot contain labels outside 0 to 65535; write .nii, .mha or .vti");
     write<vtkTIFFWriter>(image, path);
-  else
+  } else
     throw Failure("cannot contain an image; write .inr, .mha, .nii, .tif, .vti or .vtk");
 }
 
@@ -124,21 +129,20 @@ void write_foreign(const std::string& input, const std::string& output, const st
       write<vtkDataSetWriter>(reader->GetOutput(), output);
     return;
   }
-  const Dataset dataset = read_dataset(input);
+  const std::string folder = std::filesystem::path(output).parent_path().string();
+  const Dataset dataset = read_dataset(input, folder);
   vtkImageData* const image = vtkImageData::SafeDownCast(dataset.data);
   if (image == nullptr)
     return write<vtkDataSetWriter>(dataset.data, output);
   if (format == "inr") {
-    const std::filesystem::path path(output);
     Options options;
-    options.folder = path.parent_path().string();
-    const Translation result = write_image(image, false, options);
-    std::filesystem::rename(result.path, path);
+    options.folder = folder;
+    std::filesystem::rename(write_image(image, options).path, output);
     return;
   }
   if (like.empty())
     return write_image_as(image, output, format, dataset.slice_order);
-  const Dataset model = read_dataset(like);
+  const Dataset model = read_dataset(like, folder);
   vtkImageData* const model_image = vtkImageData::SafeDownCast(model.data);
   if (model_image == nullptr)
     throw Failure("has no image as --grid");

@@ -122,11 +122,14 @@ std::vector<int> palette_of(vtkDataArray* array, Translation& result) {
 
 std::vector<int> label_values(vtkDataArray* array, const Options& options, Translation& result) {
   const int components = array->GetNumberOfComponents();
-  if (components > 4)
+  const bool has_colors =
+      array->GetDataType() == VTK_UNSIGNED_CHAR && (components == 3 || components == 4);
+  if (components > 1 && !has_colors)
     throw Failure("contains " + std::to_string(components) + " values for each voxel; write one");
   if (options.thresholds.empty())
     return components == 1 ? integers_of(component(array, 0)) : palette_of(array, result);
   std::vector<double> gray = component(array, 0);
+  result.leave_out(components == 4 ? 1 : 0, "channel (opacity)", "");
   if (components >= 3) { // luminance of ITU-R BT.709
     const std::vector<double> green = component(array, 1), blue = component(array, 2);
     for (std::size_t i = 0; i < gray.size(); ++i)
@@ -135,8 +138,38 @@ std::vector<int> label_values(vtkDataArray* array, const Options& options, Trans
   return classes_of(gray, options.thresholds, result);
 }
 
+/// Finds the axis of an image along each axis of space, and its direction, 1 or -1. Returns false
+/// if the axes are rotated: then the axes of the image are used.
+bool find_axes(vtkImageData* image, std::array<int, 3>& sources, std::array<double, 3>& signs) {
+  static constexpr double rounding = 1e-4; // of numbers that files store in 32 bits
+  sources = {0, 1, 2};
+  signs = {1, 1, 1};
+  std::array<int, 3> found = {-1, -1, -1};
+  std::array<double, 3> directions = {};
+  for (int axis = 0; axis < 3; ++axis)
+    for (int j = 0; j < 3; ++j) {
+      const double x = image->GetDirectionMatrix()->GetElement(axis, j);
+      if (std::abs(x) < rounding)
+        continue;
+      if (std::abs(std::abs(x) - 1) > rounding || found[std::size_t(axis)] >= 0)
+        return false;
+      found[std::size_t(axis)] = j;
+      directions[std::size_t(axis)] = x < 0 ? -1 : 1;
+    }
+  if (std::set<int>(found.begin(), found.end()) != std::set<int>{0, 1, 2})
+    return false;
+  sources = found;
+  signs = directions;
+  return true;
+}
+
 /// Returns the labels along the axes of space, which the axes of the image permute and reverse.
-Labels along_axes_of_space(vtkImageData* image, bool are_cells, const std::vector<int>& values) {
+Labels along_axes_of_space(vtkImageData* image, bool are_cells, const std::vector<int>& values,
+                           Translation& translation) {
+  std::array<int, 3> sources;
+  std::array<double, 3> signs;
+  if (!find_axes(image, sources, signs))
+    translation.unused.push_back("rotation of the axes in space");
   int dimensions[3];
   image->GetDimensions(dimensions);
   std::array<std::size_t, 3> size, strides;
@@ -149,13 +182,9 @@ Labels along_axes_of_space(vtkImageData* image, bool are_cells, const std::vecto
   std::array<std::ptrdiff_t, 3> steps = {};
   std::ptrdiff_t first = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    int source = axis;
-    for (int j = 0; j < 3; ++j)
-      if (std::abs(image->GetDirectionMatrix()->GetElement(axis, j)) > .5)
-        source = j;
+    const int source = sources[std::size_t(axis)];
     const auto a = std::size_t(axis), j = std::size_t(source);
-    const double spacing = image->GetSpacing()[source],
-                 direction = image->GetDirectionMatrix()->GetElement(axis, source) * spacing;
+    const double spacing = image->GetSpacing()[source], direction = signs[a] * spacing;
     const double first_center = image->GetOrigin()[axis] +
                                 direction * (extent[2 * source] + (are_cells ? .5 : 0.)),
                  last_center = first_center + direction * double(size[j] - 1);
@@ -228,13 +257,17 @@ void write_pgm(const Labels& labels, std::ostream& out) {
 
 } // namespace
 
-Translation write_image(vtkImageData* image, bool is_oblique, const Options& options) {
+Translation write_image(vtkImageData* image, const Options& options) {
   Translation result;
   bool are_cells = false;
   vtkDataArray* const array = values_of(image, are_cells);
-  const Labels labels = along_axes_of_space(image, are_cells, label_values(array, options, result));
-  if (is_oblique)
-    result.unused.push_back("rotation of the axes in space");
+  for (vtkFieldData* attributes : {static_cast<vtkFieldData*>(image->GetPointData()),
+                                   static_cast<vtkFieldData*>(image->GetCellData())})
+    for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+      if (attributes->GetAbstractArray(i) != array && attributes->GetArrayName(i) != nullptr)
+        result.unused.push_back(std::string("array (") + attributes->GetArrayName(i) + ')');
+  const Labels labels =
+      along_axes_of_space(image, are_cells, label_values(array, options, result), result);
   const bool is_layer = labels.size[2] == 1;
   result.path = options.folder + (is_layer ? "/image.pgm" : "/image.inr");
   if (is_layer && (labels.spacing != std::array<double, 3>{1, 1, 1} || labels.origin[0] != 0 ||

@@ -15,10 +15,9 @@ namespace dsc_files {
 /// Writes an image as labels of voxels (`image.inr`) or, if it has a single layer, of pixels
 /// (`image.pgm`). Labels are the values of the image, gray values between thresholds, or the colors
 /// in the order of their values.
-/// \param is_oblique whether the axes of the image are rotated in space; its voxels are then written
-///        along their own axes
+/// An image whose axes are rotated in space is written along its own axes.
 /// \throws Failure if the values are no labels
-Translation write_image(vtkImageData* image, bool is_oblique, const Options& options);
+Translation write_image(vtkImageData* image, const Options& options);
 
 } // namespace dsc_files
 

@@ -7,6 +7,7 @@
 #include "arrays.h"
 #include "callbacks.h"
 #include "errors.h"
+#include "lengths_repeat.h"
 #include "module.h"
 #include "surface_expressions.h"
 
@@ -21,6 +22,8 @@
 
 namespace dsc_python {
 namespace {
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 /// A surface that a Python function gives: `function(points)` returns points of shape (n, 3).
 class Surface_function
@@ -57,9 +60,12 @@ template <class Surface>
 std::unique_ptr<dsc::Geodesic_source> source_of(const Surface& images,
                                                 const std::vector<double>& point,
                                                 const std::array<double, 2>& periods) {
-  if (point.size() == 2)
-    return dsc::source_in_chart(dsc::sampled_chart_surface(images, periods), periods,
-                                {point[0], point[1]});
+  if (point.size() == 2) {
+    const dsc::Chart_surface surface = dsc::sampled_chart_surface(images, periods);
+    if (!dsc::lengths_repeat(surface.image, periods))
+      throw DSC::Error("the surface is not periodic with these periods; choose others");
+    return dsc::source_in_chart(surface, periods, {point[0], point[1]});
+  }
   return dsc::source_on_sphere(dsc::sampled_sphere_surface(images),
                                {point.at(0), point.at(1), point.at(2)});
 }
@@ -83,7 +89,7 @@ public:
 private:
   static dsc::Surface_expressions read(const std::string& text) {
     try {
-      return dsc::Surface_expressions(text, "surface");
+      return dsc::Surface_expressions(text, "surface", "");
     } catch (const dsc::Usage_error& error) {
       throw py::value_error(error.what());
     }

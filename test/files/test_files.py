@@ -367,7 +367,7 @@ def test_errors_name_the_file(tmp_path):
         result = run("info", tmp_path / name)
         assert result.returncode == 1
         assert name in result.stderr
-    assert run("info", tmp_path).returncode == 1  # a folder without DICOM images
+    assert run("info", tmp_path).returncode == 2  # a folder
 
 
 def test_no_temporary_files_are_left(tmp_path):
@@ -378,3 +378,102 @@ def test_no_temporary_files_are_left(tmp_path):
     run("info", tmp_path / "a.vtp", env=environment)
     run("offset", tmp_path / "a.vtp", "--steps", 1, "--distance", "1e-3", env=environment)
     assert list(folder.iterdir()) == []
+
+
+def image_with(direction=None, pieces=None):
+    """Returns the text of a .vti file of 10 x 10 x 10 voxels."""
+    direction = "" if direction is None else 'Direction="' + " ".join(map(str, direction)) + '"'
+    values = " ".join(["1"] * 1000)
+    return (
+        f'<VTKFile type="ImageData" version="1.0"><ImageData WholeExtent="0 9 0 9 0 9" {direction} '
+        f'Origin="0 0 0" Spacing="1 1 1"><Piece Extent="{pieces or "0 9 0 9 0 9"}"><PointData Scalars="a">'
+        f'<DataArray type="UInt8" Name="a" format="ascii">{values}</DataArray></PointData></Piece>'
+        "</ImageData></VTKFile>"
+    )
+
+
+def test_rotated_images_are_named(tmp_path):
+    path = tmp_path / "a.vti"
+    for degrees in 30, 46, 90, 135:
+        c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
+        path.write_text(image_with([c, -s, 0, s, c, 0, 0, 0, 1]))
+        result = run("info", path)
+        assert result.returncode == 0, result.stderr
+        assert "label 1: 1000 voxels" in result.stdout
+        assert ("rotation of the axes" in result.stderr) == (degrees != 90)
+    header = "NDims = 3\nDimSize = 4 4 4\nElementType = MET_UCHAR\nElementSpacing = 1 2 3\nOffset = 5 6 7\n"
+    for matrix, place in ("0 1 0 1 0 0 0 0 1", "5 6 7"), ("-1 0 0 0 1 0 0 0 1", "2 6 7"):
+        mha = tmp_path / "a.mha"
+        mha.write_bytes((header + f"TransformMatrix = {matrix}\nElementDataFile = LOCAL\n").encode() + bytes(64))
+        text = run("info", mha).stdout
+        assert "first voxel           " + place in text
+        assert ("size of a voxel       2 x 1 x 3" in text) == matrix.startswith("0")
+
+
+def test_images_without_all_pieces_are_refused(tmp_path):
+    path = tmp_path / "a.vti"
+    path.write_text(image_with(pieces="0 5 0 9 0 9"))
+    assert run("info", path).returncode == 1
+
+
+def test_scaled_values_of_nifti(tmp_path):
+    nibabel = pytest.importorskip("nibabel")
+    image = nibabel.Nifti1Image((10 * files.ball_voxels()).astype(np.int16), np.eye(4))
+    image.header.set_slope_inter(0.1, 0)
+    nibabel.save(image, tmp_path / "a.nii")
+    stored = np.asarray(nibabel.load(tmp_path / "a.nii").dataobj)
+    expected = {f"label {k}": n for k, n in enumerate(np.bincount((stored >= 0.5).astype(int).ravel()))}
+    assert info(tmp_path / "a.nii", "--threshold", 0.5)[0] == expected
+
+
+def test_meshes_execute_nothing(tmp_path):
+    """Gmsh would execute these files."""
+    needs_gmsh(tmp_path)
+    proof = tmp_path / "proof"
+    script = f'SystemCall "touch {proof}";\n'
+    (tmp_path / "a.msh").write_text(script)
+    assert run("info", tmp_path / "a.msh").returncode == 1
+    try:
+        files.write_gmsh(tmp_path / "b.msh", "-format", "msh22")
+    except FileNotFoundError:
+        pytest.skip("there is no program gmsh")
+    (tmp_path / "b.msh.opt").write_text(script)
+    assert run("info", tmp_path / "b.msh").returncode == 0
+    assert not proof.exists()
+
+
+def test_points_that_are_not_finite(tmp_path):
+    """A point that is not a number is not merged with another one."""
+    polydata = files.vtk_sphere()
+    polydata.GetPoints().SetPoint(100, float("nan"), 0, 0)
+    files.write_legacy(tmp_path / "a.vtk", data=polydata)
+    result = run("info", tmp_path / "a.vtk")
+    assert result.returncode == 1 or "not finite" in result.stderr
+
+
+def test_curved_cells(tmp_path):
+    grid = vtk.vtkUnstructuredGrid()
+    points = vtk.vtkPoints()
+    corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1.0]])
+    middles = [(corners[a] + corners[b]) / 2 for a, b in ((0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3))]
+    for p in [*corners, *middles]:
+        points.InsertNextPoint(p)
+    grid.SetPoints(points)
+    grid.InsertNextCell(vtk.VTK_QUADRATIC_TETRA, 10, list(range(10)))
+    files.write_vtu(tmp_path / "a.vtu", grid=grid)
+    result = run("info", tmp_path / "a.vtu", "--labels", "none")
+    assert result.returncode == 0, result.stderr
+    assert "1 curved cell" in result.stderr
+    assert "tetrahedra           1" in result.stdout
+
+
+def test_tables_with_decimal_commas(tmp_path):
+    path = tmp_path / "a.csv"
+    p = np.random.default_rng(1).normal(size=(2000, 3))
+    p /= np.linalg.norm(p, axis=1)[:, None]
+    rows = "".join(";".join(f"{x:.6f}".replace(".", ",") for x in row) + ";\n" for row in p)
+    path.write_text("x;y;z;note\n" + rows)
+    result = run("reconstruct", path, "-o", tmp_path / "a.off")
+    assert result.returncode == 0, result.stderr
+    assert "2000 points" in result.stdout
+    assert "column (note)" in result.stderr

@@ -3,6 +3,7 @@
 #include "expression.h"
 #include "inequalities.h"
 #include "label_components.h"
+#include "lengths_repeat.h"
 #include "nearest_name.h"
 #include "surface_expressions.h"
 #include "velocity_expressions.h"
@@ -154,10 +155,10 @@ TEST(Inequalities, that_are_constant_are_refused) {
 TEST(Surfaces, repeat_themselves_after_their_periods) {
   const dsc::Surface_expressions torus("(2+cos(v))*cos(u),(2+cos(v))*sin(u),sin(v)");
   const double turn = 6.28319;
-  EXPECT_TRUE(torus.repeats_after({turn, turn}));
-  EXPECT_TRUE(torus.repeats_after({1, turn})); // a part of it
-  EXPECT_FALSE(torus.repeats_after({turn, 6}));
-  EXPECT_FALSE(dsc::Surface_expressions("u,v,u^2").repeats_after({turn, turn}));
+  EXPECT_TRUE(dsc::lengths_repeat(torus, {turn, turn}));
+  EXPECT_TRUE(dsc::lengths_repeat(torus, {1, turn})); // a part of it
+  EXPECT_FALSE(dsc::lengths_repeat(torus, {turn, 6}));
+  EXPECT_FALSE(dsc::lengths_repeat(dsc::Surface_expressions("u,v,u^2"), {turn, turn}));
 }
 
 TEST(Names, that_are_misspelt_are_found) {

@@ -127,6 +127,10 @@ def test_cut_locus_refuses_bad_surfaces():
         dsc.cut_locus("x,y,z", (0, 1))
     with pytest.raises(ValueError):
         dsc.cut_locus(TORUS, (0, 0, 1))
+    with pytest.raises(dsc.Error):
+        dsc.cut_locus(TORUS, (0, 0.3), periods=(1, 1))  # not periodic
+    with pytest.raises(TypeError):
+        dsc.reconstruct(np.ma.masked_array(np.zeros((9, 3))))
     with pytest.raises(ZeroDivisionError):
         dsc.cut_locus(lambda n: 1 // 0, (0, 0, 1))
     with pytest.raises(dsc.Interrupted):

@@ -59,12 +59,12 @@ def test_motions(cls):
 
 def test_storage_and_values():
     c = ball_at_the_seam(dsc.Torus2)
-    c.cell_values["label"] = c.cells().labels
+    c.cell_values["phase"] = c.cells().labels
     c.vertex_values["x"] = np.ones(c.number_of_vertices)
     other = pickle.loads(pickle.dumps(c))
     assert other == c
     assert other.periods == c.periods
-    assert np.array_equal(other.cell_values["label"], c.cells().labels)
+    assert np.array_equal(other.cell_values["phase"], c.cells().labels)
     if pytest.importorskip("meshio"):
         assert len(c.to_meshio().point_data["x"]) == len(c.cells().points)
     film = dsc.Film("torus")

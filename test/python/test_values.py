@@ -81,6 +81,10 @@ def test_names():
         c.vertex_values[3] = np.zeros(n)
     with pytest.raises(TypeError):
         c.vertex_values["x"] = ["text"] * n
+    with pytest.raises(TypeError):
+        c.vertex_values["x"] = np.ma.masked_array(np.zeros(n), np.ones(n, bool))
+    with pytest.raises(ValueError):
+        c.cell_values["label"] = np.zeros(m)
     for wrong in np.zeros(n + 1), np.zeros((n, 1, 1)), 3.0:
         with pytest.raises(ValueError):
             c.vertex_values["x"] = wrong
@@ -90,10 +94,10 @@ def test_names():
 def test_copies_have_the_values():
     c = ball()
     c.vertex_values["x"] = in_unit(c)[:, 0]
-    c.cell_values["label"] = c.cells().labels
+    c.cell_values["phase"] = c.cells().labels
     for other in c.copy(), copy.deepcopy(c), pickle.loads(pickle.dumps(c)):
         assert np.array_equal(other.vertex_values["x"], c.vertex_values["x"])
-        assert np.array_equal(other.cell_values["label"], c.cell_values["label"])
+        assert np.array_equal(other.cell_values["phase"], c.cell_values["phase"])
         other.vertex_values["x"] = np.zeros(c.number_of_vertices)
         assert c.vertex_values["x"].any()
 

@@ -68,7 +68,7 @@ void copy(std::istream& from, std::ostream& to) {
 }
 
 int execute(Convert_options options) {
-  if (options.quiet || options.output == standard)
+  if (options.quiet)
     keep_silent_about_unused();
   // Before standard input is read.
   if (options.input == standard || extension(options.input) != "dsc" || !options.grid.empty())
@@ -77,11 +77,13 @@ int execute(Convert_options options) {
   const bool prints = options.output == standard;
   if (options.input == standard) {
     options.input = temporary_file("input." + options.from);
+    name_in_messages(options.input, "standard input");
     std::ofstream file(options.input, std::ios::binary);
     copy(std::cin, file);
   }
   if (prints)
     options.output = temporary_file("output." + options.to);
+  name_in_messages(options.output, "standard output");
   convert(options);
   if (prints) {
     std::ifstream file(options.output, std::ios::binary);
@@ -99,7 +101,7 @@ void require_surface_to_subdivide(const std::string& path) {
                       "out, or choose one of these formats for OUT");
 }
 
-/// Throws unless a format is given exactly for standard input or output.
+/// Throws if a format is missing for `-`, or given for a file.
 void require_format(const std::string& file, const char* option, const std::string& format) {
   if (file == standard && format.empty())
     throw Usage_error(std::string(option) + " is missing; give the format of - like " + option +

@@ -7,6 +7,7 @@
 #include "errors.h"
 #include "files.h"
 #include "interrupt.h"
+#include "lengths_repeat.h"
 #include "option_values.h"
 #include "report_json.h"
 #include "surface_expressions.h"
@@ -195,7 +196,7 @@ void require_periods(const Cut_locus_options& options, bool are_given) {
     if (are_given)
       throw Usage_error("--periods applies only to a surface in u and v; leave it out");
   } else if (options.radius == 0 &&
-             !Surface_expressions(options.surface).repeats_after(options.periods))
+             !lengths_repeat(Surface_expressions(options.surface), options.periods))
     throw Usage_error("the surface '" + options.surface +
                       "' is not periodic with these periods; choose others by --periods");
 }

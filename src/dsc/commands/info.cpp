@@ -101,6 +101,8 @@ int execute(const Info_options& options) {
   } else if (dimension_of(start) == 2) {
     print(track_figure(start, std::nullopt)->statistics());
   } else {
+    if (format == "xyz" || format == "pwn")
+      throw Input_error(options.file + " contains points; dsc reconstruct reads them");
     require_extension(file, {"off", "obj", "ply", "stl"});
     print(surface_statistics(file));
   }

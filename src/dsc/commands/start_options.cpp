@@ -109,7 +109,7 @@ CLI::Option* add_inputs(CLI::App& command, Start_options& options) {
       "plane, polygons (.wkt), which get the labels 1, 2, ...; or labelled tetrahedra (.mesh, "
       ".vtu) or a labelled image (.inr, .inr.gz); in the plane, a labelled image (.pgm, .png) or "
       "segments (.poly). Files of other programs are read through VTK and Gmsh: .vtk, .vtp, .vti, "
-      ".msh, .nii, .nii.gz, .mha, .mhd, .nrrd, .tif, or a folder of DICOM images");
+      ".msh, .nii, .nii.gz, .mha, .mhd, .nrrd, .tif");
 }
 
 void add_start_options(CLI::App& command, Start_options& options, CLI::Option* resume) {
