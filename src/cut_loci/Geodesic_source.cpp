@@ -8,12 +8,12 @@
 #include <CGAL/Cut_loci_2/IO/cut_locus_2.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/SVG_2.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/VTU_2.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <sstream>
+#include <stdexcept>
 #include <utility>
 
 namespace dsc {
@@ -31,8 +31,8 @@ Geodesic_source::Ball grow(Front front, double radius, double step, const std::s
   if (radius < front.radius()) {
     std::ostringstream message;
     message << "the radius of the ball is smaller than the radius " << front.radius()
-            << " of the initial front: use a larger radius or a smaller spacing";
-    throw DSC::Error(message.str());
+            << " of the initial front; choose a larger radius or a smaller spacing";
+    throw std::out_of_range(message.str());
   }
   bool continues = true;
   while (continues && front.radius() < radius)

@@ -42,7 +42,7 @@ public:
   virtual DSC::Cut_locus_2 cut_locus(double spacing, double step) const = 0;
   /// Computes the distance ball of a radius.
   /// \param path picture (.svg) or triangles (.vtu) of the chart; empty for none
-  /// \throws Error if the radius is smaller than the one of the initial front
+  /// \throws std::out_of_range if the radius is smaller than the one of the initial front
   virtual Ball ball(double radius, double spacing, double step, const std::string& path) const = 0;
   /// Writes a picture of the cut locus (.svg).
   virtual void draw(const DSC::Cut_locus_2& locus, const std::string& path) const = 0;

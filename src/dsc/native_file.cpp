@@ -55,11 +55,14 @@ std::string native_file(const std::string& path, const std::string& labels,
     return translate(path, labels, thresholds);
   if (format != "vtu" || is_native_grid(path, labels))
     return path;
-  try {
+  if (is_compressed(path)) // the reader of this program only says that it is compressed
     return translate(path, labels, thresholds);
+  // Other errors than unknown encodings and cells are best explained by the reader of this program.
+  try {
+    return translate(path, labels, thresholds, [&](const std::string& translation) {
+      return extension(translation) != "vtu" || is_native_grid(translation, labels);
+    });
   } catch (const Input_error&) {
-    if (is_compressed(path))
-      throw; // the reader of this program would only say that it is compressed
     return path;
   }
 }

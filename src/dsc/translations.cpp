@@ -106,14 +106,12 @@ int run_program_with(const std::vector<std::string>& arguments, const std::strin
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-/// Prints what a translation leaves out, and the choices that were made. Returns its name.
-std::string read_answer(const std::string& path, const std::string& answer) {
-  std::istringstream lines(answer);
-  std::string translation;
-  std::getline(lines, translation);
+/// Prints what a translation leaves out, and the choices that were made.
+/// \param answer output of dsc-files after the name of the translation
+void print_answer(const std::string& path, std::istream& answer) {
   Unused_content unused;
   const std::string unused_line = "unused ", note = "note ";
-  for (std::string line; std::getline(lines, line);)
+  for (std::string line; std::getline(answer, line);)
     if (line.compare(0, unused_line.size(), unused_line) == 0) {
       std::istringstream content(line.substr(unused_line.size()));
       std::size_t number = 1;
@@ -122,10 +120,10 @@ std::string read_answer(const std::string& path, const std::string& answer) {
       std::string kind;
       std::getline(content, kind);
       unused.add(kind, number);
-    } else
+    } else {
       print_note(path, line.substr(note.size()));
+    }
   print_unused(path, unused);
-  return translation;
 }
 
 /// Runs `dsc-files` for a file. Returns what it prints.
@@ -167,7 +165,8 @@ bool is_foreign(const std::string& path) {
 }
 
 std::string translate(const std::string& path, const std::string& labels,
-                      const std::string& thresholds) {
+                      const std::string& thresholds,
+                      const std::function<bool(const std::string&)>& accepts) {
   Temporary_files& files = temporary_files();
   const auto known = files.translations.find(path);
   if (known != files.translations.end())
@@ -179,7 +178,12 @@ std::string translate(const std::string& path, const std::string& labels,
        {std::pair("--labels", labels), std::pair("--threshold", thresholds)})
     if (!value.empty())
       arguments.insert(arguments.end(), {name, value});
-  const std::string translation = read_answer(path, run_dsc_files(path, arguments));
+  std::istringstream answer(run_dsc_files(path, arguments));
+  std::string translation;
+  std::getline(answer, translation);
+  if (accepts && !accepts(translation))
+    throw Input_error(path + " has content that this program does not read");
+  print_answer(path, answer);
   files.translations[path] = translation;
   return translation;
 }

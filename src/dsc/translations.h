@@ -5,6 +5,7 @@
 #ifndef DSC_TRANSLATIONS_H
 #define DSC_TRANSLATIONS_H
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -21,10 +22,13 @@ bool is_foreign(const std::string& path);
 /// and prints what the translation leaves out. Messages name the file of the user, see
 /// with_user_names().
 /// \param labels, thresholds options of dsc-files; empty for none
+/// \param accepts returns whether a translation is used; all are used if it is empty
 /// \return the name of the translation; the same for the same file
-/// \throws Input_error if the file cannot be read, or there is no program `dsc-files`
+/// \throws Input_error if the file cannot be read, the translation is not accepted, or there is no
+/// program `dsc-files`
 std::string translate(const std::string& path, const std::string& labels,
-                      const std::string& thresholds);
+                      const std::string& thresholds,
+                      const std::function<bool(const std::string& translation)>& accepts = {});
 
 /// Replaces names of translations in a text by the names of the files of the user.
 std::string with_user_names(std::string text);

@@ -205,9 +205,10 @@ TEST_F(Readers, name_files_of_another_kind) {
   expect_cause("info", "a.wkt", "OFF\n", "is an OFF file");
   expect_cause("reconstruct -o b.off", "a.xyz", "$MeshFormat\n", "is a Gmsh mesh");
   write("b.off", "OFF\n4 4 6\n" + off_numbers);
-  EXPECT_NE(
-      run("convert b.off c.ply").err.find("is an OFF file; choose a file with the extension .dsc"),
-      std::string::npos);
+  write("b.dsc", "OFF\n4 4 6\n" + off_numbers);
+  EXPECT_NE(run("convert b.dsc c.ply").err.find("is an OFF file"), std::string::npos);
+  expect_success("convert b.off c.ply --quiet");
+  expect_error("convert b.off c.vtu", 2);
   program::fs::create_directory(path("folder.off"));
   expect_error("info folder.off", 1);
   EXPECT_NE(run("info folder.off").err.find("it is a folder"), std::string::npos);

@@ -100,7 +100,12 @@ int draw_ball(const Cut_locus_options& options, const Geodesic_source& source) {
   std::optional<Interruptible> interruptible(std::in_place, options.quiet);
   const double spacing = options.spacing > 0 ? options.spacing : source.default_spacing(),
                step = options.step > 0 ? options.step : source.default_step(spacing);
-  const Geodesic_source::Ball ball = source.ball(options.radius, spacing, step, options.output);
+  Geodesic_source::Ball ball;
+  try {
+    ball = source.ball(options.radius, spacing, step, options.output);
+  } catch (const std::out_of_range& error) {
+    throw Usage_error(std::string("--radius: ") + error.what());
+  }
   interruptible.reset();
   if (!options.report.empty()) {
     Json json;
