@@ -18,9 +18,6 @@ from ._complex import (
     Progress,
     Scheme,
     Topology,
-    Torus,
-    Torus2,
-    Torus3,
     Velocity,
 )
 from ._errors import (
@@ -40,6 +37,7 @@ from ._fluid import Balance, Fluid, FluidReport, Gas, Liquid, Source
 from ._progress import ProgressLine
 from ._report import Cells, Changes, Interface, LabelChange, Report, TopologyEvent
 from ._surfaces import CutLocus, Reconstruction, cut_locus, reconstruct
+from ._tori import Torus, Torus2, Torus3
 from ._values import Values
 
 __all__ = [
