@@ -233,12 +233,13 @@ class Complex:
     def to_meshio(self) -> Any:
         """Returns the cells, labels, qualities and values as a `meshio.Mesh`."""
         meshio = importlib.import_module("meshio")
-        cells = self.cells()
-        data = {"label": cells.labels, "quality": self.qualities, **self.cell_values}
+        state = self.copy()  # which no other thread changes
+        cells = state.cells()
+        data = {"label": cells.labels, "quality": state.qualities, **state.cell_values}
         return meshio.Mesh(
             cells.points,
             [("tetra" if self.dimension == 3 else "triangle", cells.cells)],
-            point_data={name: values[cells.vertices] for name, values in self.vertex_values.items()},
+            point_data={n: values[cells.vertices] for n, values in state.vertex_values.items()},
             cell_data={name: [values] for name, values in data.items()},
         )
 
@@ -246,7 +247,8 @@ class Complex:
         """Returns the cells, labels, qualities and values as a `vtkUnstructuredGrid`."""
         vtk = importlib.import_module("vtk")
         support = importlib.import_module("vtk.util.numpy_support")
-        cells = self.cells()
+        state = self.copy()  # which no other thread changes
+        cells = state.cells()
         in_space = np.zeros((len(cells.points), 3))
         in_space[:, : self.dimension] = cells.points
         points = vtk.vtkPoints()
@@ -260,10 +262,10 @@ class Complex:
         grid = vtk.vtkUnstructuredGrid()
         grid.SetPoints(points)
         grid.SetCells(vtk.VTK_TETRA if self.dimension == 3 else vtk.VTK_TRIANGLE, connectivity)
-        data: dict[str, npt.NDArray[Any]] = {"label": cells.labels, "quality": self.qualities}
-        data.update(self.cell_values)
+        data: dict[str, npt.NDArray[Any]] = {"label": cells.labels, "quality": state.qualities}
+        data.update(state.cell_values)
         of_points: dict[str, npt.NDArray[Any]] = {
-            name: values[cells.vertices] for name, values in self.vertex_values.items()
+            name: values[cells.vertices] for name, values in state.vertex_values.items()
         }
         for attributes, arrays in (grid.GetCellData(), data), (grid.GetPointData(), of_points):
             for name, values in arrays.items():
@@ -323,9 +325,7 @@ class Complex:
 
     def copy(self: Self) -> Self:
         """Returns a copy, also of the values. Both give bitwise equal results."""
-        result = type(self)(self._compiled.copy())
-        result._set_values(*self._get_values())
-        return result
+        return type(self)(self._compiled.copy())
 
     def __copy__(self: Self) -> Self:
         return self.copy()
@@ -334,14 +334,9 @@ class Complex:
         return self.copy()
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _restored, (type(self), self.to_bytes(), *self._get_values())
-
-    def _get_values(self) -> tuple[dict[str, Any], dict[str, Any]]:
-        return dict(self.vertex_values), dict(self.cell_values)
-
-    def _set_values(self, vertex_values: dict[str, Any], cell_values: dict[str, Any]) -> None:
-        self.vertex_values.update(vertex_values)
-        self.cell_values.update(cell_values)
+        state = self.copy()  # which no other thread changes
+        values = dict(state.vertex_values), dict(state.cell_values)
+        return _restored, (type(self), state.to_bytes(), *values)
 
     def __eq__(self, other: object) -> bool:
         """Returns whether both complexes will give bitwise equal results. Values are not compared."""
@@ -616,9 +611,12 @@ class Complex:
         return Changes(**self._compiled.control_detail(options, progress))
 
 
-def _restored(cls: type[Self], data: bytes, *values: dict[str, Any]) -> Self:
+def _restored(
+    cls: type[Self], data: bytes, vertex_values: dict[str, Any], cell_values: dict[str, Any]
+) -> Self:
     result = cls.from_bytes(data)
-    result._set_values(*values)
+    result.vertex_values.update(vertex_values)
+    result.cell_values.update(cell_values)
     return result
 
 

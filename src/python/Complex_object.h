@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -75,6 +76,15 @@ public:
     m_columns.push_back(column);
   }
 
+  /// Returns the same arrays for the vertices or cells of a copy, in the same order.
+  Named_values copied(const std::vector<Handle>& items, const std::vector<Handle>& copies) const {
+    Named_values result;
+    result.m_columns = m_columns;
+    for (std::size_t i = 0; !is_empty() && i < items.size(); ++i)
+      put(result.map(), copies[i], m_rows[items[i]->id()]);
+    return result;
+  }
+
   /// Removes an array. Returns whether there was one.
   bool remove(const std::string& name) {
     const auto column = find(name);
@@ -116,6 +126,17 @@ public:
 
   Named_values<typename Complex::Vertex_handle> vertex_values;
   Named_values<typename Complex::Cell_handle> cell_values;
+
+  /// Returns a copy with the values, as a long function.
+  std::unique_ptr<Complex_object> copy() const {
+    return this->read_long(py::none(), [this](const Complex& complex) {
+      auto result = std::make_unique<Complex_object>(Complex(complex));
+      const Complex& copied = result->read();
+      result->vertex_values = vertex_values.copied(complex.vertices(), copied.vertices());
+      result->cell_values = cell_values.copied(complex.cells(), copied.cells());
+      return result;
+    });
+  }
 };
 
 /// A visitor that transfers the values of a complex while it exists. On vertices they are

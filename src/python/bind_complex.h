@@ -353,12 +353,7 @@ py::class_<Complex_object<Complex>> bind_complex(py::module_& module, const char
   return py::class_<Object>(module, name)
       .def_static("from_bytes", &Functions::from_bytes)
       .def("to_bytes", &Functions::to_bytes)
-      .def("copy",
-           [](const Object& object) {
-             return object.read_long(py::none(), [](const Complex& complex) {
-               return std::make_unique<Object>(Complex(complex));
-             });
-           })
+      .def("copy", &Object::copy)
       .def("equals",
            [](const Object& a, const Object& b) { return a.read().state() == b.read().state(); })
       .def("number_of_vertices",
