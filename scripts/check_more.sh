@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # Runs the checks that take too long for scripts/test.sh: the benchmarks, all headers alone, the thread
-# sanitizer, the other sanitizers, Clang, CGAL 6, more damaged files, random deformations, files of all
-# programs that Debian has, packages on a bare Debian 12, and Debian 13.
+# sanitizer, the other sanitizers, Clang, CGAL 6, more damaged files, random deformations, all examples, files
+# of all programs that Debian has, packages on a bare Debian 12, and Debian 13.
 # Usage: scripts/check_more.sh [benchmarks] [headers] [threads] [sanitizers] [clang] [cgal_6] [fuzz] [abuse]
-#          [formats] [packages] [debian_13]
+#          [examples] [formats] [packages] [debian_13]
 # Runs all parts by default. Prints a line for each part; its full output is in build-more/PART.log.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 parts=("$@")
-[ ${#parts[@]} -gt 0 ] || parts=(benchmarks headers threads sanitizers clang cgal_6 fuzz abuse formats
+[ ${#parts[@]} -gt 0 ] || parts=(benchmarks headers threads sanitizers clang cgal_6 fuzz abuse examples formats
   packages debian_13)
 jobs=$(nproc)
 work=build-more
@@ -81,6 +81,14 @@ check_fuzz() {
 check_abuse() {
   build_checked benchmark_random_abuse
   "$work/checked/benchmark/random_abuse" --seed 2
+}
+
+# scripts/test.sh leaves out the examples that take longest to compile.
+check_examples() {
+  cmake -S . -B "$work/examples" -G Ninja -DCMAKE_BUILD_TYPE=Release -DDSC_BUILD_TESTS=OFF \
+    -DDSC_BUILD_PROGRAM=OFF -DDSC_BUILD_BENCHMARKS=OFF -DDSC_BUILD_PYTHON=OFF -DDSC_SHARE_COMPILATION=ON
+  cmake --build "$work/examples" --parallel "$jobs"
+  ctest --test-dir "$work/examples" --output-on-failure --no-tests=error --parallel "$jobs"
 }
 
 # Reads files that Gmsh, meshio, nibabel and FEniCS write. scripts/test.sh reads only those of VTK.
