@@ -16,10 +16,7 @@ skip() {
 command -v apt-get dpkg-deb >/dev/null || skip "no Debian packages here"
 keyring=/usr/share/keyrings/debian-archive-keyring.gpg
 [ -r "$keyring" ] || skip "the keyring of Debian is not installed"
-release=$(. /etc/os-release && echo "${VERSION_CODENAME:-}")
-mirror=$(apt-get indextargets --format '$(REPO_URI) $(RELEASE)' 'Created-By: Packages' |
-  awk -v release="$release" '$2 == release { print $1; exit }')
-[ -n "$mirror" ] || skip "no mirror of Debian among the sources of apt"
+mirror=$("$(dirname "$0")/debian_mirror.sh") || skip "no mirror of Debian among the sources of apt"
 
 # Separate folders for apt; only its settings are shared with the system
 work=$(mktemp -d)

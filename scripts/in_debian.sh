@@ -19,10 +19,7 @@ skip() {
 [ "$(id -u)" -eq 0 ] || skip "only root can change the root of the file system"
 command -v apt-get >/dev/null || skip "no Debian packages here"
 scripts/install_dependencies.sh debootstrap
-release=$(. /etc/os-release && echo "${VERSION_CODENAME:-}")
-mirror=$(apt-get indextargets --format '$(REPO_URI) $(RELEASE)' 'Created-By: Packages' |
-  awk -v release="$release" '$2 == release { print $1; exit }')
-[ -n "$mirror" ] || skip "no mirror of Debian among the sources of apt"
+mirror=$(scripts/debian_mirror.sh) || skip "no mirror of Debian among the sources of apt"
 
 remove_system() {
   umount --recursive "$root/proc" "$root/dev" 2>/dev/null || true

@@ -4,6 +4,8 @@
 
 #include "translate_text.h"
 
+#include "Text_file.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -15,6 +17,7 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <vector>
 
@@ -92,8 +95,7 @@ public:
   /// Opens the translation.
   void open(const std::string& folder) {
     m_result.path = folder + (m_has_normals ? "/points.pwn" : "/points.xyz");
-    m_out.open(m_result.path);
-    m_out.precision(std::numeric_limits<double>::max_digits10);
+    m_out.emplace(m_result.path);
   }
 
   /// Writes the point of a row. Only its columns must be numbers.
@@ -114,15 +116,13 @@ public:
       return;
     }
     for (std::size_t i = 0; i < (m_has_normals ? 6U : 3U); ++i)
-      m_out << (i == 0 ? "" : " ") << (is_finite(i) ? row[m_columns[i]] : 0.);
-    m_out << '\n';
+      *m_out << (i == 0 ? "" : " ") << (is_finite(i) ? row[m_columns[i]] : 0.);
+    *m_out << '\n';
   }
 
   /// Ends the translation.
   Translation close() {
-    m_out.close();
-    if (!m_out)
-      throw Failure("cannot be translated: the disk for temporary files is full");
+    m_out->close();
     m_result.unused = m_unused;
     m_result.leave_out(m_left_out, "point that is not finite", "points that are not finite");
     return m_result;
@@ -149,7 +149,7 @@ private:
   bool m_has_normals = false;
   std::size_t m_left_out = 0;
   Names m_unused;
-  std::ofstream m_out;
+  std::optional<Text_file> m_out;
   Translation m_result;
 };
 
@@ -244,50 +244,41 @@ Pcd_header read_header(std::istream& in) {
 
 using Json = nlohmann::json;
 
-void write_ring(const Json& ring, std::ostream& out) {
+/// Writes items in parentheses, with commas between them.
+template <class Write> void write_list(const Json& items, Text_file& out, const Write& write) {
   const char* separator = "(";
-  for (const Json& point : ring) {
-    out << separator << point.at(0).get<double>() << ' ' << point.at(1).get<double>();
+  for (const Json& item : items) {
+    out << separator;
+    write(item);
     separator = ", ";
   }
   out << ')';
 }
 
-void write_polygon(const Json& rings, std::ostream& out) {
-  out << "POLYGON ";
-  const char* separator = "(";
-  for (const Json& ring : rings) {
-    out << separator;
-    write_ring(ring, out);
-    separator = ", ";
-  }
-  out << ")\n";
+/// Writes the rings of a polygon.
+void write_rings(const Json& rings, Text_file& out) {
+  write_list(rings, out, [&](const Json& ring) {
+    write_list(ring, out, [&](const Json& point) {
+      out << point.at(0).get<double>() << ' ' << point.at(1).get<double>();
+    });
+  });
 }
 
 /// Writes a geometry. Returns the number of its parts that are no polygons.
-std::size_t write_geometry(const Json& geometry, std::ostream& out) {
+std::size_t write_geometry(const Json& geometry, Text_file& out) {
   if (geometry.is_null())
     return 0;
   const std::string type = geometry.at("type");
   std::size_t others = 0;
   if (type == "Polygon") {
-    write_polygon(geometry.at("coordinates"), out);
-  } else if (type == "MultiPolygon") {
-    // One region: its polygons share a label.
+    out << "POLYGON ";
+    write_rings(geometry.at("coordinates"), out);
+    out << '\n';
+  } else if (type == "MultiPolygon") { // one region: its polygons share a label
     out << "MULTIPOLYGON ";
-    const char* before = "(";
-    for (const Json& polygon : geometry.at("coordinates")) {
-      out << before;
-      const char* separator = "(";
-      for (const Json& ring : polygon) {
-        out << separator;
-        write_ring(ring, out);
-        separator = ", ";
-      }
-      out << ')';
-      before = ", ";
-    }
-    out << ")\n";
+    write_list(geometry.at("coordinates"), out,
+               [&](const Json& polygon) { write_rings(polygon, out); });
+    out << '\n';
   } else if (type == "GeometryCollection") {
     for (const Json& part : geometry.at("geometries"))
       others += write_geometry(part, out);
@@ -335,18 +326,17 @@ Translation translate_pcd(const Options& options) {
   if (header.data != "ascii" && header.data != "binary")
     throw Failure("has the data format " + header.data + "; write ascii or binary");
   for (std::size_t i = 0; i < header.points; ++i) {
-    std::vector<double> row;
-    if (header.data == "binary") {
-      for (const Pcd_field& field : header.fields)
-        row.push_back(read_number(in, field));
-    } else {
+    if (header.data == "ascii") {
       std::string line;
       if (!std::getline(in, line))
         throw Failure("is truncated: it lacks points that its header announces");
       columns.add(words_of(line));
-      continue;
+    } else {
+      std::vector<double> row;
+      for (const Pcd_field& field : header.fields)
+        row.push_back(read_number(in, field));
+      columns.add(row);
     }
-    columns.add(row);
   }
   Translation result = columns.close();
   if (std::string word; in >> word)
@@ -357,8 +347,7 @@ Translation translate_pcd(const Options& options) {
 Translation translate_geojson(const Options& options) {
   Translation result;
   result.path = options.folder + "/regions.wkt";
-  std::ofstream out(result.path);
-  out.precision(std::numeric_limits<double>::max_digits10);
+  Text_file out(result.path);
   std::size_t others = 0;
   try {
     const Json json = Json::parse(std::ifstream(options.input));
@@ -375,8 +364,6 @@ Translation translate_geojson(const Options& options) {
   }
   result.leave_out(others, "geometry that is no polygon", "geometries that are no polygons");
   out.close();
-  if (!out)
-    throw Failure("cannot be translated: the disk for temporary files is full");
   return result;
 }
 

@@ -89,10 +89,13 @@ std::array<std::size_t, 4> numbers_of_cells(vtkDataSet* data) {
 }
 
 /// Lists the arrays of points or cells.
-void leave_out_arrays(vtkFieldData* arrays, const std::string& kind, Translation& result) {
+/// \param used array that is not left out; may be null
+void leave_out_arrays(vtkFieldData* arrays, const std::string& kind, Translation& result,
+                      const vtkAbstractArray* used = nullptr) {
   for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
-    if (const char* name = arrays->GetAbstractArray(i)->GetName(); name != nullptr)
-      result.unused.push_back(kind + " array (" + name + ')');
+    if (vtkAbstractArray* const array = arrays->GetAbstractArray(i);
+        array != used && array->GetName() != nullptr)
+      result.unused.push_back(kind + " array (" + array->GetName() + ')');
 }
 
 /// Points without repetitions. Pieces of a file repeat the points of their common boundary.
@@ -216,10 +219,7 @@ std::vector<int> labels_of(vtkDataSet* data, const std::string& name, Translatio
     array = data->GetCellData()->GetArray(name.c_str());
   if (array == nullptr && !name.empty() && name != "none")
     throw Failure("has no cell array '" + name + "'");
-  for (int i = 0; i < data->GetCellData()->GetNumberOfArrays(); ++i)
-    if (vtkAbstractArray* const other = data->GetCellData()->GetAbstractArray(i); other != array)
-      result.unused.push_back(
-          "cell array (" + std::string(other->GetName() == nullptr ? "" : other->GetName()) + ')');
+  leave_out_arrays(data->GetCellData(), "cell", result, array);
   for (std::size_t i = 0; array != nullptr && i < labels.size(); ++i) {
     const double value = array->GetTuple1(vtkIdType(i));
     if (!(value == std::floor(value) && std::abs(value) <= std::numeric_limits<int>::max()))
@@ -296,11 +296,7 @@ Translation write_cells(vtkDataSet* data, const Options& options) {
     result.path = options.folder +
                   (data->GetPointData()->GetNormals() == nullptr ? "/points.xyz" : "/points.pwn");
     result.leave_out(numbers[1], names[1][0], names[1][1]);
-    vtkDataArray* const normals = data->GetPointData()->GetNormals();
-    for (int i = 0; i < data->GetPointData()->GetNumberOfArrays(); ++i)
-      if (vtkAbstractArray* const array = data->GetPointData()->GetAbstractArray(i);
-          array != normals && array->GetName() != nullptr)
-        result.unused.push_back(std::string("point array (") + array->GetName() + ')');
+    leave_out_arrays(data->GetPointData(), "point", result, data->GetPointData()->GetNormals());
     write_points(data, result);
   } else {
     throw Failure("contains no points");
