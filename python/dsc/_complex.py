@@ -750,11 +750,15 @@ class Complex3(Complex):
         if not image.is_oblique:
             straight = image.along_axes_of_space()
             return cls.from_image(
-                straight.voxels, straight.spacing.tolist(), straight.affine[:3, 3].tolist(), **options
+                straight.voxels,
+                _numbers(straight.spacing, 3, "spacing"),
+                _numbers(straight.affine[:3, 3], 3, "origin"),
+                **options,
             )
         # The complex is made along the axes of the image, and then placed in space.
         spacing = image.spacing
-        cells = cls.from_image(image.voxels, spacing.tolist(), **options).cells()
+        sides = _numbers(spacing, 3, "spacing")
+        cells = cls.from_image(image.voxels, sides, **options).cells()
         points = cells.points / spacing @ image.affine[:3, :3].T + image.affine[:3, 3]
         tetrahedra = cells.cells
         if np.linalg.det(image.affine[:3, :3]) < 0:
