@@ -41,6 +41,7 @@
 #include <CGAL/Incompressible_fluids_3/internal/steps/Liquid_flow_3.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstddef>
@@ -50,6 +51,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -153,19 +155,33 @@ public:
     m_source = divergence_at;
   }
 
-  /// Sets the velocities of all vertices. The function `velocity_at(v)` returns a `Vector`. The
-  /// next step begins with a projection: it takes the nearest velocities, in the norm of the
-  /// kinetic energy, that preserve volumes and enter no wall.
+  /// Sets the velocities of all vertices of liquids. The function `velocity_at(v)` or
+  /// `velocity_at(v, label)` returns a `Vector`, the velocity at the vertex `v` of the liquid with
+  /// a label. Liquids with different velocities at a common vertex slip along each other, see
+  /// `velocity()`. The next step begins with a projection: it takes the nearest velocities, in the
+  /// norm of the kinetic energy, that preserve volumes and enter no wall.
   /// \throws Error if a velocity is not finite; then nothing is changed
   template <class VelocityAt> void set_velocities(const VelocityAt& velocity_at) {
-    internal::Fluid_motion_3 motion;
-    for (Vertex_handle v : m_complex.vertices()) {
-      const Eigen::Vector3d velocity = internal::eigen_vector(velocity_at(v));
+    const Flow flow(*this, m_properties);
+    Vectors velocities(flow.mesh.vertices.size(), Eigen::Vector3d::Zero()), count = velocities;
+    std::vector<std::pair<std::size_t, int>> places; // of velocities: a vertex and a label
+    for (const auto& cell : flow.mesh.cells)
+      for (auto v : cell.vertices)
+        places.emplace_back(v, cell.label);
+    std::sort(places.begin(), places.end());
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    for (const auto& [v, label] : places) {
+      const Eigen::Vector3d velocity =
+          internal::eigen_vector(call(velocity_at, flow.mesh.vertices[v], label));
       if (!velocity.allFinite())
         throw Error("a velocity is not finite: give finite velocities");
-      motion.set(v, velocity, Eigen::Vector3d::Zero());
+      velocities[v] += velocity;
+      count[v] += Eigen::Vector3d::Ones();
     }
-    m_motion = std::move(motion);
+    for (std::size_t v = 0; v < velocities.size(); ++v)
+      velocities[v] = velocities[v].cwiseQuotient(count[v]);
+    m_motion = internal::Fluid_motion_3();
+    m_motion.set(flow.mesh, velocities, Vectors(velocities.size(), Eigen::Vector3d::Zero()));
     m_knows_accelerations = false;
   }
 
@@ -178,9 +194,14 @@ public:
   double time() const { return m_time; }                        ///< Returns the time, initially 0.
   /// Returns the velocity of a vertex of a liquid.
   Vector velocity(Vertex_handle v) const { return vector(m_motion.velocity(v)); }
+  /// Returns the velocity of the liquid with a label at a vertex. At the interface of two liquids,
+  /// it is the velocity of the vertex plus a velocity along the interface.
+  Vector velocity(Vertex_handle v, int label) const { return vector(m_motion.velocity(v, label)); }
   /// Returns the pressure at a vertex of a liquid in the last step: the mean of the pressures of
   /// the liquids around the vertex. It is 0 before the first step.
   double pressure(Vertex_handle v) const { return m_motion.pressure(v); }
+  /// Returns the pressure of the liquid with a label at a vertex in the last step.
+  double pressure(Vertex_handle v, int label) const { return m_motion.pressure(v, label); }
   /// Returns the present balance of all liquids. Takes O(n log n) time.
   Balance balance() const {
     const Flow flow(*this, m_properties);
@@ -372,9 +393,9 @@ private:
     Flow(const Incompressible_fluid& fluid, const Properties& properties)
         : Base{Mesh(fluid.updated_complex(), properties), {}, {}, {}} {
       positions = mesh.positions(fluid.m_complex);
-      for (Vertex_handle v : mesh.vertices) {
-        velocities.push_back(fluid.m_motion.velocity(v));
-        accelerations.push_back(fluid.m_motion.acceleration(v));
+      for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+        velocities.push_back(fluid.m_motion.velocity(mesh.vertices[v], mesh.labels[v]));
+        accelerations.push_back(fluid.m_motion.acceleration(mesh.vertices[v], mesh.labels[v]));
       }
       mesh.keep_on_sides(velocities);
       mesh.keep_on_sides(accelerations);
@@ -419,6 +440,18 @@ private:
   static double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
   }
+  template <class VelocityAt>
+  static Vector call(const VelocityAt& velocity_at, Vertex_handle v, int label) {
+    if constexpr (std::is_invocable_v<const VelocityAt&, Vertex_handle, int>)
+      return velocity_at(v, label);
+    else
+      return velocity_at(v);
+  }
+  static std::array<double, 7> array(const internal::Fluid_motion_3::Numbers& numbers) {
+    std::array<double, 7> result;
+    std::copy(numbers.data(), numbers.data() + numbers.size(), result.begin());
+    return result;
+  }
   static Vector vector(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
   static Approximate_point point(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 
@@ -461,8 +494,6 @@ private:
                     const Contacts& contacts) const;
   void describe(const Step& step, const Flow& flow, Report& report) const;
   Balance energies_with_gases_of(const Report& report) const;
-  void store(const Flow& flow, const Vectors& velocities, const std::vector<double>& pressures,
-             double dt);
   Flow restore_components(const Options& chosen, Report& report);
   Deformation_report<Complex> move(const Flow& flow, const Contacts& contacts,
                                    const Vectors& destinations, const Options& chosen);

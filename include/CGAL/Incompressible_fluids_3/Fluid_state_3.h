@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cstdint>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -45,6 +46,9 @@ struct Fluid_state_3
   bool knows_accelerations = false; ///< whether accelerations of a previous step are known
   /// Velocities, accelerations and pressures of finite vertices, by time stamp.
   std::vector<std::array<double, 7>> motion;
+  /// Where liquids meet: the index of a vertex, the label of a liquid, and the numbers of this
+  /// liquid less those of `motion`.
+  std::vector<std::tuple<std::size_t, int, std::array<double, 7>>> deviations;
   /// The volumes to be preserved, by component.
   std::vector<std::pair<std::uint32_t, double>> volumes;
   /// For each component of a gas, a pressure and the volume at that pressure.

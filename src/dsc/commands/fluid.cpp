@@ -62,6 +62,7 @@ Json state_json(const Fluid::State& state) {
           {"damped_steps", state.damped_steps},
           {"knows_accelerations", state.knows_accelerations},
           {"motion", state.motion},
+          {"deviations", state.deviations},
           {"volumes", state.volumes},
           {"pressures_and_volumes_of_gases", state.gases}};
 }
@@ -73,6 +74,8 @@ Fluid::State state_of(const Json& json) {
   state.damped_steps = json.at("damped_steps");
   state.knows_accelerations = json.at("knows_accelerations");
   state.motion = json.at("motion").get<decltype(state.motion)>();
+  if (json.contains("deviations")) // version 1 of checkpoints has none
+    state.deviations = json.at("deviations").get<decltype(state.deviations)>();
   state.volumes = json.at("volumes").get<std::vector<std::pair<std::uint32_t, double>>>();
   state.gases = json.at("pressures_and_volumes_of_gases").get<decltype(state.gases)>();
   return state;

@@ -112,7 +112,9 @@ void Incompressible_fluid<Complex, Solver>::step(double dt, double end, const Op
   const Vectors after = step.final_velocities(),
                 destinations =
                     shortened(step.destinations(), flow, longest_displacement, step.contacts());
-  store(flow, after, step.pressures(), dt);
+  m_motion.set(flow.mesh, after, step.final_accelerations());
+  m_motion.set_pressures(flow.mesh, step.pressures());
+  m_knows_accelerations = true;
   report.moved = flow.balance(*this, destinations, after, m_time);
   if (judge) {
     if (!judge->budget)
@@ -220,8 +222,7 @@ void Incompressible_fluid<Complex, Solver>::make_admissible(double dt, unsigned 
   report.solutions += step.solutions();
   report.iterations += step.iterations();
   const Vectors& velocities = step.solved_velocities();
-  for (std::size_t v = 0; v < velocities.size(); ++v)
-    m_motion.set(flow.mesh.vertices[v], velocities[v], Eigen::Vector3d::Zero());
+  m_motion.set(flow.mesh, velocities, Vectors(velocities.size(), Eigen::Vector3d::Zero()));
   record_momenta(flow,
                  [&](const internal::Masses_3& masses) { return step.pushed_momentum(masses); });
   Flow projected(*this, m_properties);
@@ -232,13 +233,18 @@ template <class Complex, class Solver>
 double Incompressible_fluid<Complex, Solver>::largest_step(double fraction) const {
   double result = std::numeric_limits<double>::infinity();
   for (Vertex_handle v : m_complex.finite_vertices()) {
-    const auto motion = m_motion.at(v->time_stamp());
-    double velocity = 0, acceleration = 0; // sums of squares
-    for (int axis = 0; axis < 3; ++axis)
-      if (!Boundary_class::fixes(v->boundary_class(), axis)) {
-        velocity += square(motion(axis));
-        acceleration += square(motion(3 + axis));
-      }
+    const auto& motion = m_motion.at(v);
+    double velocity = 0, acceleration = 0; // the largest sums of squares of a liquid
+    for (std::size_t k = 0; k <= motion.deviations.size(); ++k) {
+      internal::Fluid_motion_3::Numbers numbers = motion.common;
+      if (k > 0)
+        numbers += motion.deviations[k - 1].second;
+      for (int axis = 0; axis < 3; ++axis)
+        if (Boundary_class::fixes(v->boundary_class(), axis))
+          numbers(axis) = numbers(3 + axis) = 0;
+      velocity = (std::max)(velocity, numbers.template head<3>().squaredNorm());
+      acceleration = (std::max)(acceleration, numbers.template segment<3>(3).squaredNorm());
+    }
     const double length = fraction * edge_at(v);
     // Solves length = velocity t + acceleration t^2 / 2 for t.
     if (velocity > 0 || acceleration > 0)
@@ -257,9 +263,10 @@ auto Incompressible_fluid<Complex, Solver>::state() const -> State {
   result.damped_steps = m_damped_steps;
   result.knows_accelerations = m_knows_accelerations;
   for (Vertex_handle v : m_complex.vertices()) {
-    const auto value = m_motion.at(v->time_stamp());
-    result.motion.emplace_back();
-    std::copy(value.data(), value.data() + value.size(), result.motion.back().begin());
+    const auto& value = m_motion.at(v);
+    for (const auto& [label, numbers] : value.deviations)
+      result.deviations.emplace_back(result.motion.size(), label, array(numbers));
+    result.motion.push_back(array(value.common));
   }
   result.volumes.assign(m_liquids.volumes().begin(), m_liquids.volumes().end());
   for (const auto& [component, gas] : m_gases.components())
@@ -292,15 +299,25 @@ void Incompressible_fluid<Complex, Solver>::restore(const State& state) {
     } else
       fits = false;
   }
-  for (const auto& value : state.motion)
-    fits =
-        fits && std::all_of(value.begin(), value.end(), [](double x) { return std::isfinite(x); });
+  const auto is_finite = [](const auto& numbers) {
+    return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
+  };
+  for (const auto& numbers : state.motion)
+    fits = fits && is_finite(numbers);
+  for (const auto& [vertex, label, numbers] : state.deviations)
+    fits = fits && vertex < vertices.size() && is_finite(numbers);
   if (!fits)
     throw Error("the state of the fluid does not match the complex: first restore the complex with "
                 "which the state was saved");
   internal::Fluid_motion_3 motion;
+  using Motion = internal::Fluid_motion_3;
+  std::vector<Motion::Value> values(vertices.size());
   for (std::size_t v = 0; v < vertices.size(); ++v)
-    motion.put(vertices[v]->time_stamp(), internal::Fluid_motion_3::Value(state.motion[v].data()));
+    values[v].common = Motion::Numbers(state.motion[v].data());
+  for (const auto& [vertex, label, numbers] : state.deviations)
+    values[vertex].deviation(label) = Motion::Numbers(numbers.data());
+  for (std::size_t v = 0; v < vertices.size(); ++v)
+    motion.put(vertices[v], values[v]);
   m_motion = std::move(motion);
   m_liquids.set_volumes(volumes);
   m_gases.set_components(gases);
@@ -322,17 +339,6 @@ auto Incompressible_fluid<Complex, Solver>::options(const NamedParameters& np) c
   replace_value(np, tags::interface_tolerance, result.interface_tolerance);
   replace_count(np, tags::adaptation_interval, "adaptation_interval", result.adaptation_interval);
   return result;
-}
-
-// Stores the velocities, accelerations and pressures at the end of a step.
-template <class Complex, class Solver>
-void Incompressible_fluid<Complex, Solver>::store(const Flow& flow, const Vectors& velocities,
-                                                  const std::vector<double>& pressures, double dt) {
-  for (std::size_t v = 0; v < flow.mesh.vertices.size(); ++v) {
-    m_motion.set(flow.mesh.vertices[v], velocities[v], (velocities[v] - flow.velocities[v]) / dt);
-    m_motion.set_pressure(flow.mesh.vertices[v], pressures[v]);
-  }
-  m_knows_accelerations = true;
 }
 
 } // namespace Deformable_simplicial_complexes

@@ -212,7 +212,7 @@ void Incompressible_fluid<Complex, Solver>::record_momenta(const Flow& flow,
   internal::Number_groups touching(size + flow.mesh.vertices.size());
   for (const auto& cell : flow.mesh.cells)
     for (auto v : cell.vertices)
-      touching.join(size + v, cell.component);
+      touching.join(size + flow.mesh.first(v), cell.component);
   std::vector<std::size_t> set_of_component;
   for (std::size_t component = 0; component < size; ++component)
     set_of_component.push_back(touching.of(component));
@@ -244,9 +244,10 @@ double Incompressible_fluid<Complex, Solver>::restore_momenta(Flow& flow) {
   for (const auto& cell : flow.mesh.cells)
     for (auto v : cell.vertices) {
       const std::size_t set = m_liquids.set_of(cell.component);
-      if (set_of_vertex[v] < sets.size())
-        sets.join(set, set_of_vertex[v]);
-      set_of_vertex[v] = set;
+      std::size_t& of_vertex = set_of_vertex[flow.mesh.first(v)];
+      if (of_vertex < sets.size())
+        sets.join(set, of_vertex);
+      of_vertex = set;
     }
   std::vector<internal::Momentum_3> target(sets.size());
   for (std::size_t k = 0; k < sets.size(); ++k) {
@@ -268,10 +269,9 @@ double Incompressible_fluid<Complex, Solver>::restore_momenta(Flow& flow) {
       velocities[v] = flow.velocities[v] + correction.at(flow.positions[v]);
   }
   flow.mesh.keep_on_sides(velocities);
-  for (std::size_t v = 0; v < velocities.size(); ++v) {
+  for (std::size_t v = 0; v < velocities.size(); ++v)
     result = (std::max)(result, (velocities[v] - flow.velocities[v]).norm());
-    m_motion.set(flow.mesh.vertices[v], velocities[v], flow.accelerations[v]);
-  }
+  m_motion.set(flow.mesh, velocities, flow.accelerations);
   flow.velocities.swap(velocities);
   return result;
 }

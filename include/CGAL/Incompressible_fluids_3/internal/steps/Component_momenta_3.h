@@ -46,13 +46,6 @@ void for_each_mass(const Mesh& mesh, const Masses_3& masses, const Vectors_3& a,
     f(m, mesh.middle(k, a), mesh.middle(k, b));
 }
 
-// Returns the volume of a cell with its vertices at the given positions.
-template <class Cell> double volume(const Cell& cell, const Vectors_3& positions) {
-  const auto& v = cell.vertices;
-  const Eigen::Vector3d& o = positions[v[0]];
-  return (positions[v[1]] - o).cross(positions[v[2]] - o).dot(positions[v[3]] - o) / 6;
-}
-
 // Returns the masses of each set of components. The function `set_of` maps a component to its set.
 // \pre No two sets share a vertex.
 template <class Mesh, class SetOf>

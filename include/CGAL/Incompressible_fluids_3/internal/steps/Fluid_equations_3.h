@@ -15,6 +15,7 @@
 #include <CGAL/Incompressible_fluids_3/Saddle_point_system.h>
 #include <CGAL/Incompressible_fluids_3/internal/solvers/Cell_rows.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_mesh_3.h>
+#include <CGAL/Incompressible_fluids_3/internal/steps/Slip_transform.h>
 
 #include <Eigen/SparseCore>
 
@@ -50,6 +51,10 @@ of all rows of C is zero.
 
 Pressures are linear in each cell. With one pressure for each cell, the mesh could perform only
 linear motions (locking).
+
+Where two liquids slip along each other, the unknowns are the velocity of the vertex and the
+relative velocity of the liquids. The matrices and the forces of cells are transformed to these
+unknowns, see `Slip_transform`.
 */
 template <class Complex> class Fluid_equations_3
 {
@@ -75,7 +80,7 @@ public:
         m_pressures(corners(&Mesh::Cell::pressures)),
         m_rows_of_vertices(m_vertices, mesh.vertices.size()),
         m_rows_of_pressures(m_pressures, mesh.vertex_of_pressure.size()),
-        m_masses(mesh.vertices.size(), 0) {
+        m_masses(mesh.vertices.size(), 0), m_slips(mesh) {
     bool is_viscous = false;
     for (const auto& cell : mesh.cells) {
       m_elements.push_back(element(cell, positions));
@@ -84,16 +89,29 @@ public:
         m_masses[v] += cell.liquid->density * m_elements.back().lumped_mass();
     }
     const std::size_t n = m_rows_of_vertices.size(), m = m_rows_of_pressures.size();
-    m_system.nodal = m_rows_of_vertices.zeros<1, 1>(m_vertices, n);
-    m_system.b = m_rows_of_pressures.zeros<1, 3>(m_vertices, n);
+    m_of_cells.nodal = m_rows_of_vertices.zeros<1, 1>(m_vertices, n);
+    m_of_cells.b = m_rows_of_pressures.zeros<1, 3>(m_vertices, n);
     m_system.c = m_rows_of_pressures.zeros<1, 1>(m_pressures, m);
     if (is_viscous)
-      m_system.coupling = m_rows_of_vertices.zeros<3, 3>(m_vertices, n);
+      m_of_cells.coupling = m_rows_of_vertices.zeros<3, 3>(m_vertices, n);
     m_terms.resize(mesh.cells.size());
   }
 
   // Returns the masses of vertices: a quarter of the masses of the cells around.
   const std::vector<double>& masses() const { return m_masses; }
+
+  // Returns the masses that move with the unknown velocities.
+  std::vector<double> masses_of_unknowns() const {
+    std::vector<double> result = m_masses;
+    for (const auto& slip : m_mesh.slips) {
+      result[slip.first] = m_masses[slip.first] + m_masses[slip.second];
+      result[slip.second] = slip.share * (1 - slip.share) * result[slip.first];
+    }
+    return result;
+  }
+
+  // The transformation between the velocities of liquids and the unknowns.
+  const Slip_transform& slips() const { return m_slips; }
 
   // Assembles the matrices with the vertices at positions near the midpoint of the step.
   // `tension_of(f)` is the surface tension of facet f, or its energy of wetting per unit of area.
@@ -109,21 +127,21 @@ public:
           const Terms& t = m_terms[k];
           return Scalar(t.inertia + t.viscosity * t.gradients[i].dot(t.gradients[j]));
         },
-        m_system.nodal);
-    if (m_system.coupling.rows() > 0)
+        m_of_cells.nodal);
+    if (m_of_cells.coupling.rows() > 0)
       m_rows_of_vertices.sum<3, 3>(
           m_for_each, m_vertices,
           [this](std::size_t k, std::size_t i, std::size_t j) {
             const Terms& t = m_terms[k];
             return Eigen::Matrix3d(t.viscosity * t.gradients[j] * t.gradients[i].transpose());
           },
-          m_system.coupling);
+          m_of_cells.coupling);
     m_rows_of_pressures.sum<1, 3>(
         m_for_each, m_vertices,
         [this](std::size_t k, std::size_t, std::size_t j) {
           return Eigen::RowVector3d(m_terms[k].changes[j].transpose() / 4);
         },
-        m_system.b);
+        m_of_cells.b);
     m_rows_of_pressures.sum<1, 1>(
         m_for_each, m_pressures,
         [this](std::size_t k, std::size_t i, std::size_t j) {
@@ -132,12 +150,16 @@ public:
         },
         m_system.c);
 
-    m_system.inertia = Vector::Zero(Eigen::Index(m_masses.size()));
-    for (std::size_t v = 0; v < m_masses.size(); ++v) {
-      m_system.inertia(Eigen::Index(v)) = rate(m_masses[v]);
-      m_system.nodal.coeffRef(Eigen::Index(v), Eigen::Index(v)) +=
+    for (std::size_t v = 0; v < m_masses.size(); ++v)
+      m_of_cells.nodal.coeffRef(Eigen::Index(v), Eigen::Index(v)) +=
           (1 - Mesh::part_at_middle) * rate(m_masses[v]);
-    }
+    m_system.nodal = m_slips.symmetric<1>(m_of_cells.nodal);
+    m_system.coupling = m_slips.symmetric<3>(m_of_cells.coupling);
+    m_system.b = m_slips.columns<3>(m_of_cells.b);
+    m_system.inertia = Vector::Zero(Eigen::Index(m_masses.size()));
+    const std::vector<double> masses = masses_of_unknowns();
+    for (std::size_t v = 0; v < m_masses.size(); ++v)
+      m_system.inertia(Eigen::Index(v)) = rate(masses[v]);
     m_system.viscosity = Vector::Zero(m_system.c.rows());
     Vector volumes = m_system.viscosity;
     for (std::size_t k = 0; k < m_mesh.cells.size(); ++k)
@@ -150,6 +172,8 @@ public:
     for (std::size_t f = 0; f < m_mesh.facets.size(); ++f) {
       const auto& facet = m_mesh.facets[f];
       add_facet(facet, midpoint_positions, tension_of(f));
+      if (facet.friction > 0)
+        add_friction(facet, midpoint_positions);
       if (facet.gas != Mesh::no_gas)
         add_push(facet, midpoint_positions, gas_pressures[facet.gas]);
     }
@@ -168,9 +192,9 @@ public:
   // Returns the forces of gases on vertices.
   const Vector& pushes() const { return m_pushes; }
 
-  // Returns f for the velocities at the beginning.
+  // Returns f for the velocities of liquids at the beginning.
   Vector forces(const Vectors_3& velocities) const {
-    Vector result = m_forces + m_pushes;
+    Vector result = Vector::Zero(m_forces.size());
     for (std::size_t v = 0; v < m_masses.size(); ++v)
       at(result, v) +=
           (1 - Mesh::part_at_middle) * rate(m_masses[v]) * velocities[v] + m_masses[v] * m_gravity;
@@ -180,7 +204,8 @@ public:
       for (auto v : m_mesh.cells[k].vertices)
         at(result, v) += share;
     }
-    return result;
+    m_slips.transform_forces(result);
+    return result + m_forces + m_pushes;
   }
 
   // Returns s for the accelerations of vertices.
@@ -323,6 +348,20 @@ private:
     }
   }
 
+  // Adds the friction of two liquids on a facet. It acts on their relative velocities.
+  void add_friction(const typename Mesh::Facet& facet, const Vectors_3& midpoint_positions) {
+    const auto& v = facet.vertices;
+    const Eigen::Vector3d a = midpoint_positions[v[1]] - midpoint_positions[v[0]],
+                          b = midpoint_positions[v[2]] - midpoint_positions[v[0]];
+    const double share = facet.friction * a.cross(b).norm() / 6;
+    for (auto corner : v)
+      if (const auto second = m_slips.second(corner)) {
+        const auto row = Eigen::Index(*second);
+        m_system.inertia(row) += share;
+        m_system.nodal.coeffRef(row, row) += share;
+      }
+  }
+
   std::vector<Cell_rows::Corners> corners(Cell_rows::Corners Mesh::Cell::*of_cell) const {
     std::vector<Cell_rows::Corners> result;
     for (const auto& cell : m_mesh.cells)
@@ -337,9 +376,15 @@ private:
   Vectors_3 m_positions;
   std::vector<Cell_rows::Corners> m_vertices, m_pressures; // by cell
   Cell_rows m_rows_of_vertices, m_rows_of_pressures;
-  std::vector<double> m_masses;    // by vertex
+  std::vector<double> m_masses; // by vertex
+  Slip_transform m_slips;
   std::vector<Element> m_elements; // at the beginning
   std::vector<Terms> m_terms;      // by cell
+  struct Matrices
+  {
+    System::Matrix nodal, coupling, b;
+  };
+  Matrices m_of_cells; // for the velocities of liquids
   System m_system;
   Vector m_forces, m_pushes; // forces of surface tension, and of gases
 };

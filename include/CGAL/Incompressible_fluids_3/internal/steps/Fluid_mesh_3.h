@@ -21,6 +21,8 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <optional>
+#include <set>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -33,9 +35,17 @@ using Vectors_3 = std::vector<Eigen::Vector3d>;
 
 template <class Point> Eigen::Vector3d eigen_vector(const Point& p) { return {p[0], p[1], p[2]}; }
 
+// Returns the volume of a cell with its vertices at the given positions.
+template <class Cell> double volume(const Cell& cell, const Vectors_3& positions) {
+  const auto& v = cell.vertices;
+  const Eigen::Vector3d& o = positions[v[0]];
+  return (positions[v[1]] - o).cross(positions[v[2]] - o).dot(positions[v[3]] - o) / 6;
+}
+
 // The liquid cells of a complex, with numbered vertices. A vertex carries a velocity. It also
 // carries one pressure for each liquid around it, because pressures are discontinuous between
-// liquids.
+// liquids. Where two liquids slip along each other, velocities are discontinuous, too: the vertex
+// occurs twice in the mesh, once for each liquid.
 template <class Complex> struct Fluid_mesh_3
 {
   using Vertex_handle = typename Complex::Vertex_handle;
@@ -58,9 +68,20 @@ template <class Complex> struct Fluid_mesh_3
     double tension;                // energy of a unit of area
     bool is_free;                  // between a liquid and void or a gas
     Index gas;                     // the index of the gas, or `no_gas`
-    bool is_gas_in_front;
+    bool is_gas_in_front;          // also if it is void
+    int label_behind, label_in_front;
+    double friction; // of two viscous liquids: force per unit of area and of relative velocity
   };
   static constexpr Index no_gas = Index(-1);
+
+  // A vertex of the interface of two liquids, and of no other medium. The vertex moves with the
+  // velocity (1 - share) * u + share * w, where u and w are the velocities of the two liquids, and
+  // `share` is the part of the second liquid in the mass of the vertex.
+  struct Slip
+  {
+    Index first, second; // the two occurrences of the vertex
+    double share;
+  };
 
   // A connected component of a gas.
   struct Gas_component
@@ -70,11 +91,18 @@ template <class Complex> struct Fluid_mesh_3
     double volume;
   };
 
-  std::vector<Vertex_handle> vertices; // along the x axis, so neighbors are near in memory
-  std::vector<Cell> cells;             // by their first vertices
-  std::vector<Facet> facets;           // in the order of `interface_facets()`
-  std::vector<Gas_component> gases;    // by component
+  // The first occurrences are along the x axis, so neighbors are near in memory. The second
+  // occurrences are at the end, in the order of `slips`.
+  std::vector<Vertex_handle> vertices;
+  std::vector<Slip> slips; // by first occurrence
+  // By vertex: the label of the only liquid that has this velocity. There is none if several
+  // liquids have a common velocity.
+  std::vector<std::optional<int>> labels;
+  std::vector<Cell> cells;          // by their first vertices
+  std::vector<Facet> facets;        // in the order of `interface_facets()`
+  std::vector<Gas_component> gases; // by component
   std::vector<Index> vertex_of_pressure;
+  std::vector<int> label_of_pressure;
   std::vector<char> is_on_interface; // by vertex
   // Coordinates of the sides of the domain, in the order of `Boundary_class`. They are infinite
   // where no vertex lies on a side, in particular if the domain is not a box.
@@ -99,10 +127,42 @@ template <class Complex> struct Fluid_mesh_3
     for (Vertex_handle v : vertices)
       is_on_interface.push_back(v->is_interface());
     add_cells(liquid, numbers, properties);
-    number_pressures();
     if (!properties.gases().empty())
       add_gases(complex, properties);
     add_facets(complex, numbers, properties);
+    add_slips(complex);
+    number_pressures();
+  }
+
+  // Returns the pressure of the liquid with a label at a vertex.
+  // \pre The vertex belongs to the liquid.
+  Index pressure(Index v, int label) const {
+    Index p = m_pressure_of_vertex[v];
+    while (label_of_pressure[p] != label)
+      ++p;
+    return p;
+  }
+
+  std::size_t number_of_vertices() const { return vertices.size() - slips.size(); }
+
+  // Returns whether the liquid behind a facet has the first occurrences of its vertices.
+  bool is_first_behind(const Facet& facet) const {
+    return std::any_of(facet.vertices.begin(), facet.vertices.end(),
+                       [&](Index v) { return labels[v] == facet.label_behind; });
+  }
+
+  // Returns the first occurrence of a vertex.
+  Index first(Index v) const {
+    return v < number_of_vertices() ? v : slips[v - number_of_vertices()].first;
+  }
+
+  // Returns the velocities or accelerations with which vertices move. Both occurrences of a vertex
+  // have the same.
+  Vectors_3 common(Vectors_3 vectors) const {
+    for (const Slip& slip : slips)
+      vectors[slip.first] = vectors[slip.second] =
+          (1 - slip.share) * vectors[slip.first] + slip.share * vectors[slip.second];
+    return vectors;
   }
 
   Vectors_3 positions(const Complex& complex) const {
@@ -205,7 +265,9 @@ private:
       const bool is_free = is_behind != is_in_front;
       const Index gas =
           !is_free ? no_gas : gas_of(is_behind ? f.first->neighbor(f.second) : f.first);
-      Facet facet{{}, properties.surface_tension(behind, in_front), is_free, gas, is_behind};
+      Facet facet{
+          {},       properties.surface_tension(behind, in_front),  is_free, gas, is_behind, behind,
+          in_front, is_free ? 0 : friction(complex, f, properties)};
       const auto corners = complex.facet_vertices(f);
       for (std::size_t i = 0; i < 3; ++i)
         facet.vertices[i] = numbers(corners[i]);
@@ -213,35 +275,113 @@ private:
     }
   }
 
+  // Returns the friction of two liquids at a facet. It is zero unless both are viscous. The layers
+  // of the liquids that resist the relative velocity are thinner than their cells. So the liquids
+  // stick to each other where the mesh resolves their viscosity, and slip elsewhere.
+  static double friction(const Complex& complex, const typename Complex::Facet& f,
+                         const Fluid_properties_3& properties) {
+    static constexpr double layers = 20; // in a cell; the error is that of a layer
+    double resistance = 0;               // of the layers on both sides
+    const auto corners = complex.facet_vertices(f);
+    const Eigen::Vector3d o = eigen_vector(complex.position(corners[0])),
+                          a = eigen_vector(complex.position(corners[1])) - o,
+                          b = eigen_vector(complex.position(corners[2])) - o;
+    const double area = a.cross(b).norm() / 2;
+    for (Cell_handle c : {f.first, f.first->neighbor(f.second)}) {
+      const double viscosity = properties.liquid(c->label())->viscosity;
+      if (!(viscosity > 0))
+        return 0;
+      const double height = 3 * complex.measure(c) / area;
+      resistance += height / viscosity;
+    }
+    return resistance > 0 ? layers / resistance : 0;
+  }
+
+  // The liquids around a vertex.
+  struct Around
+  {
+    static constexpr int nothing = std::numeric_limits<int>::max();
+
+    int least = nothing, largest = nothing; // labels
+    bool is_shared = false;                 // by more than two media
+    std::array<double, 2> masses{};         // of the liquids with these labels
+  };
+
+  // Finds the vertices that belong to two liquids and to no other medium, and adds their second
+  // occurrences, for the liquid with the larger label.
+  void add_slips(const Complex& complex) {
+    constexpr int nothing = Around::nothing;
+    std::vector<Around> around(vertices.size());
+    for (const Cell& cell : cells)
+      for (Index v : cell.vertices) {
+        Around& a = around[v];
+        if (a.least == nothing)
+          a.least = a.largest = cell.label;
+        else if (a.least == a.largest)
+          std::tie(a.least, a.largest) = std::minmax(a.least, cell.label);
+        else if (cell.label != a.least && cell.label != a.largest)
+          a.is_shared = true;
+      }
+    for (const Facet& facet : facets)
+      if (facet.is_free)
+        for (Index v : facet.vertices)
+          around[v].is_shared = true;
+    const Vectors_3 at = positions(complex);
+    for (const Cell& cell : cells) {
+      const double mass = cell.liquid->density * volume(cell, at);
+      for (Index v : cell.vertices)
+        around[v].masses[cell.label != around[v].least] += mass;
+    }
+    std::vector<Index> second(vertices.size(), 0); // 0 if there is none
+    for (Index v = 0; v < around.size(); ++v) {
+      const Around& a = around[v];
+      labels.push_back(a.least == a.largest ? std::optional<int>(a.least) : std::nullopt);
+      const double mass = a.masses[0] + a.masses[1];
+      if (a.least == a.largest || a.is_shared || !(a.masses[0] > 0) || !(a.masses[1] > 0))
+        continue;
+      second[v] = Index(vertices.size());
+      slips.push_back({v, second[v], a.masses[1] / mass});
+      labels[v] = a.least;
+      vertices.push_back(vertices[v]);
+    }
+    for (const Slip& slip : slips) {
+      labels.push_back(around[slip.first].largest);
+      is_on_interface.push_back(true);
+    }
+    for (Cell& cell : cells)
+      for (Index& v : cell.vertices)
+        if (second[v] != 0 && cell.label != around[v].least)
+          v = second[v];
+  }
+
   // Numbers the pressures in the order of vertices. Most vertices have only one pressure.
   void number_pressures() {
     std::vector<char> has_first(vertices.size(), false);
-    std::vector<int> first(vertices.size()); // label
-    std::map<std::pair<Index, int>, Index> others;
+    std::vector<int> first_label(vertices.size());
+    std::set<std::pair<Index, int>> others;
     for (const Cell& cell : cells)
       for (Index v : cell.vertices)
         if (!has_first[v]) {
           has_first[v] = true;
-          first[v] = cell.label;
-        } else if (first[v] != cell.label)
-          others.emplace(std::make_pair(v, cell.label), 0);
-    std::vector<Index> number;
+          first_label[v] = cell.label;
+        } else if (first_label[v] != cell.label)
+          others.emplace(v, cell.label);
     auto other = others.begin();
     for (Index v = 0; v < vertices.size(); ++v) {
-      number.push_back(Index(vertex_of_pressure.size()));
+      m_pressure_of_vertex.push_back(Index(vertex_of_pressure.size()));
       vertex_of_pressure.push_back(v);
-      for (; other != others.end() && other->first.first == v; ++other) {
-        other->second = Index(vertex_of_pressure.size());
+      label_of_pressure.push_back(first_label[v]);
+      for (; other != others.end() && other->first == v; ++other) {
         vertex_of_pressure.push_back(v);
+        label_of_pressure.push_back(other->second);
       }
     }
     for (Cell& cell : cells)
-      for (std::size_t i = 0; i < 4; ++i) {
-        const Index v = cell.vertices[i];
-        cell.pressures[i] =
-            first[v] == cell.label ? number[v] : others.at(std::make_pair(v, cell.label));
-      }
+      for (std::size_t i = 0; i < 4; ++i)
+        cell.pressures[i] = pressure(cell.vertices[i], cell.label);
   }
+
+  std::vector<Index> m_pressure_of_vertex; // the first one
 };
 
 } // namespace internal

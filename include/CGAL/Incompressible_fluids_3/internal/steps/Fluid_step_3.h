@@ -21,6 +21,8 @@
 #include <CGAL/Incompressible_fluids_3/internal/steps/Roughness_damper_3.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Vertex_constraints_3.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Wall_contacts_3.h>
+#include <CGAL/Incompressible_fluids_3/internal/steps/Wall_flux_3.h>
+#include <CGAL/Incompressible_fluids_3/internal/steps/slip_changes_3.h>
 
 #include <Eigen/Core>
 
@@ -29,6 +31,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -142,23 +145,16 @@ public:
     return m_step.dt * (power + error * std::abs(power));
   }
 
-  // Returns the pressures at the vertices of the mesh: the mean of the pressures of the liquids
-  // around each vertex.
-  std::vector<double> pressures() const {
-    std::vector<double> result(m_positions.size(), 0), number(m_positions.size(), 0);
-    for (std::size_t p = 0; p < m_mesh.vertex_of_pressure.size(); ++p) {
-      result[m_mesh.vertex_of_pressure[p]] += m_pressures(Eigen::Index(p));
-      ++number[m_mesh.vertex_of_pressure[p]];
-    }
-    for (std::size_t v = 0; v < result.size(); ++v)
-      result[v] /= number[v];
-    return result;
-  }
+  // Returns the pressures, in the order of the mesh.
+  const Vector& pressures() const { return m_pressures; }
 
   const Vectors_3& destinations() const { return m_destinations; }
 
   // Returns the velocities at the end of the step.
   const Vectors_3& final_velocities() const { return m_final_velocities; }
+
+  // Returns the mean accelerations of liquids in the step.
+  const Vectors_3& final_accelerations() const { return m_final_accelerations; }
 
   // Returns the solution of the equations: the velocities at the time theta dt, at which forces
   // act.
@@ -230,11 +226,11 @@ private:
   double tolerance_of_geometry() const {
     static constexpr double part = 1e-4, finest = 1e-9, coarsest = 1e-4;
     const Vector loads = m_equations.forces(Vectors_3(m_before.size(), Eigen::Vector3d::Zero()));
+    const std::vector<double> masses = m_equations.masses_of_unknowns();
     double changes = 0, all = 0; // sums of squares, weighted by masses
     for (std::size_t v = 0; v < m_before.size(); ++v) {
-      const double mass = m_equations.masses()[v];
-      changes += mass * m_accelerations[v].squaredNorm();
-      all += loads.segment<3>(3 * Eigen::Index(v)).squaredNorm() / mass;
+      changes += m_equations.masses()[v] * m_accelerations[v].squaredNorm();
+      all += loads.segment<3>(3 * Eigen::Index(v)).squaredNorm() / masses[v];
     }
     const double result = part * std::sqrt(changes / all);
     return result < coarsest ? (std::max)(result, finest) : coarsest; // also if the result is NaN
@@ -245,6 +241,7 @@ private:
   // \throws Convergence_error if the residual is above its bound
   void check_residual() {
     System system = m_equations.system();
+    system.b = m_b;
     system.constrained = m_constraints.constrained();
     system.closed = m_closed;
     const Solution& last = m_last_solution;
@@ -268,6 +265,14 @@ private:
     m_contacts.stop(m_final_velocities);
     m_mesh.keep_on_sides(m_final_velocities);
     for (std::size_t v = 0; v < m_final_velocities.size(); ++v)
+      m_final_accelerations.push_back((m_final_velocities[v] - m_before[v]) / m_step.dt);
+    for (const auto& change :
+         changes_by_slip(m_mesh, m_destinations, m_velocities, m_final_velocities, m_step.dt)) {
+      m_final_velocities[change.vertex] += change.velocity;
+      m_unstopped_velocities[change.vertex] += change.velocity;
+    }
+    m_mesh.keep_on_sides(m_final_velocities);
+    for (std::size_t v = 0; v < m_final_velocities.size(); ++v)
       if (!m_final_velocities[v].allFinite() || !m_velocities[v].allFinite())
         throw Convergence_error("the equations of the flow have no finite solution: the time step "
                                 "may be too short or too long, or cells may be flat",
@@ -276,9 +281,9 @@ private:
 
   // Returns the positions of vertices that move with the solved velocities for a time t.
   Vectors_3 at_time(double t) const {
-    Vectors_3 result;
+    Vectors_3 result = m_mesh.common(m_velocities);
     for (std::size_t v = 0; v < m_positions.size(); ++v)
-      result.push_back(m_positions[v] + t * m_velocities[v]);
+      result[v] = m_positions[v] + t * result[v];
     return result;
   }
 
@@ -331,8 +336,10 @@ private:
                  s = m_equations.stabilization(m_accelerations) + m_equations.sources(m_gains);
     Solution& last = m_last_solution;
     last.f = f - system.multiply_a(known);
-    last.s = s - system.b * known;
-    Vector v = flat(m_velocities) - known;
+    last.s = s - m_b * known + m_wall_flux->matrix * m_wall_flux->wall_velocities;
+    Vector v = flat(m_velocities);
+    m_equations.slips().to_unknowns(v);
+    v -= known;
     m_iterations += m_solver.solve(last.f, last.s, v, m_pressures, accuracy);
     ++m_solutions;
     last.v = v;
@@ -347,6 +354,9 @@ private:
     }
     v += known;
     m_reactions = system.multiply_a(v) - system.b.transpose() * m_pressures - f;
+    for (const auto& slip : m_mesh.slips) // the forces between two liquids cancel
+      m_reactions.segment<3>(3 * Eigen::Index(slip.second)).setZero();
+    m_equations.slips().to_velocities(v);
     for (std::size_t i = 0; i < m_velocities.size(); ++i)
       m_velocities[i] = v.segment<3>(3 * Eigen::Index(i));
   }
@@ -360,15 +370,44 @@ private:
         if (Boundary_class::fixes(m_mesh.vertices[v]->boundary_class(), axis))
           m_constraints.add(v, {Eigen::Vector3d::Unit(axis), 0});
     m_contacts.constrain(m_constraints);
+    constrain_slips();
     m_constraints.close();
     System system = m_equations.system();
     system.constrained = m_constraints.constrained();
+    m_wall_flux.emplace(m_mesh, m_contacts, system.constrained, m_midpoint_positions);
+    if (!m_wall_flux->is_zero())
+      system.b += m_wall_flux->matrix;
+    m_b = system.b;
     system.closed = m_closed = closed_sets(system);
     if (m_is_factorized)
       m_solver.update(std::move(system));
     else
       m_solver.factorize(std::move(system), m_number_of_threads);
     m_is_factorized = m_is_assembled = true;
+  }
+
+  // Permits two liquids to slip only along their interface: perpendicular to the gradients of their
+  // volumes. So the velocity of the vertex determines how their volumes change.
+  void constrain_slips() {
+    if (m_mesh.slips.empty())
+      return;
+    Vectors_3 areas(m_positions.size(), Eigen::Vector3d::Zero());
+    for (const auto& facet : m_mesh.facets) {
+      const auto& v = facet.vertices;
+      const Eigen::Vector3d& o = m_midpoint_positions[v[0]];
+      const Eigen::Vector3d area =
+          (m_midpoint_positions[v[1]] - o).cross(m_midpoint_positions[v[2]] - o);
+      for (auto corner : v)
+        areas[corner] += m_mesh.is_first_behind(facet) ? area : Eigen::Vector3d(-area);
+    }
+    for (const auto& slip : m_mesh.slips) {
+      const Eigen::Vector3d normal = areas[slip.first].normalized();
+      if (normal.allFinite() && !normal.isZero())
+        m_constraints.add(slip.second, {normal, 0});
+      else
+        for (int axis = 0; axis < 3; ++axis)
+          m_constraints.add(slip.second, {Eigen::Vector3d::Unit(axis), 0});
+    }
   }
 
   static Vector flat(const Vectors_3& vectors) {
@@ -392,7 +431,7 @@ private:
   typename Equations::Step m_step;
   double m_begin, m_end; // times
   Vectors_3 m_positions, m_before, m_accelerations, m_velocities, m_unstopped_velocities,
-      m_final_velocities;
+      m_final_velocities, m_final_accelerations;
   std::vector<Gas_component_3> m_gases;
   Source m_source;
   Vectors_3 m_destinations;
@@ -403,6 +442,8 @@ private:
   Contacts m_contacts;
   Vertex_constraints_3 m_constraints{0};
   std::vector<System::Closed_set> m_closed;
+  std::optional<Wall_flux_3> m_wall_flux;
+  System::Matrix m_b; // with the correction at walls
   bool m_is_factorized = false, m_is_assembled = false, m_is_settled = false;
   unsigned m_iterations = 0, m_solutions = 0;
   Solution m_last_solution;

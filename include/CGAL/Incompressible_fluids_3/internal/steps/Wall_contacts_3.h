@@ -19,6 +19,8 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <map>
+#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -42,6 +44,12 @@ struct Any_solid_3
 // vertices that would enter a solid are constrained. These vertices are found by iteration, see
 // `revise()`. The sides of the domain are walls for the vertices that do not lie on them. These
 // vertices keep a distance, because the mesh needs space there.
+//
+// A slip wall must exert no force along itself. The direction of a constraint is therefore the
+// gradient of the volume of liquids at the midpoint of the step: the sum of the area vectors of the
+// facets around the vertex that the wall wets. Then a constant pressure along the wall has no
+// effect on the motion. If other facets end at the vertex, the direction is the normal of the wall
+// at the midpoint. The length of the motion along this direction brings the vertex onto the wall.
 template <class Complex> class Wall_contacts_3
 {
 public:
@@ -66,10 +74,15 @@ public:
                         m_touched[v].emplace_back(solid, wall);
                     });
     m_adheres.assign(positions.size(), false);
-    for (const auto& facet : mesh.facets)
-      if (tension(facet) < facet.tension)
-        for (auto v : facet.vertices)
-          m_adheres[v] = true;
+    m_is_covered.assign(positions.size(), true);
+    for (const auto& facet : mesh.facets) {
+      const auto wall = wall_of(facet);
+      m_wall_of_facet.push_back(wall);
+      for (auto v : facet.vertices) {
+        m_adheres[v] = m_adheres[v] || tension(facet) < facet.tension;
+        m_is_covered[v] = m_is_covered[v] && wall;
+      }
+    }
   }
 
   // Predicts the contacts of vertices that move to the expected positions in the time dt. Walls are
@@ -80,11 +93,16 @@ public:
     static constexpr double near = .5;
     const std::vector<Contact> before = std::move(m_contacts);
     m_contacts.clear();
+    Vectors_3 middles;
+    for (std::size_t v = 0; v < expected.size(); ++v)
+      middles.push_back((m_positions[v] + expected[v]) / 2);
+    const double time_of_middle = walls_move ? time - dt / 2 : time;
+    const auto areas = areas_on_walls(middles);
     auto known = before.begin();
     for (std::size_t v = 0; v < expected.size(); ++v)
       for_each_wall(
           v, expected[v], time, [&](std::size_t solid, std::size_t wall, const Wall_3& w) {
-            const auto place = std::make_tuple(v, solid, wall);
+            const Place place(v, solid, wall);
             known = std::lower_bound(known, before.end(), place,
                                      [](const Contact& c, const auto& p) { return c.place() < p; });
             const bool is_known = known != before.end() && known->place() == place;
@@ -92,8 +110,11 @@ public:
             if (w.distance > near * m_spacings[v] && !touches && !is_known)
               return;
             const Eigen::Vector3d normal = eigen_vector(w.normal);
-            m_contacts.push_back({v, solid, wall, normal,
-                                  (normal.dot(expected[v] - m_positions[v]) - w.distance) / dt,
+            const Eigen::Vector3d direction =
+                touches ? direction_of(place, areas, middles[v], time_of_middle, normal) : normal;
+            const double way = w.distance / direction.dot(normal);
+            m_contacts.push_back({v, solid, wall, normal, direction,
+                                  (direction.dot(expected[v] - m_positions[v]) - way) / dt,
                                   (walls_move ? 1. : 0.) * eigen_vector(w.velocity),
                                   is_known ? known->is_active : touches || w.distance < 0});
           });
@@ -103,13 +124,27 @@ public:
   void constrain(Vertex_constraints_3& constraints) const {
     for (const Contact& c : m_contacts)
       if (c.is_active) {
-        constraints.add(c.vertex, {c.normal, c.least});
+        constraints.add(c.vertex, {c.direction, c.least});
         if (sticks(c.solid)) {
-          const Eigen::Vector3d along = c.normal.unitOrthogonal();
-          for (const Eigen::Vector3d& d : {along, Eigen::Vector3d(c.normal.cross(along))})
+          const Eigen::Vector3d along = c.direction.unitOrthogonal();
+          for (const Eigen::Vector3d& d : {along, Eigen::Vector3d(c.direction.cross(along))})
             constraints.add(c.vertex, {d, d.dot(c.wall_velocity)});
         }
       }
+  }
+
+  // Calls `f(facet, vertex, wall_velocity)` for each vertex of a facet that slides along the wall
+  // that wets the facet. All facets around the vertex are wetted.
+  template <class Function> void for_each_slip(const Function& f) const {
+    for (std::size_t k = 0; k < m_mesh.facets.size(); ++k) {
+      const auto& wall = m_wall_of_facet[k];
+      if (!wall || sticks(wall->first))
+        continue;
+      for (auto v : m_mesh.facets[k].vertices)
+        if (m_is_covered[v])
+          if (const Contact* c = active_contact({v, wall->first, wall->second}))
+            f(k, std::size_t(v), c->wall_velocity);
+    }
   }
 
   // Activates contacts at which a vertex would enter a wall, and releases contacts with a negative
@@ -124,7 +159,7 @@ public:
     std::vector<Contact*> revised;
     for (Contact& c : m_contacts) {
       const Eigen::Index row = 3 * Eigen::Index(c.vertex);
-      const double excess = c.normal.dot(velocities.segment<3>(row)) - c.least;
+      const double excess = c.direction.dot(velocities.segment<3>(row)) - c.least;
       if (!c.is_active ? excess < -slowest
                        : round < rounds_of_release && separates(c.solid) && !m_adheres[c.vertex] &&
                              push(c, reactions) < -weakest) {
@@ -154,7 +189,7 @@ public:
       for (std::size_t v = 0; v < positions.size(); ++v)
         for_each_wall(v, positions[v], time,
                       [&](std::size_t solid, std::size_t wall, const Wall_3& w) {
-                        if (w.distance < 0 || is_constrained(v, solid, wall))
+                        if (w.distance < 0 || active_contact({v, solid, wall}))
                           positions[v] -= w.distance * eigen_vector(w.normal);
                       });
   }
@@ -163,12 +198,8 @@ public:
   // Young's equation, the tensions of the wet and of the dry wall differ by the surface tension
   // times the cosine of the contact angle.
   double tension(const typename Mesh::Facet& facet) const {
-    if (facet.is_free)
-      for (const auto& [solid, wall] : m_touched[facet.vertices[0]])
-        if (is_touching(facet.vertices[1], solid, wall) &&
-            is_touching(facet.vertices[2], solid, wall))
-          return -m_solids[solid].cosine * facet.tension;
-    return facet.tension;
+    const auto wall = wall_of(facet);
+    return wall ? -m_solids[wall->first].cosine * facet.tension : facet.tension;
   }
 
   // Returns the depth in a solid of a vertex at position p, or 0 if p is outside.
@@ -230,18 +261,74 @@ private:
   // unit. Vertices that are already nearer keep their distance.
   static constexpr double clearance = .25;
 
+  using Place = std::tuple<std::size_t, std::size_t, std::size_t>; // vertex, solid and wall
+  using Wall = std::pair<std::size_t, std::size_t>;                // solid and wall
+
   struct Contact
   {
     std::size_t vertex, solid, wall;
-    Eigen::Vector3d normal;
-    double least; // least velocity along the normal
+    Eigen::Vector3d normal;    // of the wall, at the end of the step
+    Eigen::Vector3d direction; // of the constraint and of its force
+    double least;              // least velocity along the direction
     Eigen::Vector3d wall_velocity;
     bool is_active;
 
-    std::tuple<std::size_t, std::size_t, std::size_t> place() const {
-      return {vertex, solid, wall};
-    }
+    Place place() const { return {vertex, solid, wall}; }
   };
+
+  // Returns the wall that wets a facet: all its vertices touch this wall.
+  std::optional<Wall> wall_of(const typename Mesh::Facet& facet) const {
+    if (facet.is_free)
+      for (const auto& [solid, wall] : m_touched[facet.vertices[0]])
+        if (is_touching(facet.vertices[1], solid, wall) &&
+            is_touching(facet.vertices[2], solid, wall))
+          return Wall(solid, wall);
+    return std::nullopt;
+  }
+
+  // Returns the sum of the area vectors of the facets that a wall wets, towards the liquid, for
+  // each wall of each vertex whose facets are all wetted.
+  std::map<Place, Eigen::Vector3d> areas_on_walls(const Vectors_3& positions) const {
+    std::map<Place, Eigen::Vector3d> result;
+    for (std::size_t f = 0; f < m_mesh.facets.size(); ++f) {
+      if (!m_wall_of_facet[f])
+        continue;
+      const auto& facet = m_mesh.facets[f];
+      const Eigen::Vector3d& o = positions[facet.vertices[0]];
+      const Eigen::Vector3d area =
+          (positions[facet.vertices[1]] - o).cross(positions[facet.vertices[2]] - o);
+      for (auto v : facet.vertices)
+        if (m_is_covered[v])
+          result
+              .try_emplace({v, m_wall_of_facet[f]->first, m_wall_of_facet[f]->second},
+                           Eigen::Vector3d::Zero())
+              .first->second += facet.is_gas_in_front ? Eigen::Vector3d(-area) : area;
+    }
+    return result;
+  }
+
+  // Returns the direction in which a wall constrains a vertex that touches it. `normal` is the
+  // normal at the end of the step.
+  Eigen::Vector3d direction_of(const Place& place, const std::map<Place, Eigen::Vector3d>& areas,
+                               const Eigen::Vector3d& middle, double time,
+                               const Eigen::Vector3d& normal) const {
+    static constexpr double least_cosine = .5; // of the angle to the normal
+    const auto [v, solid, wall] = place;
+    Eigen::Vector3d result = normal;
+    if (const auto found = areas.find(place); found != areas.end())
+      result = found->second;
+    else
+      for_each_wall(v, middle, time,
+                    [&, &s = solid, &k = wall](std::size_t other, std::size_t i, const Wall_3& w) {
+                      if (other == s && i == k)
+                        result = eigen_vector(w.normal);
+                    });
+    for (int axis = 0; axis < 3; ++axis)
+      if (Boundary_class::fixes(m_mesh.vertices[v]->boundary_class(), axis))
+        result[axis] = 0;
+    result.normalize();
+    return result.dot(normal) > least_cosine ? result : normal;
+  }
 
   // Calls `f(contact, reaction)` for each active contact with a solid. `reaction` is the share of
   // the contact in the reactions.
@@ -250,10 +337,10 @@ private:
     Eigen::VectorXd left = reactions; // the remaining reactions, along walls
     for (const Contact& c : m_contacts)
       if (c.is_active)
-        left.segment<3>(3 * Eigen::Index(c.vertex)) -= push(c, reactions) * c.normal;
+        left.segment<3>(3 * Eigen::Index(c.vertex)) -= push(c, reactions) * c.direction;
     for (const Contact& c : m_contacts)
       if (c.is_active && !is_side(c.solid)) {
-        Eigen::Vector3d reaction = push(c, reactions) * c.normal;
+        Eigen::Vector3d reaction = push(c, reactions) * c.direction;
         if (sticks(c.solid)) {
           reaction += left.segment<3>(3 * Eigen::Index(c.vertex));
           left.segment<3>(3 * Eigen::Index(c.vertex)).setZero();
@@ -299,11 +386,11 @@ private:
            m_touched[v].end();
   }
 
-  bool is_constrained(std::size_t v, std::size_t solid, std::size_t wall) const {
-    const auto place = std::make_tuple(v, solid, wall);
+  // Returns the active contact at a place, or null if there is none.
+  const Contact* active_contact(const Place& place) const {
     const auto c = std::lower_bound(m_contacts.begin(), m_contacts.end(), place,
                                     [](const Contact& a, const auto& b) { return a.place() < b; });
-    return c != m_contacts.end() && c->place() == place && c->is_active;
+    return c != m_contacts.end() && c->place() == place && c->is_active ? &*c : nullptr;
   }
 
   // Returns the normal force of a contact. If several contacts or sides of the domain constrain the
@@ -318,14 +405,14 @@ private:
       if (c->is_active) {
         if (&*c == &contact)
           own = Eigen::Index(normals.size());
-        normals.push_back(c->normal);
+        normals.push_back(c->direction);
       }
     for (int axis = 0; axis < 3; ++axis)
       if (Boundary_class::fixes(m_mesh.vertices[contact.vertex]->boundary_class(), axis))
         normals.push_back(Eigen::Vector3d::Unit(axis));
     const Eigen::Vector3d r = reactions.segment<3>(3 * Eigen::Index(contact.vertex));
     if (normals.size() == 1)
-      return r.dot(contact.normal);
+      return r.dot(contact.direction);
     Eigen::MatrixXd matrix(3, normals.size());
     for (std::size_t i = 0; i < normals.size(); ++i)
       matrix.col(Eigen::Index(i)) = normals[i];
@@ -338,10 +425,11 @@ private:
   // Edge lengths of the interface by vertex, or 0 for vertices that are not between a liquid and
   // void or a gas.
   std::vector<double> m_spacings;
-  std::vector<char> m_adheres; // by vertex: whether it belongs to a wetted facet
-  // The solids and walls that each vertex touches.
-  std::vector<std::vector<std::pair<std::size_t, std::size_t>>> m_touched;
-  std::vector<Contact> m_contacts; // by vertex, solid and wall
+  std::vector<char> m_adheres;    // by vertex: whether it belongs to a wetted facet
+  std::vector<char> m_is_covered; // by vertex: whether all its facets are wetted
+  std::vector<std::optional<Wall>> m_wall_of_facet;
+  std::vector<std::vector<Wall>> m_touched; // by vertex
+  std::vector<Contact> m_contacts;          // by vertex, solid and wall
 };
 
 } // namespace internal
