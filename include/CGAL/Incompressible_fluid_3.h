@@ -468,9 +468,12 @@ private:
   }
 
   Carrier carrier() {
-    return Carrier(m_complex, Motion_map(m_motion), [this](typename Complex::Cell_handle c) {
-      return m_properties.liquid(c->label()) != nullptr;
-    });
+    return Carrier(
+        m_complex, Motion_map(m_motion),
+        [this](typename Complex::Cell_handle c) {
+          return m_properties.liquid(c->label()) != nullptr;
+        },
+        Carried_gradient::mean); // preserves most of the kinetic energy
   }
 
   static void require_step(double dt) {

@@ -28,6 +28,17 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
+/// \ingroup PkgDeformableSimplicialComplexesRef
+/// The gradient by which `Carried_vertex_values` finds the value of a vertex that smoothing moves.
+enum class Carried_gradient {
+  /// The gradient in the cell at the new position. The value is a mean of old values, so it exceeds
+  /// none of them. Local extrema are flattened.
+  of_cell,
+  /// The mean gradient around the vertex. The error is of second order at smooth functions, and
+  /// local extrema are preserved. Values can exceed the old ones.
+  mean,
+};
+
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
@@ -68,9 +79,12 @@ public:
   /// Constructs the visitor for values that are defined only in some cells, such as the cells of a
   /// phase. Where such cells are near, only their linear functions are used.
   /// \param has_values `bool has_values(Cell_handle c)` with a finite cell `c`
+  /// \param gradient the gradient for vertices that smoothing moves
   Carried_vertex_values(const Complex& complex, const VertexValueMap& values,
-                        std::function<bool(Cell_handle)> has_values)
-      : m_complex(complex), m_values(values), m_has_values(std::move(has_values)) {}
+                        std::function<bool(Cell_handle)> has_values,
+                        Carried_gradient gradient = Carried_gradient::of_cell)
+      : m_complex(complex), m_values(values), m_has_values(std::move(has_values)),
+        m_gradient(gradient) {}
 
   /// Not copyable; pass the visitor by `std::ref()`.
   Carried_vertex_values(const Carried_vertex_values&) = delete;
@@ -95,10 +109,13 @@ public:
   }
 
   /// Interpolates the value at the target, in time linear in the number of cells around the vertex.
-  void before_smoothing(Vertex_handle, const std::vector<Cell_handle>& star, const Point& target) {
+  void before_smoothing(Vertex_handle v, const std::vector<Cell_handle>& star,
+                        const Point& target) {
     const auto position = m_complex.approximate(target);
     m_interpolated.clear();
-    m_interpolated.emplace_back(0, interpolate(star, position));
+    m_interpolated.emplace_back(0, m_gradient == Carried_gradient::mean
+                                       ? extrapolate(v, star, position)
+                                       : interpolate(star, position));
   }
   /// Stores the interpolated value.
   void after_smoothing(Vertex_handle v, const std::vector<Cell_handle>&) {
@@ -136,6 +153,26 @@ private:
     return result;
   }
 
+  // Returns the value at p of the linear function with the value of a vertex, and with the mean
+  // gradient in the cells around the vertex, weighted by their measures.
+  Value extrapolate(Vertex_handle v, const std::vector<Cell_handle>& star,
+                    const Position& p) const {
+    Value sum = 0. * get(m_values, v);
+    double all = 0;
+    for (Cell_handle c : star) {
+      if (m_complex.is_infinite(c) || (m_has_values && !m_has_values(c)))
+        continue;
+      Coordinates b;
+      if (!find_barycentric_coordinates(c, p, b))
+        continue;
+      const double measure = m_complex.measure(c);
+      all += measure;
+      for (int i = 0; i < Complex::corners; ++i)
+        sum = sum + measure * b[i] * get(m_values, c->vertex(i));
+    }
+    return all > 0 ? (1 / all) * sum : interpolate(star, p);
+  }
+
   // Computes barycentric coordinates with the sum 1. Returns false if the cell is flat up to
   // rounding.
   bool find_barycentric_coordinates(Cell_handle c, const Position& p, Coordinates& result) const {
@@ -171,7 +208,8 @@ private:
 
   const Complex& m_complex;
   VertexValueMap m_values;
-  std::function<bool(Cell_handle)> m_has_values;             // empty if all cells have values
+  std::function<bool(Cell_handle)> m_has_values; // empty if all cells have values
+  Carried_gradient m_gradient = Carried_gradient::of_cell;
   std::vector<std::pair<std::size_t, Value>> m_interpolated; // index and value
 };
 
