@@ -39,7 +39,10 @@ PACKAGES = {
     "Incompressible_fluids_3": (),
 }
 # The headers directly in include/CGAL that do not belong to the kernel
-PACKAGE_OF_TOP_HEADER = {"Incompressible_fluid_3.h": "Incompressible_fluids_3"}
+PACKAGE_OF_TOP_HEADER = {
+    "Incompressible_fluid_2.h": "Incompressible_fluids_3",
+    "Incompressible_fluid_3.h": "Incompressible_fluids_3",
+}
 # The modules of each package in the order of the data flow: a module includes those above it.
 MODULES = {
     KERNEL: {
@@ -74,7 +77,9 @@ MODULES = {
     "Cut_loci_2": {"geodesics": "geodesics, their intersections, checks of cut loci"},
     "Incompressible_fluids_3": {
         "solvers": "matrices by cells, factorizations, minimal residuals",
-        "steps": "mesh, equations, contacts and masses of a time step",
+        "mesh": "vertices and cells of liquids, their masses, liquids that slip along each other",
+        "walls": "contacts with solids, constrained velocities, volume constraints at walls",
+        "steps": "the equations and the solution of a time step",
         "fluid": "bookkeeping of liquids and gases, attempts of a step",
     },
 }

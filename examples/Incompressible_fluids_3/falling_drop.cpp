@@ -23,7 +23,7 @@ int main() {
   Complex complex = DSC::make_deformable_simplicial_complex_3<Complex>(
       CGAL::Bbox_3(-1.2, -1.2, -.9, 1.2, 1.2, .9), .2, label_at);
 
-  DSC::Fluid_properties_3 properties;
+  DSC::Fluid_properties properties;
   properties.set_liquid(1, {1, .1}); // label, density, viscosity; label 0 is void
   properties.set_surface_tension(0, 1, .1);
   properties.set_gravity({0, 0, -1});

@@ -176,8 +176,8 @@ Json gases_json(const Fluid& fluid) {
   return result;
 }
 
-const char* name_of(CGAL::Deformable_simplicial_complexes::Fluid_failure_3 cause) {
-  using Failure = CGAL::Deformable_simplicial_complexes::Fluid_failure_3;
+const char* name_of(CGAL::Deformable_simplicial_complexes::Fluid_failure cause) {
+  using Failure = CGAL::Deformable_simplicial_complexes::Fluid_failure;
   switch (cause) {
   case Failure::equations:
     return "equations";

@@ -226,7 +226,7 @@ Complex start_of_scene(const Fluid_scene& scene, const std::string& folder) {
 std::unique_ptr<Fluid> fluid_of_scene(const Fluid_scene& scene, const std::string& folder,
                                       Complex& complex) {
   using namespace CGAL::Deformable_simplicial_complexes;
-  Fluid_properties_3 properties;
+  Fluid_properties properties;
   for (const Scene_liquid& liquid : scene.liquids)
     properties.set_liquid(liquid.label, {liquid.density, liquid.viscosity});
   for (const Scene_gas& gas : scene.gases)

@@ -38,11 +38,11 @@ DSC::Solid_side side(bool is_outside) {
   return is_outside ? DSC::Solid_side::outside : DSC::Solid_side::inside;
 }
 
-DSC::Fluid_properties_3 properties_of(const std::map<int, std::pair<double, double>>& liquids,
+DSC::Fluid_properties properties_of(const std::map<int, std::pair<double, double>>& liquids,
                                       const std::map<int, std::pair<double, double>>& gases,
                                       const std::map<std::pair<int, int>, double>& tensions,
                                       const Coordinates& gravity) {
-  DSC::Fluid_properties_3 result;
+  DSC::Fluid_properties result;
   for (const auto& [label, liquid] : liquids)
     result.set_liquid(label, {liquid.first, liquid.second});
   for (const auto& [label, gas] : gases)
@@ -128,8 +128,8 @@ void set_velocities(Object& object, const Array<double>& velocities) {
   });
 }
 
-py::dict balance_to_dict(const DSC::Fluid_balance_3& balance) {
-  const auto array = [](const DSC::Fluid_balance_3::Vector& v) {
+py::dict balance_to_dict(const DSC::Fluid_balance& balance) {
+  const auto array = [](const DSC::Fluid_balance::Vector& v) {
     return array_of<double>(3, [&](std::size_t i) { return v[int(i)]; });
   };
   py::dict result;
@@ -145,8 +145,8 @@ py::dict balance_to_dict(const DSC::Fluid_balance_3& balance) {
   return result;
 }
 
-DSC::Fluid_step_options_3<Complex> step_options(const py::dict& options, const Complex& complex) {
-  DSC::Fluid_step_options_3<Complex> result;
+DSC::Fluid_step_options<Complex> step_options(const py::dict& options, const Complex& complex) {
+  DSC::Fluid_step_options<Complex> result;
   Options rest(options);
   rest.read("implicitness", result.implicitness);
   rest.read("interface_tolerance", result.interface_tolerance);

@@ -32,9 +32,9 @@ using Fluid = CGAL::Incompressible_fluid_3<Complex>;
 using Vector = Fluid::Vector;
 using Point = Fluid::Point;
 
-dsc::Fluid_properties_3 liquid(double density, double viscosity = 0, double tension = 0,
+dsc::Fluid_properties liquid(double density, double viscosity = 0, double tension = 0,
                                double gravity = 0) {
-  dsc::Fluid_properties_3 result;
+  dsc::Fluid_properties result;
   result.set_liquid(1, {density, viscosity});
   result.set_surface_tension(0, 1, tension);
   result.set_gravity({0, 0, -gravity});
@@ -318,7 +318,7 @@ TEST(Fluid, changes_nothing_if_it_refuses) {
 
 TEST(Fluid, needs_a_surface) {
   Complex complex = block();
-  dsc::Fluid_properties_3 absent, filling = liquid(1);
+  dsc::Fluid_properties absent, filling = liquid(1);
   absent.set_liquid(7, {1, 0});
   EXPECT_THROW(Fluid(complex, absent), dsc::Error);
   Complex full = small_meshes::make_complex(small_meshes::grid(2, [](const auto&) { return 1; }));
@@ -359,7 +359,7 @@ TEST(Fluid, with_two_liquids_rests) {
   // A heavy liquid below a light liquid; both fill the box that is the domain.
   Complex complex = small_meshes::make_complex(
       small_meshes::grid(6, [](const auto& p) { return CGAL::to_double(p.z()) < 0 ? 2 : 1; }));
-  dsc::Fluid_properties_3 properties;
+  dsc::Fluid_properties properties;
   properties.set_liquid(1, {1, 0});
   properties.set_liquid(2, {5, 0});
   properties.set_gravity({0, 0, -1});
@@ -377,7 +377,7 @@ TEST(Fluid, breathes_around_a_bubble_of_gas) {
     return r < inner ? 2 : r < outer ? 1 : 0;
   };
   Complex complex = small_meshes::make_complex(small_meshes::grid(10, label_at));
-  dsc::Fluid_properties_3 properties;
+  dsc::Fluid_properties properties;
   properties.set_liquid(1, {1, 0});
   properties.set_gas(0, {pressure, 0});
   properties.set_gas(2, {pressure, exponent});
@@ -424,7 +424,7 @@ TEST(Fluid, does_not_feel_the_air_above_a_tank) {
   for (double pressure : {0., 50.}) {
     Complex complex = small_meshes::make_complex(
         small_meshes::grid(6, [](const auto& p) { return CGAL::to_double(p.z()) < 0 ? 1 : 0; }));
-    dsc::Fluid_properties_3 properties = liquid(1, 0, 0, 1);
+    dsc::Fluid_properties properties = liquid(1, 0, 0, 1);
     properties.set_gas(0, {pressure, 0});
     Fluid fluid(complex, properties);
     fluid.set_velocities([&](Complex::Vertex_handle v) {
@@ -467,7 +467,7 @@ TEST(Fluid, grows_by_sources) {
 }
 
 TEST(Gas_bookkeeping, follows_components) {
-  using Bookkeeping = dsc::internal::Gas_bookkeeping_3;
+  using Bookkeeping = dsc::internal::Gas_bookkeeping;
   const dsc::Gas gas = {1, 2};
   Bookkeeping bookkeeping;
   bookkeeping.set_components(
@@ -512,7 +512,7 @@ TEST(Fluid, goes_on_to_the_same_bits) {
 }
 
 TEST(Fluid, refuses_what_makes_no_sense) {
-  dsc::Fluid_properties_3 properties;
+  dsc::Fluid_properties properties;
   EXPECT_THROW(properties.set_liquid(1, {0, 0}), dsc::Error);
   EXPECT_THROW(properties.set_liquid(1, {1, -1}), dsc::Error);
   EXPECT_THROW(properties.set_gas(0, {-1, 0}), dsc::Error);
@@ -763,9 +763,9 @@ TEST(Saddle_point_solvers, threads_change_no_bit) {
 // Properties of connected components when they merge and split. Pairs of numbers map old components
 // to new ones.
 TEST(Liquid_bookkeeping, follows_components) {
-  dsc::internal::Liquid_bookkeeping_3 bookkeeping;
+  dsc::internal::Liquid_bookkeeping bookkeeping;
   bookkeeping.set_volumes({{1, 2.}, {2, 3.}, {4, 1.}, {7, .5}});
-  std::vector<dsc::internal::Momentum_3> momenta(8);
+  std::vector<dsc::internal::Momentum> momenta(8);
   for (std::size_t i : {1, 2, 4, 7})
     momenta[i].linear = Eigen::Vector3d(double(i), 0, 0);
   bookkeeping.set_momenta(momenta, {0, 1, 2, 3, 4, 5, 6, 7});

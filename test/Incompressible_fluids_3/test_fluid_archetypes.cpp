@@ -60,8 +60,8 @@ private:
 
 small_meshes::Labelled_mesh cube() { return small_meshes::grid(4, small_meshes::cube); }
 
-dsc::Fluid_properties_3 properties() {
-  dsc::Fluid_properties_3 result;
+dsc::Fluid_properties properties() {
+  dsc::Fluid_properties result;
   result.set_liquid(1, {1, .1});
   result.set_surface_tension(0, 1, .1);
   result.set_gravity({0, 0, -1});

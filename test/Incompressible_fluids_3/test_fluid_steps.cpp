@@ -24,16 +24,16 @@ namespace {
 
 namespace dsc = CGAL::Deformable_simplicial_complexes;
 namespace parameters = dsc::parameters;
-using dsc::Fluid_failure_3;
-using dsc::internal::Mesh_treatment_3;
-using dsc::internal::Step_plan_3;
+using dsc::Fluid_failure;
+using dsc::internal::Mesh_treatment;
+using dsc::internal::Step_plan;
 using mesh_helpers::sphere;
 using small_meshes::Complex;
 using Vector = CGAL::Simple_cartesian<double>::Vector_3;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 
-dsc::Fluid_properties_3 liquid(double density, double viscosity, double tension, double gravity) {
-  dsc::Fluid_properties_3 result;
+dsc::Fluid_properties liquid(double density, double viscosity, double tension, double gravity) {
+  dsc::Fluid_properties result;
   result.set_liquid(1, {density, viscosity});
   result.set_surface_tension(0, 1, tension);
   result.set_gravity({0, 0, -gravity});
@@ -92,7 +92,7 @@ TEST_F(Fluid_steps, that_fail_are_repeated_in_parts) {
   EXPECT_EQ(report.dt, .02);
   EXPECT_EQ(report.parts, 4u);
   ASSERT_EQ(report.repetitions.size(), 2u);
-  EXPECT_EQ(report.repetitions[0].cause, Fluid_failure_3::equations);
+  EXPECT_EQ(report.repetitions[0].cause, Fluid_failure::equations);
   EXPECT_EQ(report.repetitions[0].dt, .02);
   EXPECT_EQ(report.repetitions[1].dt, .01);
   EXPECT_EQ(report.repetitions[1].time, .02);
@@ -139,7 +139,7 @@ TEST_F(Fluid_steps, that_fail_for_ever_leave_the_state_before) {
     ADD_FAILURE();
   } catch (const dsc::Fluid_step_error& error) {
     EXPECT_EQ(error.step(), 2u);
-    EXPECT_EQ(error.last_attempt().cause, Fluid_failure_3::equations);
+    EXPECT_EQ(error.last_attempt().cause, Fluid_failure::equations);
     EXPECT_EQ(error.last_attempt().time, .02);
     EXPECT_EQ(error.last_attempt().dt, .02 / 32);
     EXPECT_NE(std::string(error.what()).find("step 2"), std::string::npos);
@@ -201,18 +201,18 @@ TEST(Fluid, that_lands_gains_hardly_any_energy) {
 }
 
 TEST(Step_plan, halves_parts_until_they_are_done) {
-  Step_plan_3 plan;
+  Step_plan plan;
   EXPECT_EQ(plan.length(), 1);
-  EXPECT_TRUE(plan.fail(Fluid_failure_3::motion));
+  EXPECT_TRUE(plan.fail(Fluid_failure::motion));
   EXPECT_EQ(plan.length(), .5);
-  EXPECT_EQ(plan.mesh(), Mesh_treatment_3::improved);
+  EXPECT_EQ(plan.mesh(), Mesh_treatment::improved);
   plan.succeed();
-  EXPECT_EQ(plan.mesh(), Mesh_treatment_3::chosen);
+  EXPECT_EQ(plan.mesh(), Mesh_treatment::chosen);
   EXPECT_FALSE(plan.is_first());
   EXPECT_EQ(plan.end(), 1);
-  EXPECT_TRUE(plan.fail(Fluid_failure_3::equations));
+  EXPECT_TRUE(plan.fail(Fluid_failure::equations));
   EXPECT_EQ(plan.end(), .75);
-  EXPECT_EQ(plan.mesh(), Mesh_treatment_3::adapted);
+  EXPECT_EQ(plan.mesh(), Mesh_treatment::adapted);
   plan.succeed();
   plan.succeed();
   EXPECT_TRUE(plan.is_done());
@@ -220,38 +220,38 @@ TEST(Step_plan, halves_parts_until_they_are_done) {
 }
 
 TEST(Step_plan, preserves_the_mesh_first_if_that_is_the_cause) {
-  Step_plan_3 plan;
-  EXPECT_TRUE(plan.fail(Fluid_failure_3::mesh));
+  Step_plan plan;
+  EXPECT_TRUE(plan.fail(Fluid_failure::mesh));
   EXPECT_EQ(plan.length(), 1);
-  EXPECT_EQ(plan.mesh(), Mesh_treatment_3::preserved);
-  EXPECT_TRUE(plan.fail(Fluid_failure_3::mesh));
+  EXPECT_EQ(plan.mesh(), Mesh_treatment::preserved);
+  EXPECT_TRUE(plan.fail(Fluid_failure::mesh));
   EXPECT_EQ(plan.length(), .5);
-  EXPECT_EQ(plan.mesh(), Mesh_treatment_3::preserved);
+  EXPECT_EQ(plan.mesh(), Mesh_treatment::preserved);
   plan.succeed();
-  EXPECT_EQ(plan.mesh(), Mesh_treatment_3::preserved);
+  EXPECT_EQ(plan.mesh(), Mesh_treatment::preserved);
 }
 
 TEST(Step_plan, ends) {
-  for (const auto& causes : {std::make_pair(Fluid_failure_3::mesh, Fluid_failure_3::mesh),
-                             std::make_pair(Fluid_failure_3::mesh, Fluid_failure_3::equations),
-                             std::make_pair(Fluid_failure_3::motion, Fluid_failure_3::motion)}) {
-    Step_plan_3 plan;
+  for (const auto& causes : {std::make_pair(Fluid_failure::mesh, Fluid_failure::mesh),
+                             std::make_pair(Fluid_failure::mesh, Fluid_failure::equations),
+                             std::make_pair(Fluid_failure::motion, Fluid_failure::motion)}) {
+    Step_plan plan;
     unsigned failures = 1;
     while (plan.fail(failures % 2 == 0 ? causes.first : causes.second))
       ++failures;
-    EXPECT_LE(failures, 2 * Step_plan_3::halvings + 2);
+    EXPECT_LE(failures, 2 * Step_plan::halvings + 2);
     EXPECT_EQ(plan.length(), 1. / 32);
   }
 }
 
 TEST(Energy_budget, does_not_depend_on_the_origin) {
   for (const double height : {0., -100.}) {
-    dsc::Fluid_balance_3 before, after;
+    dsc::Fluid_balance before, after;
     before.mass = after.mass = 2;
     before.potential_energy = after.potential_energy = 2 * 10 * (height + .5);
     before.surface_energy = after.surface_energy = 1;
     after.kinetic_energy = .11;
-    dsc::internal::Energy_budget_3 budget(before, {0, 0, -10}, {{0, 0, height}, {0, 0, height + 1}},
+    dsc::internal::Energy_budget budget(before, {0, 0, -10}, {{0, 0, height}, {0, 0, height + 1}},
                                           0);
     EXPECT_NEAR(budget.rise(after, 0), .01, 1e-3); // .11 of 11
     budget.supply(.11);
@@ -281,9 +281,9 @@ TEST(Minimal_residuals, tell_that_they_stagnate) {
 
 // Cells without volume, also at the beginning, give finite equations.
 TEST(Fluid_equations, of_flat_cells_are_finite) {
-  using Equations = dsc::internal::Fluid_equations_3<Complex>;
+  using Equations = dsc::internal::Fluid_equations<Complex>;
   Complex complex = sphere(4, .4);
-  const dsc::Fluid_properties_3 properties = liquid(1, .1, .5, 1);
+  const dsc::Fluid_properties properties = liquid(1, .1, .5, 1);
   const Equations::Mesh mesh(complex, properties);
   auto positions = mesh.positions(complex);
   const auto& corners = mesh.cells.front().vertices;

@@ -105,6 +105,8 @@ template <class Complex> struct Interface_snapshot<Complex, 3> : public Interfac
 
   /// Returns the triangles, by the name for any dimension.
   const std::vector<Triangle>& facets() const { return triangles; }
+  /// Returns the triangles, to be changed.
+  std::vector<Triangle>& facets() { return triangles; }
 };
 
 /// Vertices and facets of an interface in 2D.
@@ -123,6 +125,8 @@ template <class Complex> struct Interface_snapshot<Complex, 2> : public Interfac
 
   /// Returns the segments, by the name for any dimension.
   const std::vector<Segment>& facets() const { return segments; }
+  /// Returns the segments, to be changed.
+  std::vector<Segment>& facets() { return segments; }
 };
 
 } // namespace Deformable_simplicial_complexes

@@ -47,7 +47,7 @@ private:
 
 /// \ingroup PkgIncompressibleFluids3Ref
 /// The reasons for which an attempt at a time step of `Incompressible_fluid_3` is undone.
-enum class Fluid_failure_3 {
+enum class Fluid_failure {
   equations, ///< the linear equations have no solution, or the residual is above the bound
   /// The energy rises by more than moving walls and sources supply, and the motion causes at least
   /// half of the rise.
@@ -59,13 +59,13 @@ enum class Fluid_failure_3 {
 
 /// \ingroup PkgIncompressibleFluids3Ref
 /// An attempt at a time step, or at a part of one, that failed and was undone.
-struct Fluid_repetition_3
+struct Fluid_repetition
 {
   using Point = Simple_cartesian<double>::Point_3; ///< a point in space
 
-  Fluid_failure_3 cause; ///< the reason of the failure
-  double time;           ///< the time at the beginning of the attempt
-  double dt;             ///< the length of the attempt
+  Fluid_failure cause; ///< the reason of the failure
+  double time;         ///< the time at the beginning of the attempt
+  double dt;           ///< the length of the attempt
   /// For `equations`, the relative residual; otherwise the unexplained rise of the energy, relative
   /// to the amount of energy, see `Incompressible_fluid::advance()`.
   double amount;
@@ -87,18 +87,18 @@ public:
 
   /// Constructs the error. The member functions return the arguments.
   Fluid_step_error(const std::string& message, std::uint64_t step,
-                   const Fluid_repetition_3& last_attempt)
+                   const Fluid_repetition& last_attempt)
       : Error(message), m_step(step), m_last_attempt(last_attempt) {}
 
   /// Returns the number of the step that failed. The first step has the number 1.
   std::uint64_t step() const { return m_step; }
 
   /// Returns the last attempt: the cause, the time, the length of the time step and the place.
-  const Fluid_repetition_3& last_attempt() const { return m_last_attempt; }
+  const Fluid_repetition& last_attempt() const { return m_last_attempt; }
 
 private:
   std::uint64_t m_step;
-  Fluid_repetition_3 m_last_attempt;
+  Fluid_repetition m_last_attempt;
 };
 
 } // namespace Deformable_simplicial_complexes

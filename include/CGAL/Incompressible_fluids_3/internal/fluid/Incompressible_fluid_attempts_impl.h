@@ -10,7 +10,7 @@
 
 // Member functions of Incompressible_fluid that attempt a time step, check it and undo it. The
 // class includes this file.
-#include <CGAL/Incompressible_fluid_3.h>
+#include <CGAL/Incompressible_fluids_3/Incompressible_fluid.h>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
@@ -48,7 +48,7 @@ auto Incompressible_fluid<Complex, Solver>::advance_in_parts(const Options& chos
   std::optional<Snapshot> middle; // the state after the last part
   Report done;
   Vectors forces(m_solids.size(), Eigen::Vector3d::Zero());
-  for (internal::Step_plan_3 plan; !plan.is_done();) {
+  for (internal::Step_plan plan; !plan.is_done();) {
     Report report = done;
     const auto failure = attempt(plan, begin, dt, chosen, report);
     done.seconds_of_solver = report.seconds_of_solver;
@@ -70,7 +70,7 @@ auto Incompressible_fluid<Complex, Solver>::advance_in_parts(const Options& chos
     if (!plan.is_done())
       last = &middle.emplace(m_complex, *this);
   }
-  std::transform(forces.begin(), forces.end(), done.forces_on_solids.begin(), vector);
+  std::transform(forces.begin(), forces.end(), done.forces_on_solids.begin(), in_space);
   done.dt = dt;
   return done;
 }
@@ -78,10 +78,10 @@ auto Incompressible_fluid<Complex, Solver>::advance_in_parts(const Options& chos
 // Attempts the next part of a step. Returns the reason of the failure, or nothing if the attempt
 // succeeds.
 template <class Complex, class Solver>
-auto Incompressible_fluid<Complex, Solver>::attempt(const internal::Step_plan_3& plan, double begin,
+auto Incompressible_fluid<Complex, Solver>::attempt(const internal::Step_plan& plan, double begin,
                                                     double dt, Options chosen, Report& report)
-    -> std::optional<Fluid_repetition_3> {
-  using Treatment = internal::Mesh_treatment_3;
+    -> std::optional<Fluid_repetition> {
+  using Treatment = internal::Mesh_treatment;
   const double from = m_time, length = plan.length() * dt;
   if (m_damped_steps > 0)
     chosen.implicitness = (std::max)(chosen.implicitness, implicitness_after_change);
@@ -113,39 +113,38 @@ auto Incompressible_fluid<Complex, Solver>::attempt(const internal::Step_plan_3&
          &judge);
     if (!judge.failure)
       return std::nullopt;
-    return Fluid_repetition_3{*judge.failure, from, length, judge.rise, fastest_vertex()};
+    return Fluid_repetition{*judge.failure, from, length, judge.rise, fastest_vertex()};
   } catch (const Convergence_error& error) {
-    return Fluid_repetition_3{Fluid_failure_3::equations, from, length, error.residual(),
-                              flattest_cell()};
+    return Fluid_repetition{Fluid_failure::equations, from, length, error.residual(),
+                            flattest_cell()};
   }
 }
 
 // Returns the position of the vertex of greatest velocity.
 template <class Complex, class Solver>
-auto Incompressible_fluid<Complex, Solver>::fastest_vertex() const -> Point {
-  Point result(0, 0, 0);
+auto Incompressible_fluid<Complex, Solver>::fastest_vertex() const -> Fluid_repetition::Point {
+  Fluid_repetition::Point result = ORIGIN;
   double greatest = -1;
   for (Vertex_handle v : m_complex.vertices())
     if (const double square = m_motion.velocity(v).squaredNorm(); square > greatest) {
       greatest = square;
-      const auto p = m_complex.position(v);
-      result = Point(p.x(), p.y(), p.z());
+      result = in_space_point(internal::eigen_vector(m_complex.position(v)));
     }
   return result;
 }
 
 // Returns the barycenter of the liquid cell of lowest quality.
 template <class Complex, class Solver>
-auto Incompressible_fluid<Complex, Solver>::flattest_cell() const -> Point {
-  Point result(0, 0, 0);
+auto Incompressible_fluid<Complex, Solver>::flattest_cell() const -> Fluid_repetition::Point {
+  Fluid_repetition::Point result = ORIGIN;
   double lowest = std::numeric_limits<double>::infinity();
   for (typename Complex::Cell_handle c : m_complex.cells())
     if (m_properties.liquid(c->label()) && c->quality() < lowest) {
       lowest = c->quality();
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-      for (int i = 0; i < 4; ++i)
-        sum += internal::eigen_vector(m_complex.position(c->vertex(i))) / 4;
-      result = Point(sum.x(), sum.y(), sum.z());
+      for (int i = 0; i < Complex::corners; ++i)
+        sum += internal::eigen_vector(m_complex.position(c->vertex(i))) / Complex::corners;
+      result = in_space_point(sum);
     }
   return result;
 }

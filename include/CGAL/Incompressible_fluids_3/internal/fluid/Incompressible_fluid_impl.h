@@ -9,7 +9,7 @@
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_INCOMPRESSIBLE_FLUID_IMPL_H
 
 // Member functions of Incompressible_fluid that perform a time step. The class includes this file.
-#include <CGAL/Incompressible_fluid_3.h>
+#include <CGAL/Incompressible_fluids_3/Incompressible_fluid.h>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
@@ -24,13 +24,13 @@ double Incompressible_fluid<Complex, Solver>::relax(double dt, unsigned steps, O
   require_step(dt);
   Report report;
   const auto stop = [this](void*) {
-    m_motion = internal::Fluid_motion_3();
+    m_motion = internal::Fluid_motion();
     m_knows_accelerations = false;
   };
   const std::unique_ptr<void, decltype(stop)> stops_in_the_end(this, stop);
   stop(this);
   if (chosen.adaptation_interval > 0)
-    adapt(chosen, internal::Mesh_treatment_3::chosen, report);
+    adapt(chosen, internal::Mesh_treatment::chosen, report);
   double first = 0, velocity = 0;
   internal::Fixed_point_accelerator accelerator;
   for (unsigned k = 0; k < steps; ++k) {
@@ -94,7 +94,7 @@ void Incompressible_fluid<Complex, Solver>::step(double dt, double end, const Op
   report.time = end;
   report.before = report.moved = flow.balance(*this, flow.positions, flow.velocities, m_time);
   report.after = report.before;
-  report.forces_on_solids.assign(m_solids.size(), Vector(0, 0, 0));
+  report.forces_on_solids.assign(m_solids.size(), NULL_VECTOR);
   if (flow.mesh.facets.empty()) { // nothing can move
     m_time = end;
     return;
@@ -126,8 +126,7 @@ void Incompressible_fluid<Complex, Solver>::step(double dt, double end, const Op
     if (judge->failure)
       return;
   }
-  record_momenta(flow,
-                 [&](const internal::Masses_3& masses) { return step.final_momentum(masses); });
+  record_momenta(flow, [&](const internal::Masses& masses) { return step.final_momentum(masses); });
   auto events = std::move(report.deformation.events); // the events of the adaptation
   report.deformation = move(flow, step.contacts(), destinations, chosen);
   events.insert(events.end(), report.deformation.events.begin(), report.deformation.events.end());
@@ -180,7 +179,7 @@ void Incompressible_fluid<Complex, Solver>::describe(const Step& step, const Flo
   report.contacts = step.contacts().number_of_constrained();
   report.contacts_settled = step.is_settled();
   const Vectors forces = step.contacts().forces(step.forces_on_vertices());
-  std::transform(forces.begin(), forces.end(), report.forces_on_solids.begin(), vector);
+  std::transform(forces.begin(), forces.end(), report.forces_on_solids.begin(), in_space);
   const Vectors& after = step.final_velocities();
   for (std::size_t v = 0; v < after.size(); ++v) {
     report.greatest_velocity = (std::max)(report.greatest_velocity, after[v].norm());
@@ -224,7 +223,7 @@ void Incompressible_fluid<Complex, Solver>::make_admissible(double dt, unsigned 
   const Vectors& velocities = step.solved_velocities();
   m_motion.set(flow.mesh, velocities, Vectors(velocities.size(), Eigen::Vector3d::Zero()));
   record_momenta(flow,
-                 [&](const internal::Masses_3& masses) { return step.pushed_momentum(masses); });
+                 [&](const internal::Masses& masses) { return step.pushed_momentum(masses); });
   Flow projected(*this, m_properties);
   restore_momenta(projected);
 }
@@ -236,7 +235,7 @@ double Incompressible_fluid<Complex, Solver>::largest_step(double fraction) cons
     const auto& motion = m_motion.at(v);
     double velocity = 0, acceleration = 0; // the largest sums of squares of a liquid
     for (std::size_t k = 0; k <= motion.deviations.size(); ++k) {
-      internal::Fluid_motion_3::Numbers numbers = motion.common;
+      internal::Fluid_motion::Numbers numbers = motion.common;
       if (k > 0)
         numbers += motion.deviations[k - 1].second;
       for (int axis = 0; axis < 3; ++axis)
@@ -309,8 +308,8 @@ void Incompressible_fluid<Complex, Solver>::restore(const State& state) {
   if (!fits)
     throw Error("the state of the fluid does not match the complex: first restore the complex with "
                 "which the state was saved");
-  internal::Fluid_motion_3 motion;
-  using Motion = internal::Fluid_motion_3;
+  internal::Fluid_motion motion;
+  using Motion = internal::Fluid_motion;
   std::vector<Motion::Value> values(vertices.size());
   for (std::size_t v = 0; v < vertices.size(); ++v)
     values[v].common = Motion::Numbers(state.motion[v].data());

@@ -10,7 +10,7 @@
 
 // Member functions of Incompressible_fluid that change the mesh, and that update the bookkeeping of
 // components. The class includes this file.
-#include <CGAL/Incompressible_fluid_3.h>
+#include <CGAL/Incompressible_fluids_3/Incompressible_fluid.h>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
@@ -20,17 +20,17 @@ namespace Deformable_simplicial_complexes {
 // attempts.
 template <class Complex, class Solver>
 void Incompressible_fluid<Complex, Solver>::adapt(const Options& chosen,
-                                                  internal::Mesh_treatment_3 treatment,
+                                                  internal::Mesh_treatment treatment,
                                                   Report& report) {
   static constexpr double quality = .3; // of tetrahedra, as in new meshes
   if (m_complex.interface_vertices().empty())
     return;
   require_interface_edge(m_complex);
   const Flow flow(*this, m_properties);
-  record_momenta(flow, [&](const internal::Masses_3& masses) {
+  record_momenta(flow, [&](const internal::Masses& masses) {
     return internal::momentum(flow.mesh, masses, flow.positions, flow.velocities);
   });
-  using Treatment = internal::Mesh_treatment_3;
+  using Treatment = internal::Mesh_treatment;
   Improvement_report& result = report.adaptation;
   change_mesh([&](Any_visitor<Complex>* visitor) {
     if (treatment != Treatment::improved)
@@ -55,7 +55,7 @@ Incompressible_fluid<Complex, Solver>::adapt_lengths(double tolerance,
   // In mean edge lengths of the initial interface. An edge that is split later has halves that are
   // longer than the bound for collapses.
   static constexpr double longest_of_new = 1.7, longest = 2.5, shortest = .3;
-  using Defaults = defaults::Adaptive_advection<3>;
+  using Defaults = defaults::Adaptive_advection<Complex::dimension>;
   const Improvement_report result = keep_interface_fit(
       m_complex, {tolerance, Defaults::feature_angle}, [](const auto&) { return true; }, visitor);
   const bool is_new = m_steps == 0;
@@ -108,12 +108,12 @@ Incompressible_fluid<Complex, Solver>::move(const Flow& flow, const Contacts& co
       inside.emplace(mesh.vertices[i]->time_stamp(), point(destinations[i]));
   Deformation_options<Complex> options = chosen.deformation;
   options.flow = [&inside](const std::vector<Vertex_handle>& vertices) {
-    static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    const Approximate_point unknown =
+        point(Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()));
     std::vector<Approximate_point> result;
     for (Vertex_handle v : vertices) {
       const auto found = inside.find(v->time_stamp());
-      result.push_back(found != inside.end() ? found->second
-                                             : Approximate_point(unknown, unknown, unknown));
+      result.push_back(found != inside.end() ? found->second : unknown);
     }
     return result;
   };
@@ -216,7 +216,7 @@ void Incompressible_fluid<Complex, Solver>::record_momenta(const Flow& flow,
   std::vector<std::size_t> set_of_component;
   for (std::size_t component = 0; component < size; ++component)
     set_of_component.push_back(touching.of(component));
-  std::vector<internal::Momentum_3> momenta;
+  std::vector<internal::Momentum> momenta;
   for (const auto& masses :
        internal::masses_of_sets(flow.mesh, flow.positions, size, [&](std::uint32_t component) {
          return set_of_component[component];
@@ -249,7 +249,7 @@ double Incompressible_fluid<Complex, Solver>::restore_momenta(Flow& flow) {
         sets.join(set, of_vertex);
       of_vertex = set;
     }
-  std::vector<internal::Momentum_3> target(sets.size());
+  std::vector<internal::Momentum> target(sets.size());
   for (std::size_t k = 0; k < sets.size(); ++k) {
     target[sets.of(k)].linear += m_liquids.momenta()[k].linear;
     target[sets.of(k)].angular += m_liquids.momenta()[k].angular;
@@ -260,7 +260,7 @@ double Incompressible_fluid<Complex, Solver>::restore_momenta(Flow& flow) {
   double result = 0;
   Vectors velocities = flow.velocities;
   for (std::size_t k = 0; k < masses.size(); ++k) {
-    internal::Momentum_3 missing =
+    internal::Momentum missing =
         internal::momentum(flow.mesh, masses[k], flow.positions, flow.velocities);
     missing.linear = target[k].linear - missing.linear;
     missing.angular = target[k].angular - missing.angular;

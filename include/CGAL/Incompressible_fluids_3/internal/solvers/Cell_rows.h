@@ -25,24 +25,24 @@ namespace internal {
 // The rows of a sparse matrix that is assembled cell by cell, with the cells around each row. Each
 // row is the sum of the contributions of its cells, in a fixed order. So the result does not depend
 // on threads, and the pattern is sorted only once.
-class Cell_rows
+template <int corners> class Cell_rows
 {
 public:
   using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
   using Index = std::uint32_t;
-  using Corners = std::array<Index, 4>; // of a cell: its rows or its columns
+  using Corners = std::array<Index, corners>; // of a cell: its rows or its columns
 
   // Finds the cells around each row. Takes linear time.
   Cell_rows(const std::vector<Corners>& rows_of_cells, std::size_t rows) : m_begin(rows + 1, 0) {
-    for (const Corners& corners : rows_of_cells)
-      for (Index row : corners)
+    for (const Corners& of_cell : rows_of_cells)
+      for (Index row : of_cell)
         ++m_begin[row + 1];
     for (std::size_t row = 0; row < rows; ++row)
       m_begin[row + 1] += m_begin[row];
     m_corners.resize(m_begin.back());
     std::vector<std::size_t> end(m_begin.begin(), m_begin.end() - 1);
     for (std::size_t k = 0; k < rows_of_cells.size(); ++k)
-      for (unsigned i = 0; i < 4; ++i)
+      for (unsigned i = 0; i < corners; ++i)
         m_corners[end[rows_of_cells[k][i]]++] = {Index(k), i};
   }
 
@@ -103,7 +103,7 @@ public:
               entry_of[std::size_t(matrix.innerIndexPtr()[first + k]) / block_columns] = k;
             for (std::size_t k = m_begin[row]; k < m_begin[row + 1]; ++k) {
               const auto [cell, corner] = m_corners[k];
-              for (std::size_t j = 0; j < 4; ++j) {
+              for (std::size_t j = 0; j < corners; ++j) {
                 const Eigen::Matrix<double, block_rows, block_columns> block =
                     block_of(cell, corner, j);
                 const int entry = entry_of[columns_of_cells[cell][j]];

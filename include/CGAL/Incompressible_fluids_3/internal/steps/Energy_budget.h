@@ -5,11 +5,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_ENERGY_BUDGET_3_H
-#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_ENERGY_BUDGET_3_H
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_ENERGY_BUDGET_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_ENERGY_BUDGET_H
 
-#include <CGAL/Incompressible_fluids_3/Fluid_report_3.h>
-#include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_mesh_3.h>
+#include <CGAL/Incompressible_fluids_3/Fluid_report.h>
+#include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
 
 #include <Eigen/Core>
 
@@ -24,7 +24,7 @@ namespace internal {
 // The energy that liquids may have at the end of a time step: the initial energy, plus the energy
 // that moving walls and sources supply. The potential of gravity is 0 at the vertex that is lowest
 // at the beginning. So the result does not depend on the position of the origin.
-class Energy_budget_3
+class Energy_budget
 {
 public:
   // The bound on the unexplained rise by the motion, in units of the scale of energies. It is
@@ -37,8 +37,8 @@ public:
 
   // Constructs the budget at the beginning of a step. `energy_of_springs` is the sum of pressure
   // times volume over compressible gases.
-  Energy_budget_3(const Fluid_balance_3& before, const Eigen::Vector3d& gravity,
-                  const Vectors_3& positions, double energy_of_springs)
+  Energy_budget(const Fluid_balance& before, const Eigen::Vector3d& gravity,
+                const Vectors_3& positions, double energy_of_springs)
       : m_gravity(gravity), m_springs(energy_of_springs), m_given(before.energy()) {
     double least = std::numeric_limits<double>::infinity();
     for (const Eigen::Vector3d& p : positions)
@@ -57,7 +57,7 @@ public:
   void supply(double energy) { m_supplied += energy; }
 
   double supplied() const { return m_supplied; }
-  // Returns the initial energy, as defined by `Fluid_balance_3::energy()`.
+  // Returns the initial energy, as defined by `Fluid_balance::energy()`.
   double energy_at_begin() const { return m_given; }
 
   // Returns the unexplained rise of the energy, relative to the scale of energies. The scale is the
@@ -68,7 +68,7 @@ public:
   // A relative error of volumes causes an error of the energies of gases. A pressure can be
   // arbitrarily large without an effect, so this error can exceed all other energies. It is not
   // counted as a rise.
-  double rise(const Fluid_balance_3& now, double error_of_volumes) const {
+  double rise(const Fluid_balance& now, double error_of_volumes) const {
     static constexpr double rounding = 1e-10; // of sums over cells, relative
     const double excess = energy(now) - m_begin - m_supplied,
                  size = (std::max)(m_scale, scale(now)),
@@ -80,14 +80,14 @@ public:
   }
 
 private:
-  double potential(const Fluid_balance_3& balance) const {
+  double potential(const Fluid_balance& balance) const {
     return balance.potential_energy + balance.mass * m_gravity.dot(m_level);
   }
-  double energy(const Fluid_balance_3& balance) const {
+  double energy(const Fluid_balance& balance) const {
     return balance.kinetic_energy + potential(balance) + balance.surface_energy +
            balance.gas_energy;
   }
-  double scale(const Fluid_balance_3& balance) const {
+  double scale(const Fluid_balance& balance) const {
     return balance.kinetic_energy + std::abs(potential(balance)) +
            std::abs(balance.surface_energy) + m_springs;
   }
@@ -100,4 +100,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_ENERGY_BUDGET_3_H
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_ENERGY_BUDGET_H

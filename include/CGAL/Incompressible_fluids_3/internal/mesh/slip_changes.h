@@ -5,10 +5,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_SLIP_CHANGES_3_H
-#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_SLIP_CHANGES_3_H
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_MESH_SLIP_CHANGES_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_MESH_SLIP_CHANGES_H
 
-#include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_mesh_3.h>
+#include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
 
 #include <Eigen/Dense>
 
@@ -24,7 +24,7 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // A change of a velocity of a mesh.
-struct Velocity_change_3
+struct Velocity_change
 {
   std::size_t vertex;
   Eigen::Vector3d velocity;
@@ -33,26 +33,29 @@ struct Velocity_change_3
 /*
 Returns the changes of velocities where two liquids slip along each other. The vertex moves with
 neither of them, so at the end of a step of length dt, it meets other particles than before. The
-velocity of each liquid is interpolated on the interface, in the triangle from which the particles
+velocity of each liquid is interpolated on the interface, in the facet from which the particles
 come. So the change is stable if no liquid slips by more than an edge in a step.
 
 `moving` are the velocities with which the liquids move in the step, and `velocities` are those at
 its end. `positions` are the positions at the end.
 */
 template <class Mesh>
-std::vector<Velocity_change_3> changes_by_slip(const Mesh& mesh, const Vectors_3& positions,
-                                               const Vectors_3& moving, const Vectors_3& velocities,
-                                               double dt) {
+std::vector<Velocity_change> changes_by_slip(const Mesh& mesh, const Vectors_3& positions,
+                                             const Vectors_3& moving, const Vectors_3& velocities,
+                                             double dt) {
   using Index = typename Mesh::Index;
-  std::vector<Velocity_change_3> result;
+  std::vector<Velocity_change> result;
   if (mesh.slips.empty())
     return result;
   // The other corners of the facets around each vertex, by the first occurrences of vertices.
-  std::vector<std::vector<std::array<Index, 2>>> around(mesh.number_of_vertices());
+  static constexpr int others = Mesh::dimension - 1;
+  std::vector<std::vector<std::array<Index, others>>> around(mesh.number_of_vertices());
   for (const auto& facet : mesh.facets)
-    for (std::size_t i = 0; i < 3; ++i)
-      around[facet.vertices[i]].push_back(
-          {facet.vertices[(i + 1) % 3], facet.vertices[(i + 2) % 3]});
+    for (std::size_t i = 0; i < Mesh::dimension; ++i) {
+      auto& corners = around[facet.vertices[i]].emplace_back();
+      for (std::size_t k = 0; k < others; ++k)
+        corners[k] = facet.vertices[(i + k + 1) % Mesh::dimension];
+    }
   // Returns the occurrence of a vertex that has the velocity of a liquid, if there is one.
   std::vector<Index> second(mesh.number_of_vertices(), 0);
   for (const auto& slip : mesh.slips)
@@ -67,16 +70,16 @@ std::vector<Velocity_change_3> changes_by_slip(const Mesh& mesh, const Vectors_3
       if (shift.isZero(0))
         continue;
       double best = -std::numeric_limits<double>::infinity();
-      Velocity_change_3 change{v, Eigen::Vector3d::Zero()};
+      Velocity_change change{v, Eigen::Vector3d::Zero()};
       for (const auto& corners : around[slip.first]) {
-        Eigen::Matrix<double, 3, 2> edges, differences;
-        for (int k = 0; k < 2; ++k) {
+        Eigen::Matrix<double, 3, others> edges, differences;
+        for (int k = 0; k < others; ++k) {
           const Index corner = corners[std::size_t(k)];
           edges.col(k) = positions[corner] - positions[slip.first];
           differences.col(k) = velocities[of_liquid(corner, *mesh.labels[v])] - velocities[v];
         }
-        // The coordinates of the shift in the triangle, which minimize the distance to it.
-        const Eigen::Vector2d coordinates =
+        // The coordinates of the shift in the facet, which minimize the distance to it.
+        const Eigen::Matrix<double, others, 1> coordinates =
             (edges.transpose() * edges).ldlt().solve(edges.transpose() * shift);
         const double least = coordinates.minCoeff();
         if (!(least > best))
@@ -94,4 +97,4 @@ std::vector<Velocity_change_3> changes_by_slip(const Mesh& mesh, const Vectors_3
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_SLIP_CHANGES_3_H
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_MESH_SLIP_CHANGES_H

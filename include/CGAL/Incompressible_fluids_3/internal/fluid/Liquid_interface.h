@@ -5,13 +5,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_LIQUID_INTERFACE_3_H
-#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_LIQUID_INTERFACE_3_H
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_LIQUID_INTERFACE_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_LIQUID_INTERFACE_H
 
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/Volume_changer.h>
-#include <CGAL/Incompressible_fluids_3/Fluid_properties_3.h>
-#include <CGAL/Incompressible_fluids_3/internal/fluid/Liquid_bookkeeping_3.h>
+#include <CGAL/Incompressible_fluids_3/Fluid_properties.h>
+#include <CGAL/Incompressible_fluids_3/internal/fluid/Liquid_bookkeeping.h>
 
 #include <cmath>
 #include <cstddef>
@@ -24,26 +24,27 @@ namespace internal {
 
 // The interface as the boundary of the connected components of liquids. All other labels are void
 // here.
-template <class Complex> class Liquid_interface_3
+template <class Complex> class Liquid_interface
 {
 public:
   using Snapshot = Interface_snapshot<Complex>;
   using Point = typename Complex::Approximate_point;
   using Points = std::vector<Point>;
-  using Volumes = Liquid_bookkeeping_3::Volumes;
+  using Volumes = Liquid_bookkeeping::Volumes;
 
   // Constructs the interface, with the present volumes of components.
   // \pre The components are up to date.
-  Liquid_interface_3(const Complex& complex, const Fluid_properties_3& properties,
-                     const Volumes& present)
+  Liquid_interface(const Complex& complex, const Fluid_properties& properties,
+                   const Volumes& present)
       : m_snapshot(complex), m_present(present) {
     const auto component = [&](typename Complex::Cell_handle c) {
       return properties.liquid(c->label()) ? int(c->component()) : void_component;
     };
     const auto facets = complex.interface_facets();
     for (std::size_t i = 0; i < facets.size(); ++i) {
-      m_snapshot.triangles[i].behind = component(facets[i].first);
-      m_snapshot.triangles[i].in_front = component(facets[i].first->neighbor(facets[i].second));
+      auto& facet = m_snapshot.facets()[i];
+      facet.behind = component(facets[i].first);
+      facet.in_front = component(facets[i].first->neighbor(facets[i].second));
     }
   }
 
@@ -64,18 +65,20 @@ public:
           volume - m_present.at(component) - (change == swept.end() ? 0 : change->second);
     }
     auto directions = changer.gradients(missing, to);
-    std::vector<double> areas(to.size(), 0); // by vertex: a third of the area of the facets around
-    for (const auto& facet : m_snapshot.triangles) {
-      const Point &a = to[facet.vertices[0]], &b = to[facet.vertices[1]],
-                  &c = to[facet.vertices[2]];
-      const double area = std::sqrt(cross_product(b - a, c - a).squared_length()) / 6;
+    std::vector<double> areas(to.size(),
+                              0); // by vertex: equal shares of the areas of the facets around
+    Vectors_3 positions;
+    for (const Point& p : to)
+      positions.push_back(eigen_vector(p));
+    for (const auto& facet : m_snapshot.facets()) {
+      const double area = area_vector(facet.vertices, positions).norm() / Complex::dimension;
       for (std::size_t v : facet.vertices)
         areas[v] += area;
     }
     for (std::size_t v = 0; v < to.size(); ++v)
       for (auto& [row, direction] : directions[v])
         direction = is_constrained(v) || !(areas[v] > 0)
-                        ? typename Complex::Approximate_vector(0, 0, 0)
+                        ? typename Complex::Approximate_vector(NULL_VECTOR)
                         : direction / areas[v];
     changer.change_by(missing, directions, to);
   }
@@ -91,4 +94,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_LIQUID_INTERFACE_3_H
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_LIQUID_INTERFACE_H

@@ -5,8 +5,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_STEP_PLAN_3_H
-#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_STEP_PLAN_3_H
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_STEP_PLAN_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_STEP_PLAN_H
 
 #include <CGAL/Incompressible_fluids_3/fluid_errors.h>
 
@@ -15,7 +15,7 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // The change of the mesh in an attempt at a time step, in addition to the motion.
-enum class Mesh_treatment_3 {
+enum class Mesh_treatment {
   chosen,    // the mesh is adapted as the options of the step define
   improved,  // tetrahedra are improved before the attempt
   adapted,   // the interface and edges are adapted, and tetrahedra improved, before the attempt
@@ -28,7 +28,7 @@ enum class Mesh_treatment_3 {
 // preserved. If the mesh was already preserved, the length is halved. Parts are dyadic fractions of
 // the step, so their ends are exact. There are at most 2^halvings parts. At most 2 * halvings + 1
 // failures are followed by another attempt.
-class Step_plan_3
+class Step_plan
 {
 public:
   static constexpr unsigned halvings = 5; // the shortest part is a 32nd of the step
@@ -39,29 +39,29 @@ public:
   double length() const { return double(m_size) / units; }
   // Returns the end of the next part, in units of the step.
   double end() const { return double(m_begin + m_size) / units; }
-  Mesh_treatment_3 mesh() const { return m_mesh; }
+  Mesh_treatment mesh() const { return m_mesh; }
   unsigned parts() const { return m_parts; } // the number of parts done
 
   // Continues with the next part, after the present one succeeded.
   void succeed() {
     m_begin += m_size;
     ++m_parts;
-    if (m_mesh != Mesh_treatment_3::preserved)
-      m_mesh = Mesh_treatment_3::chosen;
+    if (m_mesh != Mesh_treatment::preserved)
+      m_mesh = Mesh_treatment::chosen;
   }
 
   // Prepares another attempt, after the present one failed and was undone. Returns whether there is
   // one.
-  bool fail(Fluid_failure_3 cause) {
-    if (cause == Fluid_failure_3::mesh && m_mesh != Mesh_treatment_3::preserved) {
-      m_mesh = Mesh_treatment_3::preserved;
+  bool fail(Fluid_failure cause) {
+    if (cause == Fluid_failure::mesh && m_mesh != Mesh_treatment::preserved) {
+      m_mesh = Mesh_treatment::preserved;
       return true;
     }
     if (m_size == 1)
       return false;
     m_size /= 2;
-    if (cause != Fluid_failure_3::mesh) {
-      m_mesh = m_adapts ? Mesh_treatment_3::adapted : Mesh_treatment_3::improved;
+    if (cause != Fluid_failure::mesh) {
+      m_mesh = m_adapts ? Mesh_treatment::adapted : Mesh_treatment::improved;
       m_adapts = !m_adapts;
     }
     return true;
@@ -71,7 +71,7 @@ private:
   static constexpr unsigned units = 1u << halvings; // number of the shortest parts in a step
 
   unsigned m_begin = 0, m_size = units, m_parts = 0;
-  Mesh_treatment_3 m_mesh = Mesh_treatment_3::chosen;
+  Mesh_treatment m_mesh = Mesh_treatment::chosen;
   bool m_adapts = false; // whether the next treatment is adaptation; otherwise it is improvement
 };
 
@@ -79,4 +79,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_STEP_PLAN_3_H
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_STEP_PLAN_H

@@ -5,12 +5,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_GAS_BOOKKEEPING_3_H
-#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_GAS_BOOKKEEPING_3_H
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_GAS_BOOKKEEPING_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_GAS_BOOKKEEPING_H
 
-#include <CGAL/Incompressible_fluids_3/Fluid_properties_3.h>
-#include <CGAL/Incompressible_fluids_3/internal/fluid/Liquid_bookkeeping_3.h>
-#include <CGAL/Incompressible_fluids_3/internal/steps/Gas_components_3.h>
+#include <CGAL/Incompressible_fluids_3/Fluid_properties.h>
+#include <CGAL/Incompressible_fluids_3/internal/fluid/Liquid_bookkeeping.h>
+#include <CGAL/Incompressible_fluids_3/internal/mesh/Gas_components.h>
 
 #include <array>
 #include <cstddef>
@@ -22,18 +22,18 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // The bookkeeping of the connected components of gases, by the number of the component.
-class Gas_bookkeeping_3
+class Gas_bookkeeping
 {
 public:
-  using Number = Liquid_bookkeeping_3::Number;
-  using Components = std::map<Number, Gas_component_3>;
+  using Number = Liquid_bookkeeping::Number;
+  using Components = std::map<Number, Gas_component>;
 
   const Components& components() const { return m_components; }
   void set_components(const Components& components) { m_components = components; }
 
   // Returns the gases of a mesh with their initial pressures.
   template <class Mesh>
-  static Components measure(const Mesh& mesh, const Fluid_properties_3& properties) {
+  static Components measure(const Mesh& mesh, const Fluid_properties& properties) {
     Components result;
     for (const auto& component : mesh.gases) {
       const Gas gas = *properties.gas(component.label);
@@ -44,8 +44,8 @@ public:
 
   // Returns the gases in the order of a mesh, with the volumes of the mesh.
   // \pre The mesh has the components of the bookkeeping.
-  template <class Mesh> std::vector<Gas_component_3> components_of(const Mesh& mesh) const {
-    std::vector<Gas_component_3> result;
+  template <class Mesh> std::vector<Gas_component> components_of(const Mesh& mesh) const {
+    std::vector<Gas_component> result;
     for (const auto& component : mesh.gases) {
       result.push_back(m_components.at(component.component));
       result.back().volume = component.volume;
@@ -56,8 +56,8 @@ public:
   // Replaces the components after changes of the mesh. `now` contains the present components, as
   // `measure()` returns them. Components that merged have the mean of their pressures, weighted by
   // volumes, which preserves energy. Components that split have the same pressure.
-  void update(const Liquid_bookkeeping_3::Lineage& lineage, Components now) {
-    const std::size_t size = Liquid_bookkeeping_3::size_of(m_components, now, lineage);
+  void update(const Liquid_bookkeeping::Lineage& lineage, Components now) {
+    const std::size_t size = Liquid_bookkeeping::size_of(m_components, now, lineage);
     Number_groups groups(2 * size); // of previous and present components
     for (const auto& [before, after] : lineage)
       groups.join(before, size + after);
@@ -102,4 +102,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_GAS_BOOKKEEPING_3_H
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_GAS_BOOKKEEPING_H

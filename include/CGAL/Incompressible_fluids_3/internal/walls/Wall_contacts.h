@@ -5,13 +5,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_WALL_CONTACTS_3_H
-#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_WALL_CONTACTS_3_H
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_WALL_CONTACTS_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_WALL_CONTACTS_H
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Incompressible_fluids_3/Solids_3.h>
-#include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_mesh_3.h>
-#include <CGAL/Incompressible_fluids_3/internal/steps/Vertex_constraints_3.h>
+#include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
+#include <CGAL/Incompressible_fluids_3/internal/walls/Vertex_constraints.h>
 
 #include <Eigen/Dense>
 
@@ -50,15 +50,15 @@ struct Any_solid_3
 // facets around the vertex that the wall wets. Then a constant pressure along the wall has no
 // effect on the motion. If other facets end at the vertex, the direction is the normal of the wall
 // at the midpoint. The length of the motion along this direction brings the vertex onto the wall.
-template <class Complex> class Wall_contacts_3
+template <class Complex> class Wall_contacts
 {
 public:
-  using Mesh = Fluid_mesh_3<Complex>;
+  using Mesh = Fluid_mesh<Complex>;
   using Solids = std::vector<Any_solid_3>;
 
   // Finds the walls that vertices touch at a time.
-  Wall_contacts_3(const Mesh& mesh, const Solids& solids, const Complex& complex,
-                  const Vectors_3& positions, double time)
+  Wall_contacts(const Mesh& mesh, const Solids& solids, const Complex& complex,
+                const Vectors_3& positions, double time)
       : m_mesh(mesh), m_solids(solids), m_positions(positions), m_spacings(positions.size(), 0),
         m_touched(positions.size()) {
     for (const auto& facet : mesh.facets)
@@ -121,7 +121,7 @@ public:
   }
 
   // Adds the active contacts to the constraints.
-  void constrain(Vertex_constraints_3& constraints) const {
+  void constrain(Vertex_constraints& constraints) const {
     for (const Contact& c : m_contacts)
       if (c.is_active) {
         constraints.add(c.vertex, {c.direction, c.least});
@@ -280,8 +280,8 @@ private:
   std::optional<Wall> wall_of(const typename Mesh::Facet& facet) const {
     if (facet.is_free)
       for (const auto& [solid, wall] : m_touched[facet.vertices[0]])
-        if (is_touching(facet.vertices[1], solid, wall) &&
-            is_touching(facet.vertices[2], solid, wall))
+        if (std::all_of(facet.vertices.begin(), facet.vertices.end(),
+                        [&, &s = solid, &w = wall](auto v) { return is_touching(v, s, w); }))
           return Wall(solid, wall);
     return std::nullopt;
   }
@@ -294,9 +294,7 @@ private:
       if (!m_wall_of_facet[f])
         continue;
       const auto& facet = m_mesh.facets[f];
-      const Eigen::Vector3d& o = positions[facet.vertices[0]];
-      const Eigen::Vector3d area =
-          (positions[facet.vertices[1]] - o).cross(positions[facet.vertices[2]] - o);
+      const Eigen::Vector3d area = area_vector(facet.vertices, positions);
       for (auto v : facet.vertices)
         if (m_is_covered[v])
           result
@@ -366,7 +364,8 @@ private:
       walls.clear();
       m_solids[solid].walls(Any_solid_3::Point(p.x(), p.y(), p.z()), time, walls);
       for (std::size_t wall = 0; wall < walls.size(); ++wall)
-        function(solid, wall, walls[wall]);
+        if (Mesh::dimension == 3 || is_in_plane(walls[wall]))
+          function(solid, wall, walls[wall]);
     }
     for (int axis = 0; axis < 3; ++axis)
       if (!Boundary_class::fixes(m_mesh.vertices[v]->boundary_class(), axis))
@@ -379,6 +378,19 @@ private:
                      {sign * (p[axis] - at) - nearest,
                       sign * Wall_3::Vector(axis == 0, axis == 1, axis == 2)});
         }
+  }
+
+  // Replaces a wall by its intersection with the plane of a planar mesh. Returns false if there is
+  // none near.
+  static bool is_in_plane(Wall_3& wall) {
+    static constexpr double least_slope = 1e-6;
+    const double length = std::hypot(wall.normal.x(), wall.normal.y());
+    if (!(length > least_slope))
+      return false;
+    wall.normal = Wall_3::Vector(wall.normal.x() / length, wall.normal.y() / length, 0);
+    wall.velocity = Wall_3::Vector(wall.velocity.x(), wall.velocity.y(), 0);
+    wall.distance /= length;
+    return true;
   }
 
   bool is_touching(std::size_t v, std::size_t solid, std::size_t wall) const {
@@ -436,4 +448,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_WALL_CONTACTS_3_H
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_WALL_CONTACTS_H

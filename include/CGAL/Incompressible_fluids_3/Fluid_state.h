@@ -5,8 +5,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_STATE_3_H
-#define CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_STATE_3_H
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_STATE_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_STATE_H
 
 #include <CGAL/license/Incompressible_fluids_3.h>
 
@@ -37,7 +37,7 @@ struct Wall_behavior
 /// \ingroup PkgIncompressibleFluids3Ref
 /// The state of `Incompressible_fluid_3`, in addition to the state of its complex, as plain
 /// numbers. It contains neither solids nor sources.
-struct Fluid_state_3
+struct Fluid_state
 {
   double time = 0;         ///< the present time
   std::uint64_t steps = 0; ///< the number of steps done
@@ -58,4 +58,4 @@ struct Fluid_state_3
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_STATE_3_H
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_STATE_H

@@ -5,11 +5,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_LIQUID_BOOKKEEPING_3_H
-#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_LIQUID_BOOKKEEPING_3_H
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_LIQUID_BOOKKEEPING_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_LIQUID_BOOKKEEPING_H
 
+#include <CGAL/Incompressible_fluids_3/internal/mesh/Component_momenta.h>
 #include <CGAL/Incompressible_fluids_3/internal/solvers/Number_groups.h>
-#include <CGAL/Incompressible_fluids_3/internal/steps/Component_momenta_3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +27,7 @@ namespace internal {
 // contains the volumes to be preserved and the momenta. When components merge, their volumes are
 // added. When a component splits, its volume is distributed. A momentum belongs to a set of
 // components: those that merged or split in a step, or that touch each other.
-class Liquid_bookkeeping_3
+class Liquid_bookkeeping
 {
 public:
   using Number = std::uint32_t;
@@ -42,7 +42,7 @@ public:
     for (const auto& cell : mesh.cells) {
       if (last == result.end() || last->first != cell.component)
         last = result.emplace(cell.component, 0.).first;
-      last->second += volume(cell, positions);
+      last->second += volume(cell.vertices, positions);
     }
     return result;
   }
@@ -59,14 +59,14 @@ public:
   }
 
   // Sets the momenta of all sets, and the set of each component by its number.
-  void set_momenta(std::vector<Momentum_3> momenta,
+  void set_momenta(std::vector<Momentum> momenta,
                    const std::vector<std::size_t>& set_of_component) {
     m_set_of_component.clear();
     for (const auto& [component, volume] : m_volumes)
       m_set_of_component[component] = set_of_component[component];
     m_momenta = std::move(momenta);
   }
-  const std::vector<Momentum_3>& momenta() const { return m_momenta; } // by set
+  const std::vector<Momentum>& momenta() const { return m_momenta; } // by set
   std::size_t set_of(Number component) const { return m_set_of_component.at(component); }
 
   // Replaces the components after changes of the mesh. `present` contains the measured volumes of
@@ -91,9 +91,9 @@ public:
     double lost = 0;
     for (const auto& [component, volume] : m_volumes)
       lost += found[groups.of(component)] > 0 ? 0 : volume;
-    std::vector<Momentum_3> momenta(sets.size());
+    std::vector<Momentum> momenta(sets.size());
     for (std::size_t set = 0; set < m_momenta.size(); ++set) {
-      Momentum_3& sum = momenta[sets.of(2 * size + set)];
+      Momentum& sum = momenta[sets.of(2 * size + set)];
       sum.linear += m_momenta[set].linear;
       sum.angular += m_momenta[set].angular;
     }
@@ -124,11 +124,11 @@ public:
 private:
   Volumes m_volumes;
   std::map<Number, std::size_t> m_set_of_component;
-  std::vector<Momentum_3> m_momenta;
+  std::vector<Momentum> m_momenta;
 };
 
 } // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_LIQUID_BOOKKEEPING_3_H
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_LIQUID_BOOKKEEPING_H

@@ -5,10 +5,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_ROUGHNESS_DAMPER_3_H
-#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_ROUGHNESS_DAMPER_3_H
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_ROUGHNESS_DAMPER_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_ROUGHNESS_DAMPER_H
 
-#include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_mesh_3.h>
+#include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
 
 #include <Eigen/Dense>
 
@@ -30,11 +30,11 @@ vertices do not explain. It is zero for linear velocities and small for smooth v
 Linear momentum is preserved. A. Jameson, W. Schmidt and E. Turkel, AIAA Paper 81-1259, use a
 similar damping on grids.
 */
-template <class Mesh> class Roughness_damper_3
+template <class Mesh> class Roughness_damper
 {
   // Takes the positions of vertices at the end of the step.
 public:
-  Roughness_damper_3(const Mesh& mesh, const Vectors_3& positions) : m_mesh(mesh) {
+  Roughness_damper(const Mesh& mesh, const Vectors_3& positions) : m_mesh(mesh) {
     std::vector<double> tensions(positions.size(), 0);
     for (const auto& facet : mesh.facets)
       for (auto v : facet.vertices)
@@ -42,10 +42,11 @@ public:
     for (const auto& cell : mesh.cells) {
       Part part;
       const Eigen::Vector3d& o = positions[cell.vertices[0]];
-      for (int i = 0; i < 3; ++i)
+      part.edges.setIdentity(); // in the plane, the last column is the normal
+      for (int i = 0; i < Mesh::dimension; ++i)
         part.edges.col(i) = positions[cell.vertices[std::size_t(i) + 1]] - o;
       // The destinations can invert the cell, because they are not yet those of the mesh.
-      part.volume = (std::max)(0., part.edges.determinant() / 6);
+      part.volume = (std::max)(0., part.edges.determinant() / factorial);
       part.tension = 0;
       for (auto v : cell.vertices)
         part.tension = (std::max)(part.tension, tensions[v]);
@@ -61,18 +62,18 @@ public:
     for (std::size_t k = 0; k < m_parts.size(); ++k) {
       const auto& cell = m_mesh.cells[k];
       const Part& part = m_parts[k];
-      for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t i = 0; i < Mesh::corners; ++i)
         for (std::size_t j = 0; j < i; ++j) {
           const auto v = cell.vertices[i], w = cell.vertices[j];
           const Eigen::Vector3d edge = part.corner(j) - part.corner(i);
           const Eigen::Vector3d excess =
               velocities[w] - velocities[v] -
               (gradients[cell.pressures[i]] + gradients[cell.pressures[j]]) / 2 * edge;
-          // Each edge has a twelfth of the mass of the cell, so that the edges at a vertex together
+          // Each edge has a share of the mass of the cell, so that the edges at a vertex together
           // have the mass of the vertex.
           const Eigen::Vector3d exchanged =
               exchange(excess.norm(), edge.norm(), part.tension, cell.liquid->density, time) *
-              cell.liquid->density * part.volume / 12 * excess;
+              cell.liquid->density * part.volume / (Mesh::dimension * Mesh::corners) * excess;
           momenta[v] += exchanged;
           momenta[w] -= exchanged;
         }
@@ -84,6 +85,8 @@ public:
   }
 
 private:
+  static constexpr int factorial = Mesh::dimension == 2 ? 2 : 6; // of the dimension
+
   struct Part
   {
     Eigen::Matrix3d edges; // from the first vertex
@@ -111,8 +114,8 @@ private:
     std::vector<double> volumes(result.size(), 0);
     for (std::size_t k = 0; k < m_parts.size(); ++k) {
       const auto& v = m_mesh.cells[k].vertices;
-      Eigen::Matrix3d differences;
-      for (int i = 0; i < 3; ++i)
+      Eigen::Matrix3d differences = Eigen::Matrix3d::Zero();
+      for (int i = 0; i < Mesh::dimension; ++i)
         differences.col(i) = velocities[v[std::size_t(i) + 1]] - velocities[v[0]];
       // The adjugate is also finite if the volume is about 0.
       const Eigen::Matrix3d& e = m_parts[k].edges;
@@ -121,7 +124,7 @@ private:
       adjugate.row(1) = e.col(2).cross(e.col(0));
       adjugate.row(2) = e.col(0).cross(e.col(1));
       for (auto p : m_mesh.cells[k].pressures) {
-        result[p] += differences * adjugate / 6;
+        result[p] += differences * adjugate / factorial;
         volumes[p] += m_parts[k].volume;
       }
     }
@@ -142,4 +145,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_ROUGHNESS_DAMPER_3_H
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_ROUGHNESS_DAMPER_H

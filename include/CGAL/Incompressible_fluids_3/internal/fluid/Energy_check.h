@@ -5,11 +5,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_ENERGY_CHECK_3_H
-#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_ENERGY_CHECK_3_H
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_ENERGY_CHECK_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_ENERGY_CHECK_H
 
 #include <CGAL/Incompressible_fluids_3/fluid_errors.h>
-#include <CGAL/Incompressible_fluids_3/internal/steps/Energy_budget_3.h>
+#include <CGAL/Incompressible_fluids_3/internal/steps/Energy_budget.h>
 
 #include <cstdint>
 #include <optional>
@@ -21,38 +21,38 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // The check of an attempt at a time step by its energy.
-struct Energy_check_3
+struct Energy_check
 {
-  std::optional<Energy_budget_3> budget;
-  std::optional<Fluid_failure_3> failure; // none if the rise of the energy is within its bound
-  double rise = 0;                        // the unexplained rise, see `Energy_budget_3::rise()`
+  std::optional<Energy_budget> budget;
+  std::optional<Fluid_failure> failure; // none if the rise of the energy is within its bound
+  double rise = 0;                      // the unexplained rise, see `Energy_budget::rise()`
 
   // Compares the present energy with the budget. The motion and changes of the mesh share the
   // unexplained rise, and the larger share determines the bound and the cause.
   // \pre There is a budget.
-  template <class Report> void check(const Report& report, const Fluid_balance_3& now) {
+  template <class Report> void check(const Report& report, const Fluid_balance& now) {
     rise = budget->rise(now, report.volume_error);
-    if (rise <= Energy_budget_3::tolerance)
+    if (rise <= Energy_budget::tolerance)
       return;
     const double by_motion = report.moved.energy() - report.before.energy() - budget->supplied(),
                  by_mesh = now.energy() - report.moved.energy() + report.before.energy() -
                            budget->energy_at_begin();
     if (by_mesh <= by_motion)
-      failure = Fluid_failure_3::motion;
-    else if (rise > Energy_budget_3::tolerance_of_mesh)
-      failure = Fluid_failure_3::mesh;
+      failure = Fluid_failure::motion;
+    else if (rise > Energy_budget::tolerance_of_mesh)
+      failure = Fluid_failure::mesh;
   }
 };
 
 // Returns a message of one line about the last failure of a step.
-inline std::string message_of(const Fluid_repetition_3& failure, std::uint64_t step) {
+inline std::string message_of(const Fluid_repetition& failure, std::uint64_t step) {
   const auto cause = [&]() -> std::string {
     switch (failure.cause) {
-    case Fluid_failure_3::equations:
+    case Fluid_failure::equations:
       return "the equations of the flow have no accurate solution, with a relative residual of ";
-    case Fluid_failure_3::motion:
+    case Fluid_failure::motion:
       return "the motion increases the energy without a cause, by a fraction of ";
-    case Fluid_failure_3::mesh:
+    case Fluid_failure::mesh:
       break;
     }
     return "remeshing increases the energy without a cause, by a fraction of ";
@@ -69,4 +69,4 @@ inline std::string message_of(const Fluid_repetition_3& failure, std::uint64_t s
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_ENERGY_CHECK_3_H
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_ENERGY_CHECK_H

@@ -5,11 +5,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_COMPONENT_MOMENTA_3_H
-#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_COMPONENT_MOMENTA_3_H
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_MESH_COMPONENT_MOMENTA_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_MESH_COMPONENT_MOMENTA_H
 
-#include <CGAL/Incompressible_fluids_3/Fluid_report_3.h>
-#include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_mesh_3.h>
+#include <CGAL/Incompressible_fluids_3/Fluid_report.h>
+#include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
 
 #include <Eigen/Dense>
 
@@ -24,21 +24,21 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // The momentum and the angular momentum about the origin.
-struct Momentum_3
+struct Momentum
 {
   Eigen::Vector3d linear = Eigen::Vector3d::Zero(), angular = Eigen::Vector3d::Zero();
 };
 
 // The masses of a set of components, at vertices and at barycenters of cells, see
-// `Fluid_mesh_3::part_at_middle`. Each vertex occurs once.
-struct Masses_3
+// `Fluid_mesh::part_at_middle`. Each vertex occurs once.
+struct Masses
 {
   std::vector<std::pair<std::size_t, double>> of_vertices, of_middles;
 };
 
 // Calls `f(mass, a, b)` for each mass, with the values of two fields at its place.
 template <class Mesh, class Function>
-void for_each_mass(const Mesh& mesh, const Masses_3& masses, const Vectors_3& a, const Vectors_3& b,
+void for_each_mass(const Mesh& mesh, const Masses& masses, const Vectors_3& a, const Vectors_3& b,
                    const Function& f) {
   for (const auto& [v, m] : masses.of_vertices)
     f(m, a[v], b[v]);
@@ -49,18 +49,18 @@ void for_each_mass(const Mesh& mesh, const Masses_3& masses, const Vectors_3& a,
 // Returns the masses of each set of components. The function `set_of` maps a component to its set.
 // \pre No two sets share a vertex.
 template <class Mesh, class SetOf>
-std::vector<Masses_3> masses_of_sets(const Mesh& mesh, const Vectors_3& positions,
-                                     std::size_t number_of_sets, const SetOf& set_of) {
-  std::vector<Masses_3> result(number_of_sets);
+std::vector<Masses> masses_of_sets(const Mesh& mesh, const Vectors_3& positions,
+                                   std::size_t number_of_sets, const SetOf& set_of) {
+  std::vector<Masses> result(number_of_sets);
   std::vector<double> masses(positions.size(), 0);
   std::vector<std::size_t> set_of_vertex(positions.size(), number_of_sets);
   for (std::size_t k = 0; k < mesh.cells.size(); ++k) {
     const auto& cell = mesh.cells[k];
     const std::size_t set = set_of(cell.component);
-    const double mass = cell.liquid->density * volume(cell, positions);
+    const double mass = cell.liquid->density * volume(cell.vertices, positions);
     result[set].of_middles.emplace_back(k, Mesh::part_at_middle * mass);
     for (auto v : cell.vertices) {
-      masses[v] += (1 - Mesh::part_at_middle) * mass / 4;
+      masses[v] += (1 - Mesh::part_at_middle) * mass / Mesh::corners;
       set_of_vertex[v] = set;
     }
   }
@@ -71,9 +71,9 @@ std::vector<Masses_3> masses_of_sets(const Mesh& mesh, const Vectors_3& position
 
 // Returns the momenta of masses.
 template <class Mesh>
-Momentum_3 momentum(const Mesh& mesh, const Masses_3& masses, const Vectors_3& positions,
-                    const Vectors_3& velocities) {
-  Momentum_3 result;
+Momentum momentum(const Mesh& mesh, const Masses& masses, const Vectors_3& positions,
+                  const Vectors_3& velocities) {
+  Momentum result;
   for_each_mass(mesh, masses, positions, velocities,
                 [&](double m, const Eigen::Vector3d& p, const Eigen::Vector3d& v) {
                   result.linear += m * v;
@@ -83,18 +83,18 @@ Momentum_3 momentum(const Mesh& mesh, const Masses_3& masses, const Vectors_3& p
 }
 
 // Returns the balance of all liquids, without the energy of gases. The function `tension_of` is as
-// in `Fluid_equations_3::assemble()`.
+// in `Fluid_equations::assemble()`.
 template <class Mesh, class TensionOf>
-Fluid_balance_3 balance(const Mesh& mesh, const Fluid_properties_3& properties,
-                        const Vectors_3& positions, const Vectors_3& velocities,
-                        const TensionOf& tension_of) {
-  Fluid_balance_3 result;
-  const Masses_3 masses =
+Fluid_balance balance(const Mesh& mesh, const Fluid_properties& properties,
+                      const Vectors_3& positions, const Vectors_3& velocities,
+                      const TensionOf& tension_of) {
+  Fluid_balance result;
+  const Masses masses =
       masses_of_sets(mesh, positions, 1, [](std::uint32_t) { return std::size_t(0); }).front();
   const Eigen::Vector3d gravity(properties.gravity().data());
-  const Momentum_3 sum = momentum(mesh, masses, positions, velocities);
+  const Momentum sum = momentum(mesh, masses, positions, velocities);
   const auto vector = [](const Eigen::Vector3d& v) {
-    return Fluid_balance_3::Vector(v.x(), v.y(), v.z());
+    return Fluid_balance::Vector(v.x(), v.y(), v.z());
   };
   result.momentum = vector(sum.linear);
   result.angular_momentum = vector(sum.angular);
@@ -105,18 +105,14 @@ Fluid_balance_3 balance(const Mesh& mesh, const Fluid_properties_3& properties,
                   result.potential_energy -= m * gravity.dot(p);
                 });
   for (const auto& cell : mesh.cells)
-    result.volume += volume(cell, positions);
-  for (std::size_t f = 0; f < mesh.facets.size(); ++f) {
-    const auto& v = mesh.facets[f].vertices;
-    const Eigen::Vector3d a = positions[v[1]] - positions[v[0]],
-                          b = positions[v[2]] - positions[v[0]];
-    result.surface_energy += tension_of(f) * a.cross(b).norm() / 2;
-  }
+    result.volume += volume(cell.vertices, positions);
+  for (std::size_t f = 0; f < mesh.facets.size(); ++f)
+    result.surface_energy += tension_of(f) * area_vector(mesh.facets[f].vertices, positions).norm();
   return result;
 }
 
 // The velocities of a rigid motion: the velocity at a point is linear + angular x (point - center).
-struct Rigid_velocity_3
+struct Rigid_velocity
 {
   Eigen::Vector3d center = Eigen::Vector3d::Zero(), linear = Eigen::Vector3d::Zero(),
                   angular = Eigen::Vector3d::Zero();
@@ -127,9 +123,9 @@ struct Rigid_velocity_3
 // Returns the rigid motion by which masses have the given momenta. Returns zero velocities if there
 // is no mass.
 template <class Mesh>
-Rigid_velocity_3 rigid_velocity(const Mesh& mesh, const Masses_3& masses,
-                                const Vectors_3& positions, const Momentum_3& momentum) {
-  Rigid_velocity_3 result;
+Rigid_velocity rigid_velocity(const Mesh& mesh, const Masses& masses, const Vectors_3& positions,
+                              const Momentum& momentum) {
+  Rigid_velocity result;
   double mass = 0;
   const auto for_each = [&](const auto& f) {
     for_each_mass(mesh, masses, positions, positions,
@@ -157,4 +153,4 @@ Rigid_velocity_3 rigid_velocity(const Mesh& mesh, const Masses_3& masses,
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_COMPONENT_MOMENTA_3_H
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_MESH_COMPONENT_MOMENTA_H

@@ -5,24 +5,24 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_FLUID_STEP_3_H
-#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_FLUID_STEP_3_H
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_FLUID_STEP_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_FLUID_STEP_H
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Incompressible_fluids_3/fluid_errors.h>
+#include <CGAL/Incompressible_fluids_3/internal/mesh/Component_momenta.h>
+#include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
+#include <CGAL/Incompressible_fluids_3/internal/mesh/Gas_components.h>
+#include <CGAL/Incompressible_fluids_3/internal/mesh/Liquid_flow.h>
+#include <CGAL/Incompressible_fluids_3/internal/mesh/slip_changes.h>
 #include <CGAL/Incompressible_fluids_3/internal/solvers/closed_sets.h>
 #include <CGAL/Incompressible_fluids_3/internal/solvers/relative_residual.h>
-#include <CGAL/Incompressible_fluids_3/internal/steps/Component_momenta_3.h>
-#include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_equations_3.h>
-#include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_mesh_3.h>
-#include <CGAL/Incompressible_fluids_3/internal/steps/Gas_components_3.h>
-#include <CGAL/Incompressible_fluids_3/internal/steps/Liquid_flow_3.h>
-#include <CGAL/Incompressible_fluids_3/internal/steps/Roughness_damper_3.h>
-#include <CGAL/Incompressible_fluids_3/internal/steps/Vertex_constraints_3.h>
-#include <CGAL/Incompressible_fluids_3/internal/steps/Wall_contacts_3.h>
-#include <CGAL/Incompressible_fluids_3/internal/steps/Wall_flux_3.h>
-#include <CGAL/Incompressible_fluids_3/internal/steps/slip_changes_3.h>
+#include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_equations.h>
+#include <CGAL/Incompressible_fluids_3/internal/steps/Roughness_damper.h>
+#include <CGAL/Incompressible_fluids_3/internal/walls/Vertex_constraints.h>
+#include <CGAL/Incompressible_fluids_3/internal/walls/Wall_contacts.h>
+#include <CGAL/Incompressible_fluids_3/internal/walls/Wall_flux.h>
 
 #include <Eigen/Core>
 
@@ -41,24 +41,24 @@ namespace internal {
 // The solution of one time step. The velocities and pressures are solved with the vertices at
 // positions near the midpoint of the step. These positions follow from the velocities, and the
 // contacts with walls follow from the velocities and pressures.
-template <class Complex, class Solver> class Fluid_step_3
+template <class Complex, class Solver> class Fluid_step
 {
 public:
-  using Mesh = Fluid_mesh_3<Complex>;
-  using Equations = Fluid_equations_3<Complex>;
-  using Contacts = Wall_contacts_3<Complex>;
+  using Mesh = Fluid_mesh<Complex>;
+  using Equations = Fluid_equations<Complex>;
+  using Contacts = Wall_contacts<Complex>;
   using System = Saddle_point_system;
   using Vector = Eigen::VectorXd;
 
-  using Source = std::function<double(const Any_solid_3::Point&, double)>;
+  using Source = std::function<double(const Eigen::Vector3d&, double)>;
 
   // What acts on the liquids.
   struct Loads
   {
-    const Fluid_properties_3& properties;
+    const Fluid_properties& properties;
     const typename Contacts::Solids& solids;
-    std::vector<Gas_component_3> gases; // at the beginning of the step
-    Source source;                      // empty without sources
+    std::vector<Gas_component> gases; // at the beginning of the step
+    Source source;                    // empty without sources
   };
 
   // The time step. Its length can differ from end - begin: solids do not move if these are equal.
@@ -70,8 +70,8 @@ public:
 
   // Prepares the step that begins with the given flow. The complex, the flow, the solver, the
   // properties and the solids must outlive the object.
-  Fluid_step_3(const Complex& complex, const Liquid_flow_3<Complex>& flow, const Loads& loads,
-               const Interval& interval, Solver& solver, unsigned number_of_threads)
+  Fluid_step(const Complex& complex, const Liquid_flow<Complex>& flow, const Loads& loads,
+             const Interval& interval, Solver& solver, unsigned number_of_threads)
       : m_mesh(flow.mesh), m_properties(loads.properties), m_solver(solver),
         m_number_of_threads(number_of_threads), m_for_each(number_of_threads),
         m_step(interval.step), m_begin(interval.begin), m_end(interval.end),
@@ -161,12 +161,12 @@ public:
   const Vectors_3& solved_velocities() const { return m_velocities; }
 
   // Returns the momentum of a set of masses at the end of the step, without the effect of
-  // `Wall_contacts_3::stop()`. It is the initial momentum plus the impulses of gravity, gases,
+  // `Wall_contacts::stop()`. It is the initial momentum plus the impulses of gravity, gases,
   // walls and sources. The forces between the vertices of a set cancel.
-  Momentum_3 pushed_momentum(const Masses_3& masses) const {
+  Momentum pushed_momentum(const Masses& masses) const {
     if (masses.of_vertices.empty())
       return {};
-    Momentum_3 result = momentum(m_mesh, masses, m_positions, m_before);
+    Momentum result = momentum(m_mesh, masses, m_positions, m_before);
     // With lever arms at this time, the impulses change the angular momentum by the same amount as
     // the whole step.
     const double time_of_arms = (1 - m_step.theta) * m_step.dt;
@@ -198,13 +198,13 @@ public:
   const std::vector<double>& gains() const { return m_gains; }
 
   // Returns the momentum of a set of masses at the end of the step, with the effect of
-  // `Wall_contacts_3::stop()`.
-  Momentum_3 final_momentum(const Masses_3& masses) const {
+  // `Wall_contacts::stop()`.
+  Momentum final_momentum(const Masses& masses) const {
     if (masses.of_vertices.empty())
       return {};
-    Momentum_3 result = pushed_momentum(masses);
-    const Momentum_3 stopped = momentum(m_mesh, masses, m_destinations, m_final_velocities),
-                     unstopped = momentum(m_mesh, masses, m_destinations, m_unstopped_velocities);
+    Momentum result = pushed_momentum(masses);
+    const Momentum stopped = momentum(m_mesh, masses, m_destinations, m_final_velocities),
+                   unstopped = momentum(m_mesh, masses, m_destinations, m_unstopped_velocities);
     result.linear += stopped.linear - unstopped.linear;
     result.angular += stopped.angular - unstopped.angular;
     return result;
@@ -259,7 +259,7 @@ private:
     for (std::size_t v = 0; v < m_before.size(); ++v)
       velocities.push_back(m_before[v] + (m_velocities[v] - m_before[v]) / m_step.theta);
     m_destinations = at_time(m_step.dt);
-    const Roughness_damper_3<Mesh> damper(m_mesh, m_destinations);
+    const Roughness_damper<Mesh> damper(m_mesh, m_destinations);
     m_unstopped_velocities = damper.damped(velocities, m_equations.masses(), m_step.dt);
     m_final_velocities = m_unstopped_velocities;
     m_contacts.stop(m_final_velocities);
@@ -303,12 +303,11 @@ private:
     if (m_source)
       for (std::size_t k = 0; k < m_mesh.cells.size(); ++k) {
         const Eigen::Vector3d middle = m_mesh.middle(k, m_midpoint_positions);
-        const double divergence =
-            m_source({middle.x(), middle.y(), middle.z()}, (m_begin + m_end) / 2);
+        const double divergence = m_source(middle, (m_begin + m_end) / 2);
         if (!(std::abs(divergence) * m_step.dt < 1))
           throw Error("the divergence of a source is not finite, or the absolute value of its "
                       "product with the time step is 1 or more: use a shorter time step");
-        m_gains.push_back(divergence * volume(m_mesh.cells[k], m_midpoint_positions));
+        m_gains.push_back(divergence * volume(m_mesh.cells[k].vertices, m_midpoint_positions));
       }
     m_is_assembled = false;
   }
@@ -364,10 +363,11 @@ private:
   // Adds the constraints to the system. The factorization for the first geometry is also used for
   // the others.
   void assemble_constraints() {
-    m_constraints = Vertex_constraints_3(m_positions.size());
+    m_constraints = Vertex_constraints(m_positions.size());
     for (std::size_t v = 0; v < m_positions.size(); ++v)
       for (int axis = 0; axis < 3; ++axis)
-        if (Boundary_class::fixes(m_mesh.vertices[v]->boundary_class(), axis))
+        if (axis >= Mesh::dimension ||
+            Boundary_class::fixes(m_mesh.vertices[v]->boundary_class(), axis))
           m_constraints.add(v, {Eigen::Vector3d::Unit(axis), 0});
     m_contacts.constrain(m_constraints);
     constrain_slips();
@@ -393,11 +393,8 @@ private:
       return;
     Vectors_3 areas(m_positions.size(), Eigen::Vector3d::Zero());
     for (const auto& facet : m_mesh.facets) {
-      const auto& v = facet.vertices;
-      const Eigen::Vector3d& o = m_midpoint_positions[v[0]];
-      const Eigen::Vector3d area =
-          (m_midpoint_positions[v[1]] - o).cross(m_midpoint_positions[v[2]] - o);
-      for (auto corner : v)
+      const Eigen::Vector3d area = area_vector(facet.vertices, m_midpoint_positions);
+      for (auto corner : facet.vertices)
         areas[corner] += m_mesh.is_first_behind(facet) ? area : Eigen::Vector3d(-area);
     }
     for (const auto& slip : m_mesh.slips) {
@@ -424,7 +421,7 @@ private:
   };
 
   const Mesh& m_mesh;
-  const Fluid_properties_3& m_properties;
+  const Fluid_properties& m_properties;
   Solver& m_solver;
   unsigned m_number_of_threads;
   For_each_index m_for_each;
@@ -432,7 +429,7 @@ private:
   double m_begin, m_end; // times
   Vectors_3 m_positions, m_before, m_accelerations, m_velocities, m_unstopped_velocities,
       m_final_velocities, m_final_accelerations;
-  std::vector<Gas_component_3> m_gases;
+  std::vector<Gas_component> m_gases;
   Source m_source;
   Vectors_3 m_destinations;
   Vectors_3 m_midpoint_positions; // positions at which the equations were assembled
@@ -440,9 +437,9 @@ private:
   Vector m_pressures, m_reactions;
   Equations m_equations;
   Contacts m_contacts;
-  Vertex_constraints_3 m_constraints{0};
+  Vertex_constraints m_constraints{0};
   std::vector<System::Closed_set> m_closed;
-  std::optional<Wall_flux_3> m_wall_flux;
+  std::optional<Wall_flux> m_wall_flux;
   System::Matrix m_b; // with the correction at walls
   bool m_is_factorized = false, m_is_assembled = false, m_is_settled = false;
   unsigned m_iterations = 0, m_solutions = 0;
@@ -454,4 +451,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_FLUID_STEP_3_H
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_FLUID_STEP_H

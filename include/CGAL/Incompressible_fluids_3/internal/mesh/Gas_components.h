@@ -5,11 +5,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_GAS_COMPONENTS_3_H
-#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_GAS_COMPONENTS_3_H
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_MESH_GAS_COMPONENTS_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_MESH_GAS_COMPONENTS_H
 
-#include <CGAL/Incompressible_fluids_3/Fluid_properties_3.h>
-#include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_mesh_3.h>
+#include <CGAL/Incompressible_fluids_3/Fluid_properties.h>
+#include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
 
 #include <Eigen/Core>
 
@@ -26,7 +26,7 @@ namespace internal {
 // A connected component of a gas. The product of its pressure and the power volume^exponent is
 // constant. Powers are computed from ratios of volumes only, so that the unit of length has no
 // effect.
-struct Gas_component_3
+struct Gas_component
 {
   Gas gas;
   double volume;
@@ -49,24 +49,25 @@ struct Gas_component_3
 // Returns the volumes of gases after the vertices of liquids have moved from some positions to
 // others. A volume is at least a tenth of its present value.
 template <class Mesh>
-std::vector<double> volumes_of_gases(const Mesh& mesh, const std::vector<Gas_component_3>& gases,
+std::vector<double> volumes_of_gases(const Mesh& mesh, const std::vector<Gas_component>& gases,
                                      const Vectors_3& from, const Vectors_3& to) {
   std::vector<double> result;
-  for (const Gas_component_3& gas : gases)
+  for (const Gas_component& gas : gases)
     result.push_back(gas.volume);
   for (const auto& facet : mesh.facets)
     if (facet.gas != Mesh::no_gas) {
       // The area at the midpoint, multiplied by the mean displacement, is the swept volume up to
       // terms of third order.
-      std::array<Eigen::Vector3d, 3> middle;
+      Vectors_3 middles;
       Eigen::Vector3d displacement = Eigen::Vector3d::Zero();
-      for (std::size_t i = 0; i < 3; ++i) {
+      std::array<std::size_t, Mesh::dimension> order;
+      for (std::size_t i = 0; i < order.size(); ++i) {
         const auto v = facet.vertices[i];
-        middle[i] = (from[v] + to[v]) / 2;
-        displacement += (to[v] - from[v]) / 3;
+        order[i] = i;
+        middles.push_back((from[v] + to[v]) / 2);
+        displacement += (to[v] - from[v]) / Mesh::dimension;
       }
-      const double swept =
-          (middle[1] - middle[0]).cross(middle[2] - middle[0]).dot(displacement) / 2;
+      const double swept = area_vector(order, middles).dot(displacement);
       result[facet.gas] -= facet.is_gas_in_front ? swept : -swept;
     }
   static constexpr double least = .1; // of the present volume: the least volume of a prediction
@@ -79,4 +80,4 @@ std::vector<double> volumes_of_gases(const Mesh& mesh, const std::vector<Gas_com
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_GAS_COMPONENTS_3_H
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_MESH_GAS_COMPONENTS_H

@@ -5,8 +5,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_REPORT_3_H
-#define CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_REPORT_3_H
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_REPORT_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_REPORT_H
 
 #include <CGAL/license/Incompressible_fluids_3.h>
 
@@ -25,7 +25,7 @@ namespace Deformable_simplicial_complexes {
 
 /// \ingroup PkgIncompressibleFluids3Ref
 /// The volume, mass, energies and momenta of all liquids together.
-struct Fluid_balance_3
+struct Fluid_balance
 {
   using Vector = Simple_cartesian<double>::Vector_3; ///< a vector in space
 
@@ -46,7 +46,7 @@ struct Fluid_balance_3
 
 /// \ingroup PkgIncompressibleFluids3Ref
 /// A connected component of a gas.
-struct Fluid_gas_3
+struct Fluid_gas
 {
   std::uint32_t component; ///< the number of the component, `Complex::component()`
   int label;               ///< the label of the gas
@@ -59,19 +59,21 @@ struct Fluid_gas_3
 
 The report of a time step of `Incompressible_fluid_3`.
 
-\tparam Complex an instance of `Deformable_simplicial_complex_3`
+In the plane, vectors lie in the plane, and the angular momentum is perpendicular to it.
+
+\tparam Complex an instance of `Deformable_simplicial_complex_2` or `Deformable_simplicial_complex_3`
 */
-template <class Complex> struct Fluid_report_3
+template <class Complex> struct Fluid_report
 {
   using Vector = Simple_cartesian<double>::Vector_3; ///< a vector in space
 
-  double time = 0;        ///< the time after the step
-  double dt = 0;          ///< the length of the step
-  Fluid_balance_3 before; ///< the balance at the beginning
+  double time = 0;      ///< the time after the step
+  double dt = 0;        ///< the length of the step
+  Fluid_balance before; ///< the balance at the beginning
   /// The balance after the motion, before changes of the mesh and of its topology.
-  Fluid_balance_3 moved;
+  Fluid_balance moved;
   /// The balance at the end; the difference to `moved` is due to the mesh.
-  Fluid_balance_3 after;
+  Fluid_balance after;
   /// The greatest velocity of a vertex after the motion. If the step was divided, it is the
   /// greatest value of all parts.
   double greatest_velocity = 0;
@@ -95,7 +97,7 @@ template <class Complex> struct Fluid_report_3
   /// The number of liquid cells that were too flat to have a viscosity.
   std::size_t flat_cells = 0;
   unsigned parts = 1; ///< the number of time steps that the step was divided into
-  std::vector<Fluid_repetition_3> repetitions; ///< the attempts that were undone, in order
+  std::vector<Fluid_repetition> repetitions; ///< the attempts that were undone, in order
   /// The number of vertices constrained by solids, or by the distance to sides of the domain.
   std::size_t contacts = 0;
   /// Whether the search for the vertices constrained by contacts converged.
@@ -114,4 +116,4 @@ template <class Complex> struct Fluid_report_3
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_REPORT_3_H
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_REPORT_H

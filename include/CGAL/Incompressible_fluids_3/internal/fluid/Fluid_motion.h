@@ -5,10 +5,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_FLUID_MOTION_3_H
-#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_FLUID_MOTION_3_H
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_FLUID_MOTION_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_FLUID_MOTION_H
 
-#include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_mesh_3.h>
+#include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
 #include <CGAL/property_map.h>
 
 #include <Eigen/Core>
@@ -26,7 +26,7 @@ namespace internal {
 
 // The velocity, the acceleration and the pressure of vertices of liquids, in this order. Where two
 // liquids slip along each other, each of them has its own numbers.
-class Fluid_motion_3
+class Fluid_motion
 {
 public:
   using Numbers = Eigen::Matrix<double, 7, 1>;
@@ -82,13 +82,13 @@ public:
     using reference = Value;
     using category = boost::read_write_property_map_tag;
 
-    explicit Map(Fluid_motion_3& motion) : m_motion(&motion) {}
+    explicit Map(Fluid_motion& motion) : m_motion(&motion) {}
 
     friend Value get(const Map& map, key_type v) { return map.m_motion->at(v); }
     friend void put(const Map& map, key_type v, const Value& value) { map.m_motion->put(v, value); }
 
   private:
-    Fluid_motion_3* m_motion;
+    Fluid_motion* m_motion;
   };
 
   // Returns the value of a vertex, or 0 if it has no value.
@@ -184,4 +184,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_FLUID_MOTION_3_H
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_FLUID_MOTION_H

@@ -5,8 +5,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_FLUID_SNAPSHOT_3_H
-#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_FLUID_SNAPSHOT_3_H
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_FLUID_SNAPSHOT_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_FLUID_SNAPSHOT_H
 
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 
@@ -15,11 +15,11 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // The states of a fluid and of its complex, to be restored.
-template <class Fluid, class Complex> class Fluid_snapshot_3
+template <class Fluid, class Complex> class Fluid_snapshot
 {
 public:
   // Saves both states. Takes O(n log n) time.
-  Fluid_snapshot_3(const Complex& complex, const Fluid& fluid)
+  Fluid_snapshot(const Complex& complex, const Fluid& fluid)
       : m_complex(complex.state()), m_fluid(fluid.state()) {}
 
   // Restores both states, bitwise. The handles of the complex are invalidated if the complex has
@@ -42,4 +42,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_FLUID_SNAPSHOT_3_H
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_FLUID_SNAPSHOT_H

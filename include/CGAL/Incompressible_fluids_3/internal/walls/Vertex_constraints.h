@@ -5,8 +5,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_VERTEX_CONSTRAINTS_3_H
-#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_VERTEX_CONSTRAINTS_3_H
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_VERTEX_CONSTRAINTS_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_VERTEX_CONSTRAINTS_H
 
 #include <CGAL/Incompressible_fluids_3/Saddle_point_system.h>
 
@@ -21,7 +21,7 @@ namespace internal {
 
 // The constraints on the velocities of vertices. A velocity is the sum of a prescribed vector and
 // of a vector v with P v = v, where P is the orthogonal projection onto the free directions.
-class Vertex_constraints_3
+class Vertex_constraints
 {
 public:
   // A prescribed velocity along a direction of unit length.
@@ -31,7 +31,7 @@ public:
     double velocity;
   };
 
-  explicit Vertex_constraints_3(std::size_t number_of_vertices) : m_known(number_of_vertices) {}
+  explicit Vertex_constraints(std::size_t number_of_vertices) : m_known(number_of_vertices) {}
 
   void add(std::size_t v, const Known& known) { m_known[v].push_back(known); }
 
@@ -78,4 +78,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_VERTEX_CONSTRAINTS_3_H
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_VERTEX_CONSTRAINTS_H

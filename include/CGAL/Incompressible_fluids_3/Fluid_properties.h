@@ -5,8 +5,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_PROPERTIES_3_H
-#define CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_PROPERTIES_3_H
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_PROPERTIES_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_PROPERTIES_H
 
 #include <CGAL/license/Incompressible_fluids_3.h>
 
@@ -47,7 +47,7 @@ struct Gas
 The media of the labels of a complex, the surface tensions between them, and gravity. A medium is a
 liquid, a gas or void. Void has neither mass nor pressure.
 */
-class Fluid_properties_3
+class Fluid_properties
 {
 public:
   /// Makes a label a liquid. Labels that are neither liquid nor gas are void.
@@ -133,4 +133,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_PROPERTIES_3_H
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_PROPERTIES_H

@@ -5,17 +5,17 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_FLUID_EQUATIONS_3_H
-#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_FLUID_EQUATIONS_3_H
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_FLUID_EQUATIONS_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_FLUID_EQUATIONS_H
 
 #include <CGAL/Deformable_simplicial_complexes/Facet_tension.h>
 #include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/Linear_element.h>
-#include <CGAL/Incompressible_fluids_3/Fluid_properties_3.h>
+#include <CGAL/Incompressible_fluids_3/Fluid_properties.h>
 #include <CGAL/Incompressible_fluids_3/Saddle_point_system.h>
+#include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
+#include <CGAL/Incompressible_fluids_3/internal/mesh/Slip_transform.h>
 #include <CGAL/Incompressible_fluids_3/internal/solvers/Cell_rows.h>
-#include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_mesh_3.h>
-#include <CGAL/Incompressible_fluids_3/internal/steps/Slip_transform.h>
 
 #include <Eigen/SparseCore>
 
@@ -32,16 +32,16 @@ namespace internal {
 
 /*
 The equations of a time step of length dt of an incompressible flow, by linear finite elements on
-tetrahedra that move with the flow. The unknowns are the velocities v at the time theta dt, by which
-vertices move from x to x + dt v, and the pressures p:
+tetrahedra, or on triangles in the plane, that move with the flow. The unknowns are the velocities v
+at the time theta dt, by which vertices move from x to x + dt v, and the pressures p:
 
    A v - B^T p = f,   A = M / (theta dt) + K + theta dt L,  f = M (u / (theta dt) + g) - L x + w
    B v + C p   = s + q
 
-M is the mass matrix, see `Fluid_mesh_3`. K is the viscosity. L x is the gradient of the surface
+M is the mass matrix, see `Fluid_mesh`. K is the viscosity. L x is the gradient of the surface
 energy. The vector w contains the forces of gases and of wetted walls. Each row of B is the gradient
-of a quarter of the volume around a vertex. So B v = 0 preserves this volume, and B v = q adds the
-volume of sources.
+of the volume around a vertex, divided by the number of corners of a cell. So B v = 0 preserves this
+volume, and B v = q adds the volume of sources.
 
 Without C, these equations permit oscillating pressures that have no effect. The terms C p and s
 stabilize them by the residual of the equation of motion (T. J. R. Hughes, L. P. Franca, M.
@@ -56,12 +56,13 @@ Where two liquids slip along each other, the unknowns are the velocity of the ve
 relative velocity of the liquids. The matrices and the forces of cells are transformed to these
 unknowns, see `Slip_transform`.
 */
-template <class Complex> class Fluid_equations_3
+template <class Complex> class Fluid_equations
 {
 public:
-  using Mesh = Fluid_mesh_3<Complex>;
+  using Mesh = Fluid_mesh<Complex>;
   using System = Saddle_point_system;
   using Vector = Eigen::VectorXd;
+  using Rows = Cell_rows<Mesh::corners>;
 
   // dt: the length of the time step. theta: 1/2 for the implicit midpoint rule, 1 for the backward
   // Euler method.
@@ -72,9 +73,8 @@ public:
 
   // Prepares the equations for vertices that are at `positions` at the beginning of the step. All
   // loops use `for_each`, which can use several threads.
-  Fluid_equations_3(const For_each_index& for_each, const Mesh& mesh,
-                    const Fluid_properties_3& properties, const Step& step,
-                    const Vectors_3& positions)
+  Fluid_equations(const For_each_index& for_each, const Mesh& mesh,
+                  const Fluid_properties& properties, const Step& step, const Vectors_3& positions)
       : m_for_each(for_each), m_mesh(mesh), m_gravity(properties.gravity().data()), m_step(step),
         m_positions(positions), m_vertices(corners(&Mesh::Cell::vertices)),
         m_pressures(corners(&Mesh::Cell::pressures)),
@@ -89,15 +89,15 @@ public:
         m_masses[v] += cell.liquid->density * m_elements.back().lumped_mass();
     }
     const std::size_t n = m_rows_of_vertices.size(), m = m_rows_of_pressures.size();
-    m_of_cells.nodal = m_rows_of_vertices.zeros<1, 1>(m_vertices, n);
-    m_of_cells.b = m_rows_of_pressures.zeros<1, 3>(m_vertices, n);
-    m_system.c = m_rows_of_pressures.zeros<1, 1>(m_pressures, m);
+    m_of_cells.nodal = m_rows_of_vertices.template zeros<1, 1>(m_vertices, n);
+    m_of_cells.b = m_rows_of_pressures.template zeros<1, 3>(m_vertices, n);
+    m_system.c = m_rows_of_pressures.template zeros<1, 1>(m_pressures, m);
     if (is_viscous)
-      m_of_cells.coupling = m_rows_of_vertices.zeros<3, 3>(m_vertices, n);
+      m_of_cells.coupling = m_rows_of_vertices.template zeros<3, 3>(m_vertices, n);
     m_terms.resize(mesh.cells.size());
   }
 
-  // Returns the masses of vertices: a quarter of the masses of the cells around.
+  // Returns the masses of vertices: equal shares of the masses of the cells around.
   const std::vector<double>& masses() const { return m_masses; }
 
   // Returns the masses that move with the unknown velocities.
@@ -121,7 +121,7 @@ public:
                 const std::vector<double>& gas_pressures) {
     m_for_each(m_terms.size(), [&](std::size_t k) { m_terms[k] = terms(k, midpoint_positions); });
     using Scalar = Eigen::Matrix<double, 1, 1>;
-    m_rows_of_vertices.sum<1, 1>(
+    m_rows_of_vertices.template sum<1, 1>(
         m_for_each, m_vertices,
         [this](std::size_t k, std::size_t i, std::size_t j) {
           const Terms& t = m_terms[k];
@@ -129,20 +129,20 @@ public:
         },
         m_of_cells.nodal);
     if (m_of_cells.coupling.rows() > 0)
-      m_rows_of_vertices.sum<3, 3>(
+      m_rows_of_vertices.template sum<3, 3>(
           m_for_each, m_vertices,
           [this](std::size_t k, std::size_t i, std::size_t j) {
             const Terms& t = m_terms[k];
             return Eigen::Matrix3d(t.viscosity * t.gradients[j] * t.gradients[i].transpose());
           },
           m_of_cells.coupling);
-    m_rows_of_pressures.sum<1, 3>(
+    m_rows_of_pressures.template sum<1, 3>(
         m_for_each, m_vertices,
         [this](std::size_t k, std::size_t, std::size_t j) {
-          return Eigen::RowVector3d(m_terms[k].changes[j].transpose() / 4);
+          return Eigen::RowVector3d(m_terms[k].changes[j].transpose() / Mesh::corners);
         },
         m_of_cells.b);
-    m_rows_of_pressures.sum<1, 1>(
+    m_rows_of_pressures.template sum<1, 1>(
         m_for_each, m_pressures,
         [this](std::size_t k, std::size_t i, std::size_t j) {
           const Terms& t = m_terms[k];
@@ -200,7 +200,7 @@ public:
           (1 - Mesh::part_at_middle) * rate(m_masses[v]) * velocities[v] + m_masses[v] * m_gravity;
     for (std::size_t k = 0; k < m_mesh.cells.size(); ++k) {
       const Eigen::Vector3d share =
-          Mesh::part_at_middle * rate(quarter_mass(k)) * m_mesh.middle(k, velocities);
+          Mesh::part_at_middle * rate(share_of_mass(k)) * m_mesh.middle(k, velocities);
       for (auto v : m_mesh.cells[k].vertices)
         at(result, v) += share;
     }
@@ -215,7 +215,7 @@ public:
       const auto& cell = m_mesh.cells[k];
       const Eigen::Vector3d force =
           cell.liquid->density * (m_gravity - m_mesh.middle(k, accelerations));
-      for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t i = 0; i < Mesh::corners; ++i)
         result(cell.pressures[i]) += m_terms[k].stabilization * m_terms[k].gradients[i].dot(force);
     }
     return result;
@@ -226,7 +226,7 @@ public:
     Vector result = Vector::Zero(m_system.c.rows());
     for (std::size_t k = 0; k < gains.size(); ++k)
       for (auto p : m_mesh.cells[k].pressures)
-        result(p) += gains[k] / 4;
+        result(p) += gains[k] / Mesh::corners;
     return result;
   }
 
@@ -237,19 +237,16 @@ public:
 private:
   // Returns the force that changes the velocity of a mass by 1 in the time theta dt.
   double rate(double mass) const { return mass / (m_step.theta * m_step.dt); }
-  double quarter_mass(std::size_t k) const {
+  double share_of_mass(std::size_t k) const {
     return m_mesh.cells[k].liquid->density * m_elements[k].lumped_mass();
   }
 
   using Element = Linear_element<Complex>;
 
-  static typename Complex::Approximate_point point(const Eigen::Vector3d& p) {
-    return {p.x(), p.y(), p.z()};
-  }
   static Element element(const typename Mesh::Cell& cell, const Vectors_3& positions) {
     typename Element::Corners corners;
-    for (std::size_t i = 0; i < 4; ++i)
-      corners[i] = point(positions[cell.vertices[i]]);
+    for (std::size_t i = 0; i < Mesh::corners; ++i)
+      corners[i] = from_eigen<typename Complex::Approximate_point>(positions[cell.vertices[i]]);
     return Element(corners);
   }
 
@@ -257,7 +254,7 @@ private:
   struct Terms
   {
     // Gradients of the basis functions, and of the volume of the cell.
-    std::array<Eigen::Vector3d, 4> gradients, changes;
+    std::array<Eigen::Vector3d, Mesh::corners> gradients, changes;
     double inertia, viscosity, stabilization;
     bool is_flat; // all gradients of basis functions are 0
   };
@@ -271,11 +268,11 @@ private:
     // tetrahedron, which double precision permits.
     static constexpr double flattest = 1e-6;
     double square = 0; // of the longest edge
-    for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t i = 0; i < Mesh::corners; ++i)
       for (std::size_t j = 0; j < i; ++j)
         square = (std::max)(
             square, (positions[cell.vertices[i]] - positions[cell.vertices[j]]).squaredNorm());
-    return e.measure() > flattest * square * std::sqrt(square);
+    return e.measure() > flattest * std::pow(square, .5 * Mesh::dimension);
   }
 
   // Returns the contributions of a cell. Gradients are those at the midpoint, or those at the
@@ -291,8 +288,8 @@ private:
                             has_gradients(moved, cell, midpoint_positions);
     const Element& e = uses_moved ? moved : m_elements[k];
     Terms result;
-    result.inertia = Mesh::part_at_middle / 4 * rate(quarter_mass(k));
-    for (std::size_t i = 0; i < 4; ++i)
+    result.inertia = Mesh::part_at_middle / Mesh::corners * rate(share_of_mass(k));
+    for (std::size_t i = 0; i < Mesh::corners; ++i)
       result.changes[i] = eigen_vector(moved.measure_gradient(int(i)));
     result.is_flat = !uses_moved && !has_gradients(e, cell, m_positions);
     if (result.is_flat) {
@@ -301,7 +298,7 @@ private:
       return result;
     }
     double steepest = 0; // the inverse square of the least height
-    for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t i = 0; i < Mesh::corners; ++i) {
       result.gradients[i] = eigen_vector(e.gradient(int(i)));
       steepest = (std::max)(steepest, result.gradients[i].squaredNorm());
     }
@@ -314,11 +311,9 @@ private:
   // Adds the force of a gas on a facet.
   void add_push(const typename Mesh::Facet& facet, const Vectors_3& midpoint_positions,
                 double pressure) {
-    const auto& v = facet.vertices;
-    const Eigen::Vector3d a = midpoint_positions[v[1]] - midpoint_positions[v[0]],
-                          b = midpoint_positions[v[2]] - midpoint_positions[v[0]];
-    const Eigen::Vector3d share = (facet.is_gas_in_front ? -1 : 1) * pressure / 6 * a.cross(b);
-    for (auto corner : v)
+    const Eigen::Vector3d share = (facet.is_gas_in_front ? -1 : 1) * pressure / Mesh::dimension *
+                                  area_vector(facet.vertices, midpoint_positions);
+    for (auto corner : facet.vertices)
       at(m_pushes, corner) += share;
   }
 
@@ -328,13 +323,15 @@ private:
                  double tension) {
     if (tension == 0)
       return;
-    std::array<typename Complex::Approximate_point, 3> corners;
-    for (std::size_t i = 0; i < 3; ++i)
-      corners[i] = point(midpoint_positions[facet.vertices[i]]);
-    const Facet_tension<3> cotangents(corners);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t v = facet.vertices[i], w = facet.vertices[(i + 1) % 3];
-      const double weight = tension * cotangents.weights[i],
+    static constexpr std::size_t n = Mesh::dimension;
+    using Point = typename Complex::Approximate_point;
+    std::array<Point, n> corners;
+    for (std::size_t i = 0; i < n; ++i)
+      corners[i] = from_eigen<Point>(midpoint_positions[facet.vertices[i]]);
+    const Facet_tension<Mesh::dimension> forces(corners);
+    for (std::size_t i = 0; i < forces.weights.size(); ++i) {
+      const std::size_t v = facet.vertices[i], w = facet.vertices[(i + 1) % n];
+      const double weight = tension * forces.weights[i],
                    implicit = tension > 0 ? m_step.theta * m_step.dt * weight : 0;
       const Vectors_3& from = tension > 0 ? m_positions : midpoint_positions;
       const Eigen::Vector3d pull = weight * (from[w] - from[v]);
@@ -350,11 +347,9 @@ private:
 
   // Adds the friction of two liquids on a facet. It acts on their relative velocities.
   void add_friction(const typename Mesh::Facet& facet, const Vectors_3& midpoint_positions) {
-    const auto& v = facet.vertices;
-    const Eigen::Vector3d a = midpoint_positions[v[1]] - midpoint_positions[v[0]],
-                          b = midpoint_positions[v[2]] - midpoint_positions[v[0]];
-    const double share = facet.friction * a.cross(b).norm() / 6;
-    for (auto corner : v)
+    const double share =
+        facet.friction * area_vector(facet.vertices, midpoint_positions).norm() / Mesh::dimension;
+    for (auto corner : facet.vertices)
       if (const auto second = m_slips.second(corner)) {
         const auto row = Eigen::Index(*second);
         m_system.inertia(row) += share;
@@ -362,8 +357,8 @@ private:
       }
   }
 
-  std::vector<Cell_rows::Corners> corners(Cell_rows::Corners Mesh::Cell::*of_cell) const {
-    std::vector<Cell_rows::Corners> result;
+  std::vector<typename Rows::Corners> corners(typename Rows::Corners Mesh::Cell::*of_cell) const {
+    std::vector<typename Rows::Corners> result;
     for (const auto& cell : m_mesh.cells)
       result.push_back(cell.*of_cell);
     return result;
@@ -374,8 +369,8 @@ private:
   Eigen::Vector3d m_gravity;
   Step m_step;
   Vectors_3 m_positions;
-  std::vector<Cell_rows::Corners> m_vertices, m_pressures; // by cell
-  Cell_rows m_rows_of_vertices, m_rows_of_pressures;
+  std::vector<typename Rows::Corners> m_vertices, m_pressures; // by cell
+  Rows m_rows_of_vertices, m_rows_of_pressures;
   std::vector<double> m_masses; // by vertex
   Slip_transform m_slips;
   std::vector<Element> m_elements; // at the beginning
@@ -393,4 +388,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_FLUID_EQUATIONS_3_H
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_FLUID_EQUATIONS_H

@@ -5,19 +5,19 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_LIQUID_FLOW_3_H
-#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_LIQUID_FLOW_3_H
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_MESH_LIQUID_FLOW_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_MESH_LIQUID_FLOW_H
 
-#include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_mesh_3.h>
+#include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // The mesh of the liquids, and the positions and the motion of its vertices.
-template <class Complex> struct Liquid_flow_3
+template <class Complex> struct Liquid_flow
 {
-  Fluid_mesh_3<Complex> mesh;
+  Fluid_mesh<Complex> mesh;
   Vectors_3 positions, velocities, accelerations;
 };
 
@@ -25,4 +25,4 @@ template <class Complex> struct Liquid_flow_3
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_LIQUID_FLOW_3_H
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_MESH_LIQUID_FLOW_H

@@ -5,8 +5,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_STEP_OPTIONS_3_H
-#define CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_STEP_OPTIONS_3_H
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_STEP_OPTIONS_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_STEP_OPTIONS_H
 
 #include <CGAL/license/Incompressible_fluids_3.h>
 
@@ -23,9 +23,10 @@ namespace Deformable_simplicial_complexes {
 Options of the time steps of `Incompressible_fluid`. The named parameters of
 `Incompressible_fluid::advance()` have the same names.
 
-\tparam Complex an instance of `Deformable_simplicial_complex_3`
+\tparam Complex an instance of `Deformable_simplicial_complex_2` or
+        `Deformable_simplicial_complex_3`
 */
-template <class Complex> struct Fluid_step_options_3
+template <class Complex> struct Fluid_step_options
 {
   /// Options of the deformations. The fluid has its own flow and visitor, so these two are not
   /// used.
@@ -34,9 +35,11 @@ template <class Complex> struct Fluid_step_options_3
   double implicitness = defaults::implicitness;
   /// Largest distance of an edge of the interface to a smooth surface, in mean edges of the initial
   /// interface, at least 0. With 0, the interface is not remeshed before steps.
-  double interface_tolerance = defaults::Adaptive_advection<3>::interface_tolerance;
+  double interface_tolerance =
+      defaults::Adaptive_advection<Complex::dimension>::interface_tolerance;
   /// Number of steps between two adaptations of the mesh. With 0, the mesh is never adapted.
-  unsigned adaptation_interval = defaults::Adaptive_advection<3>::adaptation_interval;
+  unsigned adaptation_interval =
+      defaults::Adaptive_advection<Complex::dimension>::adaptation_interval;
 
   /// Throws an exception unless all values are in their ranges.
   /// \throws Error if a value is out of its range
@@ -52,4 +55,4 @@ template <class Complex> struct Fluid_step_options_3
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_STEP_OPTIONS_3_H
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_STEP_OPTIONS_H

@@ -5,13 +5,14 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_FLUID_MESH_3_H
-#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_FLUID_MESH_3_H
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_MESH_FLUID_MESH_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_MESH_FLUID_MESH_H
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/star_union.h>
-#include <CGAL/Incompressible_fluids_3/Fluid_properties_3.h>
+#include <CGAL/Incompressible_fluids_3/Fluid_properties.h>
+#include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
 
 #include <Eigen/Core>
 
@@ -21,6 +22,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -31,31 +33,22 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-using Vectors_3 = std::vector<Eigen::Vector3d>;
-
-template <class Point> Eigen::Vector3d eigen_vector(const Point& p) { return {p[0], p[1], p[2]}; }
-
-// Returns the volume of a cell with its vertices at the given positions.
-template <class Cell> double volume(const Cell& cell, const Vectors_3& positions) {
-  const auto& v = cell.vertices;
-  const Eigen::Vector3d& o = positions[v[0]];
-  return (positions[v[1]] - o).cross(positions[v[2]] - o).dot(positions[v[3]] - o) / 6;
-}
-
 // The liquid cells of a complex, with numbered vertices. A vertex carries a velocity. It also
 // carries one pressure for each liquid around it, because pressures are discontinuous between
 // liquids. Where two liquids slip along each other, velocities are discontinuous, too: the vertex
 // occurs twice in the mesh, once for each liquid.
-template <class Complex> struct Fluid_mesh_3
+template <class Complex> struct Fluid_mesh
 {
   using Vertex_handle = typename Complex::Vertex_handle;
   using Cell_handle = typename Complex::Cell_handle;
   using Index = std::uint32_t;
+  static constexpr int dimension = Complex::dimension;
+  static constexpr int corners = Complex::corners; // of a cell
 
   struct Cell
   {
-    std::array<Index, 4> vertices;
-    std::array<Index, 4> pressures;
+    std::array<Index, corners> vertices;
+    std::array<Index, corners> pressures;
     const Liquid* liquid;
     int label;
     std::uint32_t component;
@@ -64,11 +57,11 @@ template <class Complex> struct Fluid_mesh_3
   // A facet of the interface with a liquid on at least one side.
   struct Facet
   {
-    std::array<Index, 3> vertices; // counterclockwise as seen from the front
-    double tension;                // energy of a unit of area
-    bool is_free;                  // between a liquid and void or a gas
-    Index gas;                     // the index of the gas, or `no_gas`
-    bool is_gas_in_front;          // also if it is void
+    std::array<Index, dimension> vertices; // as `Interface_vertices::Facet` defines
+    double tension;                        // energy of a unit of area
+    bool is_free;                          // between a liquid and void or a gas
+    Index gas;                             // the index of the gas, or `no_gas`
+    bool is_gas_in_front;                  // also if it is void
     int label_behind, label_in_front;
     double friction; // of two viscous liquids: force per unit of area and of relative velocity
   };
@@ -110,7 +103,7 @@ template <class Complex> struct Fluid_mesh_3
 
   // Constructs the mesh. Takes O(n log n) time.
   // \pre The components are up to date.
-  Fluid_mesh_3(const Complex& complex, const Fluid_properties_3& properties) {
+  Fluid_mesh(const Complex& complex, const Fluid_properties& properties) {
     sides.fill(std::numeric_limits<double>::infinity());
     for (Vertex_handle v : complex.finite_vertices()) {
       for (std::size_t side = 0; side < sides.size(); ++side)
@@ -178,13 +171,13 @@ template <class Complex> struct Fluid_mesh_3
   // L. Goudreau and R. L. Taylor, "Evaluation of numerical integration methods in elastodynamics",
   // 1973). The value was chosen so that the speed of waves with a length of eight edges is most
   // accurate on regular meshes.
-  static constexpr double part_at_middle = .7;
+  static constexpr double part_at_middle = dimension == 2 ? .65 : .7;
 
   // Returns the mean of the vectors at the vertices of a cell.
   Eigen::Vector3d middle(std::size_t cell, const Vectors_3& vectors) const {
     Eigen::Vector3d result = Eigen::Vector3d::Zero();
     for (Index v : cells[cell].vertices)
-      result += vectors[v] / 4;
+      result += vectors[v] / corners;
     return result;
   }
 
@@ -214,11 +207,11 @@ private:
 
   // Adds cells by their first vertices, and then by time stamp.
   void add_cells(const std::vector<Cell_handle>& liquid, const Vertex_numbers& numbers,
-                 const Fluid_properties_3& properties) {
+                 const Fluid_properties& properties) {
     std::vector<std::vector<std::pair<std::size_t, Cell_handle>>> by_first(vertices.size());
     for (Cell_handle c : liquid) {
       Index first = numbers(c->vertex(0));
-      for (int i = 1; i < 4; ++i)
+      for (int i = 1; i < corners; ++i)
         first = (std::min)(first, Index(numbers(c->vertex(i))));
       by_first[first].emplace_back(c->time_stamp(), c);
     }
@@ -227,14 +220,14 @@ private:
                 [](const auto& a, const auto& b) { return a.first < b.first; });
       for (const auto& [stamp, c] : around) {
         Cell cell{{}, {}, properties.liquid(c->label()), c->label(), c->component()};
-        for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t i = 0; i < corners; ++i)
           cell.vertices[i] = numbers(c->vertex(int(i)));
         cells.push_back(cell);
       }
     }
   }
 
-  void add_gases(const Complex& complex, const Fluid_properties_3& properties) {
+  void add_gases(const Complex& complex, const Fluid_properties& properties) {
     std::map<std::uint32_t, Gas_component> components;
     for (auto c : complex.cells())
       if (properties.gas(c->label())) {
@@ -256,7 +249,7 @@ private:
   }
 
   void add_facets(const Complex& complex, const Vertex_numbers& numbers,
-                  const Fluid_properties_3& properties) {
+                  const Fluid_properties& properties) {
     for (const auto& f : complex.interface_facets()) {
       const int behind = f.first->label(), in_front = f.first->neighbor(f.second)->label();
       const bool is_behind = properties.liquid(behind), is_in_front = properties.liquid(in_front);
@@ -268,9 +261,9 @@ private:
       Facet facet{
           {},       properties.surface_tension(behind, in_front),  is_free, gas, is_behind, behind,
           in_front, is_free ? 0 : friction(complex, f, properties)};
-      const auto corners = complex.facet_vertices(f);
-      for (std::size_t i = 0; i < 3; ++i)
-        facet.vertices[i] = numbers(corners[i]);
+      const auto ends = complex.facet_vertices(f);
+      for (std::size_t i = 0; i < dimension; ++i)
+        facet.vertices[i] = numbers(ends[i]);
       facets.push_back(facet);
     }
   }
@@ -279,19 +272,20 @@ private:
   // of the liquids that resist the relative velocity are thinner than their cells. So the liquids
   // stick to each other where the mesh resolves their viscosity, and slip elsewhere.
   static double friction(const Complex& complex, const typename Complex::Facet& f,
-                         const Fluid_properties_3& properties) {
+                         const Fluid_properties& properties) {
     static constexpr double layers = 20; // in a cell; the error is that of a layer
     double resistance = 0;               // of the layers on both sides
-    const auto corners = complex.facet_vertices(f);
-    const Eigen::Vector3d o = eigen_vector(complex.position(corners[0])),
-                          a = eigen_vector(complex.position(corners[1])) - o,
-                          b = eigen_vector(complex.position(corners[2])) - o;
-    const double area = a.cross(b).norm() / 2;
+    Vectors_3 ends;
+    for (Vertex_handle v : complex.facet_vertices(f))
+      ends.push_back(eigen_vector(complex.position(v)));
+    std::array<std::size_t, dimension> order;
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    const double area = area_vector(order, ends).norm();
     for (Cell_handle c : {f.first, f.first->neighbor(f.second)}) {
       const double viscosity = properties.liquid(c->label())->viscosity;
       if (!(viscosity > 0))
         return 0;
-      const double height = 3 * complex.measure(c) / area;
+      const double height = dimension * complex.measure(c) / area;
       resistance += height / viscosity;
     }
     return resistance > 0 ? layers / resistance : 0;
@@ -328,7 +322,7 @@ private:
           around[v].is_shared = true;
     const Vectors_3 at = positions(complex);
     for (const Cell& cell : cells) {
-      const double mass = cell.liquid->density * volume(cell, at);
+      const double mass = cell.liquid->density * volume(cell.vertices, at);
       for (Index v : cell.vertices)
         around[v].masses[cell.label != around[v].least] += mass;
     }
@@ -377,7 +371,7 @@ private:
       }
     }
     for (Cell& cell : cells)
-      for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t i = 0; i < corners; ++i)
         cell.pressures[i] = pressure(cell.vertices[i], cell.label);
   }
 
@@ -388,4 +382,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_FLUID_MESH_3_H
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_MESH_FLUID_MESH_H

@@ -1,0 +1,560 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Incompressible_fluids_3, written for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INCOMPRESSIBLE_FLUID_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INCOMPRESSIBLE_FLUID_H
+
+#include <CGAL/license/Incompressible_fluids_3.h>
+
+#include <CGAL/Deformable_simplicial_complexes/Carried_vertex_values.h>
+#include <CGAL/Deformable_simplicial_complexes/Curvature_sizing_field.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_adaptation.h>
+#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
+#include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
+#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
+#include <CGAL/Incompressible_fluids_3/Fluid_properties.h>
+#include <CGAL/Incompressible_fluids_3/Fluid_report.h>
+#include <CGAL/Incompressible_fluids_3/Fluid_state.h>
+#include <CGAL/Incompressible_fluids_3/Fluid_step_options.h>
+#include <CGAL/Incompressible_fluids_3/Saddle_point_solver.h>
+#include <CGAL/Incompressible_fluids_3/Solids_3.h>
+#include <CGAL/Incompressible_fluids_3/fluid_errors.h>
+#include <CGAL/Incompressible_fluids_3/internal/fluid/Energy_check.h>
+#include <CGAL/Incompressible_fluids_3/internal/fluid/Fixed_point_accelerator.h>
+#include <CGAL/Incompressible_fluids_3/internal/fluid/Fluid_motion.h>
+#include <CGAL/Incompressible_fluids_3/internal/fluid/Fluid_snapshot.h>
+#include <CGAL/Incompressible_fluids_3/internal/fluid/Gas_bookkeeping.h>
+#include <CGAL/Incompressible_fluids_3/internal/fluid/Liquid_bookkeeping.h>
+#include <CGAL/Incompressible_fluids_3/internal/fluid/Liquid_interface.h>
+#include <CGAL/Incompressible_fluids_3/internal/fluid/Step_plan.h>
+#include <CGAL/Incompressible_fluids_3/internal/mesh/Component_momenta.h>
+#include <CGAL/Incompressible_fluids_3/internal/mesh/Liquid_flow.h>
+#include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_step.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <type_traits>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgIncompressibleFluids3Ref
+
+The incompressible flow of any number of liquids with free surfaces, surface tension, viscosity and
+solids, in space or in the plane. Linear finite elements on the cells of a complex discretize the
+equations. The mesh
+moves with the liquids. See Section 4.4 of the paper, and M. K. Misztal, R. Bridson, K. Erleben,
+J. A. Bærentzen, F. Anton, "Optimization-based fluid simulation on unstructured meshes", VRIPHYS
+2010.
+
+Each label is a liquid, a gas or void, see `Fluid_properties`. A time step solves one system for
+all velocities and pressures.
+
+- With the default `implicitness`, the system is the implicit midpoint rule. Energy then changes
+only by external work, viscosity, damping, contacts and remeshing. Surface tension and viscosity are
+  implicit, so they do not bound the time step.
+- The volume of each connected component of a liquid changes only by sources, up to rounding. When
+  components merge, their volumes are added. `Report::volume_error` contains the remaining error.
+- The momentum and the angular momentum of each connected component change only by gravity, gases,
+  walls and sources.
+- Two liquids slip along their interface. The normal velocity is common to both. If both are
+  viscous, friction resists the slip, so that they stick to each other where the mesh resolves their
+  viscosity. Where three media meet, liquids have a common velocity.
+- A liquid on a side of the domain slides along this side and stays on it, provided that the domain
+  is a box. Other surfaces keep a distance of a quarter of an edge from the sides.
+- The surface of a liquid can touch a solid and leave it, see `Wall_behavior`. Vertices of the
+  surface are moved out of solids. `Report::depth_in_solids` contains the remaining depth.
+
+Coordinates are those of the complex. All units must be consistent. In the plane, volumes are areas,
+and masses, forces and energies are those of a layer of thickness 1. The reports, gravity and solids
+have three coordinates nevertheless. A solid is intersected with the plane in which the third
+coordinate is 0.
+
+\tparam Complex an instance of `Deformable_simplicial_complex_2` or `Deformable_simplicial_complex_3`
+\tparam Solver a model of `SaddlePointSolver`
+*/
+template <class Complex, class Solver = Saddle_point_solver> class Incompressible_fluid
+{
+  static_assert(Complex::Domain::has_outside, "fluids on tori are not supported");
+
+public:
+  static constexpr int dimension = Complex::dimension; ///< the dimension, 2 or 3
+  /// A point: `Simple_cartesian<double>::Point_2` or `Simple_cartesian<double>::Point_3`.
+  using Point = std::conditional_t<dimension == 2, Simple_cartesian<double>::Point_2,
+                                   Simple_cartesian<double>::Point_3>;
+  /// A vector: `Simple_cartesian<double>::Vector_2` or `Simple_cartesian<double>::Vector_3`.
+  using Vector = std::conditional_t<dimension == 2, Simple_cartesian<double>::Vector_2,
+                                    Simple_cartesian<double>::Vector_3>;
+  using Vertex_handle = typename Complex::Vertex_handle; ///< a vertex of the complex
+  using Properties = Fluid_properties;                   ///< the media of the labels
+  using Balance = Fluid_balance;                         ///< the balance of all liquids
+  using Report = Fluid_report<Complex>;                  ///< the report of a time step
+  using State = Fluid_state;                             ///< the state, to be saved and restored
+  using Options = Fluid_step_options<Complex>;           ///< the options of a time step
+
+  /// \name Creation
+  /// @{
+
+  /// Constructs a fluid at rest. The present volumes of the liquids are the volumes to be
+  /// preserved. The complex must outlive the fluid, and only the fluid may change it. Takes O(n log
+  /// n) time.
+  /// \throws Error if no label is a liquid, if no cell has the label of a liquid, or if the liquids
+  /// have no interface
+  Incompressible_fluid(Complex& complex, const Properties& properties)
+      : m_complex(complex), m_properties(properties) {
+    if (properties.liquids().empty())
+      throw Error("there is no liquid: set the density of at least one label");
+    const Flow flow(*this, m_properties);
+    if (flow.mesh.facets.empty())
+      throw Error(
+          flow.mesh.cells.empty()
+              ? "no cell has the label of a liquid: set the density of a label of the complex"
+              : "the liquid fills the domain and has no interface: give some cells another label");
+    m_complex.take_component_lineage();
+    m_liquids.set_volumes(flow.volumes());
+    m_gases.set_components(Gas_bookkeeping::measure(flow.mesh, m_properties));
+  }
+
+  /// Fluids cannot be copied.
+  Incompressible_fluid(const Incompressible_fluid&) = delete;
+  /// Fluids cannot be assigned.
+  Incompressible_fluid& operator=(const Incompressible_fluid&) = delete;
+
+  /// Adds a copy of a solid.
+  /// \tparam Solid a model of `Solid_3`
+  /// \throws Error if the contact angle is not in [0, 180] degrees
+  template <class Solid> void add_solid(const Solid& solid, const Wall_behavior& behavior = {}) {
+    if (!(behavior.contact_angle >= 0 && behavior.contact_angle <= 180))
+      throw Error("a contact angle is out of range: use 0 to 180 degrees");
+    m_solids.push_back({[solid](const Simple_cartesian<double>::Point_3& p, double t,
+                                std::vector<Wall>& walls) { solid.walls(p, t, walls); },
+                        std::cos(behavior.contact_angle * CGAL_PI / 180), behavior.sticks,
+                        behavior.separates});
+  }
+
+  /// Sets the sources. The function `divergence_at(point, time)` takes a `Point` and a `double`,
+  /// and returns the divergence of the velocity: the volume that a unit of volume of liquid gains
+  /// in a unit of time. It is positive for inflow and negative for outflow. New liquid has the
+  /// velocity of the liquid around it. The function is evaluated at the barycenter of each liquid
+  /// cell at the midpoint of the step.
+  ///
+  /// `advance()` throws the exceptions of the function. It throws an `Error` if a divergence is not
+  /// finite, or if its absolute value, multiplied by the time step, is 1 or more. `relax()` ignores
+  /// sources. `state()` does not contain them, so set them again after `restore()` into a new
+  /// fluid.
+  template <class DivergenceAt> void set_sources(const DivergenceAt& divergence_at) {
+    m_source = [divergence_at](const Eigen::Vector3d& p, double time) {
+      return divergence_at(internal::from_eigen<Point>(p), time);
+    };
+  }
+
+  /// Sets the velocities of all vertices of liquids. The function `velocity_at(v)` or
+  /// `velocity_at(v, label)` returns a `Vector`, the velocity at the vertex `v` of the liquid with
+  /// a label. Liquids with different velocities at a common vertex slip along each other, see
+  /// `velocity()`. The next step begins with a projection: it takes the nearest velocities, in the
+  /// norm of the kinetic energy, that preserve volumes and enter no wall.
+  /// \throws Error if a velocity is not finite; then nothing is changed
+  template <class VelocityAt> void set_velocities(const VelocityAt& velocity_at) {
+    const Flow flow(*this, m_properties);
+    Vectors velocities(flow.mesh.vertices.size(), Eigen::Vector3d::Zero()), count = velocities;
+    std::vector<std::pair<std::size_t, int>> places; // of velocities: a vertex and a label
+    for (const auto& cell : flow.mesh.cells)
+      for (auto v : cell.vertices)
+        places.emplace_back(v, cell.label);
+    std::sort(places.begin(), places.end());
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    for (const auto& [v, label] : places) {
+      const Eigen::Vector3d velocity =
+          internal::eigen_vector(call(velocity_at, flow.mesh.vertices[v], label));
+      if (!velocity.allFinite())
+        throw Error("a velocity is not finite: give finite velocities");
+      velocities[v] += velocity;
+      count[v] += Eigen::Vector3d::Ones();
+    }
+    for (std::size_t v = 0; v < velocities.size(); ++v)
+      velocities[v] = velocities[v].cwiseQuotient(count[v]);
+    m_motion = internal::Fluid_motion();
+    m_motion.set(flow.mesh, velocities, Vectors(velocities.size(), Eigen::Vector3d::Zero()));
+    m_knows_accelerations = false;
+  }
+
+  /// @}
+  /// \name Access
+  /// @{
+
+  const Complex& complex() const { return m_complex; }          ///< Returns the complex.
+  const Properties& properties() const { return m_properties; } ///< Returns the media.
+  double time() const { return m_time; }                        ///< Returns the time, initially 0.
+  /// Returns the velocity of a vertex of a liquid.
+  Vector velocity(Vertex_handle v) const { return vector(m_motion.velocity(v)); }
+  /// Returns the velocity of the liquid with a label at a vertex. At the interface of two liquids,
+  /// it is the velocity of the vertex plus a velocity along the interface.
+  Vector velocity(Vertex_handle v, int label) const { return vector(m_motion.velocity(v, label)); }
+  /// Returns the pressure at a vertex of a liquid in the last step: the mean of the pressures of
+  /// the liquids around the vertex. It is 0 before the first step.
+  double pressure(Vertex_handle v) const { return m_motion.pressure(v); }
+  /// Returns the pressure of the liquid with a label at a vertex in the last step.
+  double pressure(Vertex_handle v, int label) const { return m_motion.pressure(v, label); }
+  /// Returns the present balance of all liquids. Takes O(n log n) time.
+  Balance balance() const {
+    const Flow flow(*this, m_properties);
+    return flow.balance(*this, flow.positions, flow.velocities, m_time);
+  }
+  /// Returns the connected components of gases, by increasing number of component. Takes O(n log n)
+  /// time.
+  std::vector<Fluid_gas> gases() const {
+    if (m_properties.gases().empty())
+      return {};
+    const Flow flow(*this, m_properties);
+    const auto components = m_gases.components_of(flow.mesh);
+    std::vector<Fluid_gas> result;
+    for (std::size_t k = 0; k < components.size(); ++k)
+      result.push_back({flow.mesh.gases[k].component, flow.mesh.gases[k].label,
+                        components[k].volume, components[k].pressure()});
+    return result;
+  }
+  /// Returns the volume to be preserved for each connected component of a liquid, by
+  /// `Complex::component()`.
+  const std::map<std::uint32_t, double>& volumes() const { return m_liquids.volumes(); }
+
+  /// Returns the depth of the deepest surface vertex in a solid, or 0 if no vertex is inside a
+  /// solid. Takes O(n log n) time.
+  double depth_in_solids() const { return Flow(*this, m_properties).depth_in_solids(*this); }
+
+  /*!
+  Returns the longest time step in which no vertex of a liquid moves by more than a fraction of an
+  edge. It uses the present velocities and the accelerations of the last step. At a vertex of the
+  interface, the length of an edge is the length when the surface was built or last remeshed. At
+  other vertices, it is `mean_interface_edge()`. Returns infinity for a fluid at rest. Takes linear
+  time.
+  \param fraction the fraction of an edge, also called CFL number. Use at most 0.25 if liquids
+         collide.
+  */
+  double largest_step(double fraction = .25) const;
+
+  /// @}
+  /// \name Motion
+  /// @{
+
+  /*!
+  Performs one time step, completely or not at all.
+
+  Each attempt at a step is checked, and an attempt that fails is undone. An attempt fails if
+
+  - the equations have no accurate solution, or
+  - the energy rises by more than moving walls and sources supply, and this unexplained rise exceeds
+    its bound. The bound is 1e-3 if the motion causes at least half of the rise. It is 0.05 if
+    changes of the mesh cause the larger part.
+
+  Both bounds are relative to an amount of energy. This amount is the sum of the kinetic energy, the
+  absolute surface energy, the potential energy above the lowest vertex, and the products of
+  pressure and volume of compressible gases.
+
+  The next attempt depends on the cause of the failure:
+
+  - If changes of the mesh cause the larger part of the rise, the attempt is repeated with the same
+    length and with the mesh preserved. The mesh then changes only where the motion is otherwise
+    impossible. If this attempt fails for the same reason, the length is halved, and the mesh stays
+    preserved.
+  - In all other cases, the length is halved, and the mesh is improved or adapted before the next
+    attempt.
+
+  If the length is halved, the step is divided into parts. The shortest part is a 32nd of the step.
+  `Report::repetitions` lists all attempts that failed. If `adaptation_interval` is 0, the mesh is
+  neither adapted nor improved before an attempt.
+
+  \param dt the length of the time step, greater than 0
+  \param np named parameters: those of `deform_interface()`, except `flow` and `visitor`, and
+
+  \cgalNamedParamsBegin
+    \cgalParamNBegin{implicitness}
+      \cgalParamDescription{the time in the step at which forces act, in [0.5, 1], in units of the
+                            step. With 0.5, the step is the implicit midpoint rule, which preserves
+                            energy. With 1, it is the backward Euler method, which damps
+                            oscillations that are faster than the step. In the four steps after a
+                            change of topology, the value is at least 0.6.}
+      \cgalParamType{`double`} \cgalParamDefault{0.5}
+    \cgalParamNEnd
+    \cgalParamNBegin{interface_tolerance}
+      \cgalParamDescription{the largest distance of an edge of the interface to a smooth surface, in
+                            units of `mean_interface_edge()`. The interface is remeshed as in
+                            `advect_adaptively()` if too many edges are too long or too short. With
+                            0, the interface is not remeshed before steps.}
+      \cgalParamType{`double`} \cgalParamDefault{0.04}
+    \cgalParamNEnd
+    \cgalParamNBegin{adaptation_interval}
+      \cgalParamDescription{the number of steps between two adaptations of the mesh. The first
+                            adaptation precedes the first step. With 0, the mesh is never adapted
+                            before steps.}
+      \cgalParamType{`unsigned int`} \cgalParamDefault{4}
+    \cgalParamNEnd
+  \cgalNamedParamsEnd
+
+  \return the report of the step
+  \throws Error if a parameter is out of its range, or if `dt` is not positive, not finite, or too
+          short to change the time
+  \throws Fluid_step_error if no attempt succeeds. It contains the step, the time, the cause and the
+          place.
+
+  After any exception, the fluid and the complex are in their state before the step. This includes
+  exceptions of `topology_control`, of the sources and of a `Progress_scope`. The handles of the
+  complex are invalidated if an attempt that was undone had changed the complex. This also holds if
+  a later attempt succeeds.
+
+  A step solves from two to some dozens of linear systems and deforms the complex. Its time is
+  almost linear in the number of vertices of liquids.
+  */
+  template <class NamedParameters = parameters::Default_named_parameters>
+  Report advance(double dt, const NamedParameters& np = NamedParameters()) {
+    return advance(dt, options(np));
+  }
+
+  /// Performs one time step as `advance()` with named parameters does.
+  /// \throws Error if an option is out of its range, see `Fluid_step_options::check()`, or as
+  ///         that function does
+  Report advance(double dt, const Options& options);
+
+  /*!
+  Moves the liquids to an equilibrium of forces. The function performs time steps with an
+  `implicitness` of 1. Velocities are set to 0 before the first step and after each step. Between
+  the steps, the interface moves to an extrapolation of the last steps (Anderson acceleration). An
+  extrapolation that increases the energy is undone. The mesh is adapted at the beginning only. The
+  time does not advance, and solids do not move.
+
+  The shape converges in a few steps. Vertices converge more slowly in the directions along the
+  surface.
+
+  \param dt the length of a time step, greater than 0: about the time that a wave takes to cross the
+         liquid
+  \param steps the largest number of steps. Fewer steps are made if vertices come to rest up to
+         rounding.
+  \param np the named parameters of `advance()`
+  \return the greatest velocity of a vertex in the last step
+  \throws Error as `advance()` does
+  \throws Convergence_error if the equations have no accurate solution. The complex is then valid,
+          and the fluid is at rest.
+  */
+  template <class NamedParameters = parameters::Default_named_parameters>
+  double relax(double dt, unsigned steps, const NamedParameters& np = NamedParameters()) {
+    return relax(dt, steps, options(np));
+  }
+
+  /// Moves the liquids to an equilibrium as `relax()` with named parameters does.
+  /// \throws Error if an option is out of its range, or as that function does
+  double relax(double dt, unsigned steps, Options options);
+
+  /// @}
+  /// \name Files
+  /// @{
+
+  /// Returns the state of the fluid. Together with `Complex::state()`, it permits to continue with
+  /// bitwise identical results. It contains neither solids nor sources. Takes O(n log n) time.
+  State state() const;
+
+  /// Restores a state of the fluid. Restore the state of the complex first, as it was when
+  /// `state()` was called.
+  /// \throws Error if the state does not fit the complex, or if it contains numbers that are not
+  /// finite; then nothing is changed
+  void restore(const State& state);
+
+  /// @}
+
+private:
+  using Mesh = internal::Fluid_mesh<Complex>;
+  using Vectors = internal::Vectors_3;
+  using Liquid_bookkeeping = internal::Liquid_bookkeeping;
+  using Gas_bookkeeping = internal::Gas_bookkeeping;
+  using Wall = Wall_3;
+  using Liquid_interface = internal::Liquid_interface<Complex>;
+  using Contacts = internal::Wall_contacts<Complex>;
+  using Step = internal::Fluid_step<Complex, Solver>;
+  using Approximate_point = typename Complex::Approximate_point;
+  using Motion_map = internal::Fluid_motion::Map<Complex>;
+  using Carrier = Carried_vertex_values<Complex, Motion_map>;
+  using Energy_judge = internal::Energy_check;
+  using Snapshot = internal::Fluid_snapshot<Incompressible_fluid, Complex>;
+
+  // The mesh, positions and motion of the liquids at present.
+  struct Flow : internal::Liquid_flow<Complex>
+  {
+    using Base = internal::Liquid_flow<Complex>;
+    using Base::accelerations;
+    using Base::mesh;
+    using Base::positions;
+    using Base::velocities;
+
+    Flow(const Incompressible_fluid& fluid, const Properties& properties)
+        : Base{Mesh(fluid.updated_complex(), properties), {}, {}, {}} {
+      positions = mesh.positions(fluid.m_complex);
+      for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+        velocities.push_back(fluid.m_motion.velocity(mesh.vertices[v], mesh.labels[v]));
+        accelerations.push_back(fluid.m_motion.acceleration(mesh.vertices[v], mesh.labels[v]));
+      }
+      mesh.keep_on_sides(velocities);
+      mesh.keep_on_sides(accelerations);
+    }
+
+    Balance balance(const Incompressible_fluid& fluid, const Vectors& at, const Vectors& with,
+                    double time) const {
+      const Contacts contacts(mesh, fluid.m_solids, fluid.m_complex, at, time);
+      Balance result = internal::balance(mesh, fluid.m_properties, at, with, [&](std::size_t f) {
+        return contacts.tension(mesh.facets[f]);
+      });
+      const auto gases = fluid.m_gases.components_of(mesh);
+      const auto volumes = internal::volumes_of_gases(mesh, gases, positions, at);
+      for (std::size_t k = 0; k < gases.size(); ++k)
+        result.gas_energy += gases[k].energy(volumes[k]);
+      return result;
+    }
+
+    // Returns the budget of a time step that begins with the present energy.
+    internal::Energy_budget budget(const Incompressible_fluid& fluid) const {
+      double springs = 0;
+      for (const auto& gas : fluid.m_gases.components_of(mesh))
+        springs += gas.gas.exponent > 0 ? gas.pressure() * gas.volume : 0;
+      return {balance(fluid, positions, velocities, fluid.m_time),
+              Eigen::Vector3d(fluid.m_properties.gravity().data()), positions, springs};
+    }
+
+    typename Liquid_bookkeeping::Volumes volumes() const {
+      return Liquid_bookkeeping::measure(mesh, positions);
+    }
+
+    double depth_in_solids(const Incompressible_fluid& fluid) const {
+      const Contacts contacts(mesh, fluid.m_solids, fluid.m_complex, positions, fluid.m_time);
+      double result = 0;
+      for (std::size_t v = 0; v < positions.size(); ++v)
+        result = (std::max)(result, contacts.depth(v, positions[v], fluid.m_time));
+      return result;
+    }
+  };
+
+  using Clock = std::chrono::steady_clock;
+  static double seconds_since(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+  }
+  template <class VelocityAt>
+  static Vector call(const VelocityAt& velocity_at, Vertex_handle v, int label) {
+    if constexpr (std::is_invocable_v<const VelocityAt&, Vertex_handle, int>)
+      return velocity_at(v, label);
+    else
+      return velocity_at(v);
+  }
+  static std::array<double, 7> array(const internal::Fluid_motion::Numbers& numbers) {
+    std::array<double, 7> result;
+    std::copy(numbers.data(), numbers.data() + numbers.size(), result.begin());
+    return result;
+  }
+  static Vector vector(const Eigen::Vector3d& v) { return internal::from_eigen<Vector>(v); }
+  static Approximate_point point(const Eigen::Vector3d& p) {
+    return internal::from_eigen<Approximate_point>(p);
+  }
+  static typename Report::Vector in_space(const Eigen::Vector3d& v) {
+    return {v.x(), v.y(), v.z()};
+  }
+  static Fluid_repetition::Point in_space_point(const Eigen::Vector3d& p) {
+    return {p.x(), p.y(), p.z()};
+  }
+
+  // Returns the length of an edge at a vertex: the initial length for vertices of the interface,
+  // and the mean length of an edge of the initial interface for others.
+  double edge_at(Vertex_handle v) const {
+    return v->spacing() > 0 ? v->spacing() : m_complex.mean_interface_edge();
+  }
+
+  // Returns the complex with its components up to date. They are a cache.
+  const Complex& updated_complex() const {
+    m_complex.update_components();
+    return m_complex;
+  }
+
+  Carrier carrier() {
+    return Carrier(
+        m_complex, Motion_map(m_motion),
+        [this](typename Complex::Cell_handle c) {
+          return m_properties.liquid(c->label()) != nullptr;
+        },
+        Carried_gradient::mean); // preserves most of the kinetic energy
+  }
+
+  static void require_step(double dt) {
+    if (!(dt > 0) || !std::isfinite(dt))
+      throw Error("the time step is not positive and finite: use a positive, finite number");
+  }
+
+  template <class NamedParameters> Options options(const NamedParameters& np) const;
+  Report advance_in_parts(const Options& chosen, double dt, const Snapshot& start);
+  std::optional<Fluid_repetition> attempt(const internal::Step_plan& plan, double begin, double dt,
+                                          Options chosen, Report& report);
+  Fluid_repetition::Point fastest_vertex() const;
+  Fluid_repetition::Point flattest_cell() const;
+  void adapt(const Options& chosen, internal::Mesh_treatment treatment, Report& report);
+  Improvement_report adapt_lengths(double tolerance, Any_visitor<Complex>* visitor);
+  void make_admissible(double dt, unsigned number_of_threads, Report& report);
+  void step(double dt, double end, const Options& chosen, double longest_displacement,
+            Report& report, Energy_judge* judge);
+  void add_source_volumes(const Flow& flow, const Step& step, double dt, Report& report);
+  Vectors shortened(Vectors destinations, const Flow& flow, double longest_displacement,
+                    const Contacts& contacts) const;
+  void describe(const Step& step, const Flow& flow, Report& report) const;
+  Balance energies_with_gases_of(const Report& report) const;
+  Flow restore_components(const Options& chosen, Report& report);
+  Deformation_report<Complex> move(const Flow& flow, const Contacts& contacts,
+                                   const Vectors& destinations, const Options& chosen);
+  template <class Change> auto change_mesh(const Change& change);
+  void restore_volumes(Flow& flow, const Options& chosen, Report& report);
+  Flow move_interface(const Flow& flow, const Eigen::VectorXd& coordinates, const Options& chosen,
+                      Report& report);
+  std::vector<std::size_t> stamps_of_interface() const;
+  Eigen::VectorXd coordinates_of_interface() const;
+  double update_components(const Flow& now);
+  double restore_momenta(Flow& flow);
+  template <class MomentumOf> void record_momenta(const Flow& flow, const MomentumOf& momentum_of);
+
+  static constexpr std::uint32_t steps_after_change = 4; // of topology: waves are then smooth
+  static constexpr double implicitness_after_change = .6;
+
+  Complex& m_complex;
+  Properties m_properties;
+  Solver m_solver;
+  typename Contacts::Solids m_solids;
+  internal::Fluid_motion m_motion;
+  typename Step::Source m_source;
+  Liquid_bookkeeping m_liquids; // the volumes and momenta of connected components
+  Gas_bookkeeping m_gases;
+  double m_time = 0;
+  std::uint64_t m_steps = 0;
+  std::uint32_t m_damped_steps = 0;
+  bool m_knows_accelerations = false;
+};
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#include <CGAL/Incompressible_fluids_3/internal/fluid/Incompressible_fluid_attempts_impl.h>
+#include <CGAL/Incompressible_fluids_3/internal/fluid/Incompressible_fluid_impl.h>
+#include <CGAL/Incompressible_fluids_3/internal/fluid/Incompressible_fluid_mesh_impl.h>
+
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INCOMPRESSIBLE_FLUID_H
