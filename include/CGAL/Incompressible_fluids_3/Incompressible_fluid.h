@@ -26,6 +26,7 @@
 #include <CGAL/Incompressible_fluids_3/Fluid_state.h>
 #include <CGAL/Incompressible_fluids_3/Fluid_step_options.h>
 #include <CGAL/Incompressible_fluids_3/Saddle_point_solver.h>
+#include <CGAL/Incompressible_fluids_3/Side_behavior.h>
 #include <CGAL/Incompressible_fluids_3/Solids_3.h>
 #include <CGAL/Incompressible_fluids_3/fluid_errors.h>
 #include <CGAL/Incompressible_fluids_3/internal/fluid/Energy_check.h>
@@ -152,6 +153,20 @@ public:
                                 std::vector<Wall>& walls) { solid.walls(p, t, walls); },
                         std::cos(behavior.contact_angle * CGAL_PI / 180), behavior.sticks,
                         behavior.separates});
+  }
+
+  /// Sets the behavior of liquids on a side of the domain. By default, liquids slip.
+  /// \param axis the axis perpendicular to the side: 0 for x, 1 for y, 2 for z
+  /// \param is_upper whether the side has the larger coordinate
+  /// \param behavior the behavior
+  /// \throws Error if the axis is out of range, or if the velocity is not finite
+  void set_side(int axis, bool is_upper, const Side_behavior& behavior) {
+    if (axis < 0 || axis >= dimension)
+      throw Error("the axis of a side is out of range: use 0 for x, 1 for y, or 2 for z in space");
+    for (double v : behavior.velocity.value_or(std::array<double, 3>()))
+      if (!std::isfinite(v))
+        throw Error("the velocity of a side is not finite: give finite coordinates");
+    m_sides[std::size_t(2 * axis) + is_upper] = behavior;
   }
 
   /// Sets the sources. The function `divergence_at(point, time)` takes a `Point` and a `double`,
@@ -540,6 +555,7 @@ private:
   Properties m_properties;
   Solver m_solver;
   typename Contacts::Solids m_solids;
+  internal::Side_behaviors m_sides;
   internal::Fluid_motion m_motion;
   typename Step::Source m_source;
   Liquid_bookkeeping m_liquids; // the volumes and momenta of connected components

@@ -10,6 +10,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DEFORMATION_INTERFACE_DEFORMER_H
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
@@ -33,6 +34,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -92,6 +94,11 @@ public:
   // each.
   bool is_progressing() const { return m_idle_passes < 2; }
 
+  // Returns whether all vertices follow the flow in a pass.
+  bool is_moving_all(unsigned pass) const {
+    return pass == 1 && m_options.flow && m_options.flow_moves_all;
+  }
+
   // Prepares the mesh for a pass.
   void begin_pass() { m_mesh.begin_pass(); }
 
@@ -100,15 +107,22 @@ public:
   void move_together(unsigned pass) {
     // in lengths of the longest displacement; larger displacements by the flow are ignored
     static constexpr double far = 100;
-    if (is_complete())
+    const bool moves_all = is_moving_all(pass);
+    if (is_complete() && !moves_all)
       return;
-    std::vector<Vertex_handle> vertices = unfinished();
-    const std::size_t farthest = m_destinations.farthest();
-    const double longest = m_destinations.remaining_distance(farthest);
-    const std::vector<Vertex_handle> free =
-        free_vertices_near(m_complex, vertices, number_of_layers(vertices[farthest], longest));
+    std::vector<Vertex_handle> vertices = unfinished(), free;
+    double longest = 0;
+    if (!vertices.empty()) {
+      const std::size_t farthest = m_destinations.farthest();
+      longest = m_destinations.remaining_distance(farthest);
+      free = free_vertices_near(m_complex, vertices, number_of_layers(vertices[farthest], longest));
+    }
     const typename Flow_displacements<Complex>::Flow no_flow;
-    Flow_displacements<Complex> flow(m_complex, pass > 1 ? no_flow : m_options.flow, far * longest);
+    Flow_displacements<Complex> flow(m_complex, pass > 1 ? no_flow : m_options.flow,
+                                     moves_all ? std::numeric_limits<double>::infinity()
+                                               : far * longest);
+    if (moves_all)
+      free = with_vertices_of_flow(free, flow);
     const auto remaining = [&](Vertex_handle v) {
       return m_complex.displacement(v, m_destinations.final_position(v));
     };
@@ -288,6 +302,22 @@ private:
     static constexpr double most = 6;
     return unsigned(
         (std::min)(most, 1 + std::ceil(2 * displacement / local_edge_length(m_complex, v))));
+  }
+
+  // Adds all free vertices whose displacement by the flow is known to a list of free vertices.
+  std::vector<Vertex_handle> with_vertices_of_flow(const std::vector<Vertex_handle>& near,
+                                                   Flow_displacements<Complex>& flow) const {
+    std::vector<Vertex_handle> all;
+    for (Vertex_handle v : m_complex.finite_vertices())
+      if (!v->is_interface() && !Boundary_class::fixes_all(v->boundary_class(), Complex::dimension))
+        all.push_back(v);
+    flow.find(all);
+    std::vector<Vertex_handle> result = near;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(result), [&](Vertex_handle v) {
+      return flow(v) && !std::binary_search(near.begin(), near.end(), v, Less_time_stamp());
+    });
+    sort_by_time_stamp(result);
+    return result;
   }
 
   static std::vector<Cell_handle> handles(const Work_list<Cell_handle>& cells) {

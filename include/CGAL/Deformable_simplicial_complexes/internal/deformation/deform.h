@@ -42,8 +42,9 @@ deform(Complex& dsc, const std::vector<typename Complex::Vertex_handle>& vertice
   unsigned pass = 0;
   bool is_stopped = false;
   deformer.lap(&Seconds::rest);
-  while (!deformer.is_complete() && deformer.is_progressing() &&
-         pass < options.maximum_number_of_passes && !(is_stopped = !visitor.go_further(pass + 1))) {
+  while ((!deformer.is_complete() || deformer.is_moving_all(pass + 1)) &&
+         deformer.is_progressing() && pass < options.maximum_number_of_passes &&
+         !(is_stopped = !visitor.go_further(pass + 1))) {
     ++pass;
     Progress_scope::check();
     deformer.begin_pass();

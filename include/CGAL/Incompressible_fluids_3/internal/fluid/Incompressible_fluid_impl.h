@@ -101,7 +101,7 @@ void Incompressible_fluid<Complex, Solver>::step(double dt, double end, const Op
   }
   const auto begin_of_solver = Clock::now();
   Step step(m_complex, flow,
-            {m_properties, m_solids, m_gases.components_of(flow.mesh),
+            {m_properties, m_solids, m_sides, m_gases.components_of(flow.mesh),
              end > m_time ? m_source : typename Step::Source()},
             {m_time, end, {dt, chosen.implicitness}}, m_solver,
             chosen.deformation.number_of_threads);
@@ -213,7 +213,7 @@ void Incompressible_fluid<Complex, Solver>::make_admissible(double dt, unsigned 
   if (std::all_of(flow.velocities.begin(), flow.velocities.end(),
                   [](const Eigen::Vector3d& v) { return v.isZero(0); }))
     return;
-  Step step(m_complex, flow, {inviscid, m_solids, m_gases.components_of(flow.mesh), {}},
+  Step step(m_complex, flow, {inviscid, m_solids, m_sides, m_gases.components_of(flow.mesh), {}},
             {m_time, m_time + dt, {dt, 1}}, m_solver, number_of_threads);
   const auto begin = Clock::now();
   step.solve(true);

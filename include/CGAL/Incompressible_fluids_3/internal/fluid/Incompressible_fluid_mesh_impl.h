@@ -117,6 +117,7 @@ Incompressible_fluid<Complex, Solver>::move(const Flow& flow, const Contacts& co
     }
     return result;
   };
+  options.flow_moves_all = true;
   return change_mesh([&](Any_visitor<Complex>* visitor) {
     options.visitor = visitor;
     return deform_interface_to(m_complex, interface_.snapshot(), to, options);

@@ -57,6 +57,7 @@ public:
   {
     const Fluid_properties& properties;
     const typename Contacts::Solids& solids;
+    const Side_behaviors& sides;
     std::vector<Gas_component> gases; // at the beginning of the step
     Source source;                    // empty without sources
   };
@@ -76,7 +77,7 @@ public:
         m_number_of_threads(number_of_threads), m_for_each(number_of_threads),
         m_step(interval.step), m_begin(interval.begin), m_end(interval.end),
         m_positions(flow.positions), m_before(flow.velocities), m_accelerations(flow.accelerations),
-        m_gases(loads.gases), m_source(loads.source),
+        m_sides(loads.sides), m_gases(loads.gases), m_source(loads.source),
         m_equations(m_for_each, m_mesh, m_properties, m_step, m_positions),
         m_contacts(m_mesh, loads.solids, complex, m_positions, m_begin) {
     for (std::size_t v = 0; v < m_positions.size(); ++v)
@@ -263,7 +264,7 @@ private:
     m_unstopped_velocities = damper.damped(velocities, m_equations.masses(), m_step.dt);
     m_final_velocities = m_unstopped_velocities;
     m_contacts.stop(m_final_velocities);
-    m_mesh.keep_on_sides(m_final_velocities);
+    stop_on_sides(m_final_velocities);
     for (std::size_t v = 0; v < m_final_velocities.size(); ++v)
       m_final_accelerations.push_back((m_final_velocities[v] - m_before[v]) / m_step.dt);
     for (const auto& change :
@@ -271,7 +272,7 @@ private:
       m_final_velocities[change.vertex] += change.velocity;
       m_unstopped_velocities[change.vertex] += change.velocity;
     }
-    m_mesh.keep_on_sides(m_final_velocities);
+    stop_on_sides(m_final_velocities);
     for (std::size_t v = 0; v < m_final_velocities.size(); ++v)
       if (!m_final_velocities[v].allFinite() || !m_velocities[v].allFinite())
         throw Convergence_error("the equations of the flow have no finite solution: the time step "
@@ -364,11 +365,15 @@ private:
   // the others.
   void assemble_constraints() {
     m_constraints = Vertex_constraints(m_positions.size());
-    for (std::size_t v = 0; v < m_positions.size(); ++v)
+    for (std::size_t v = 0; v < m_positions.size(); ++v) {
+      const auto sticking = velocity_of_side(v);
       for (int axis = 0; axis < 3; ++axis)
         if (axis >= Mesh::dimension ||
             Boundary_class::fixes(m_mesh.vertices[v]->boundary_class(), axis))
           m_constraints.add(v, {Eigen::Vector3d::Unit(axis), 0});
+        else if (sticking)
+          m_constraints.add(v, {Eigen::Vector3d::Unit(axis), (*sticking)[axis]});
+    }
     m_contacts.constrain(m_constraints);
     constrain_slips();
     m_constraints.close();
@@ -384,6 +389,22 @@ private:
     else
       m_solver.factorize(std::move(system), m_number_of_threads);
     m_is_factorized = m_is_assembled = true;
+  }
+
+  // Returns the velocity of the first side to which a liquid sticks at a vertex.
+  std::optional<Eigen::Vector3d> velocity_of_side(std::size_t v) const {
+    for (std::size_t side = 0; side < m_sides.size(); ++side)
+      if (m_sides[side].velocity && m_mesh.vertices[v]->boundary_class() >> side & 1)
+        return Eigen::Vector3d(m_sides[side].velocity->data());
+    return std::nullopt;
+  }
+
+  // Sets the velocities of vertices on the sides of the domain.
+  void stop_on_sides(Vectors_3& velocities) const {
+    for (std::size_t v = 0; v < velocities.size(); ++v)
+      if (const auto sticking = velocity_of_side(v))
+        velocities[v] = *sticking;
+    m_mesh.keep_on_sides(velocities);
   }
 
   // Permits two liquids to slip only along their interface: perpendicular to the gradients of their
@@ -429,6 +450,7 @@ private:
   double m_begin, m_end; // times
   Vectors_3 m_positions, m_before, m_accelerations, m_velocities, m_unstopped_velocities,
       m_final_velocities, m_final_accelerations;
+  const Side_behaviors& m_sides;
   std::vector<Gas_component> m_gases;
   Source m_source;
   Vectors_3 m_destinations;

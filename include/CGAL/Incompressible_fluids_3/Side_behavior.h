@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Incompressible_fluids_3, written for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_SIDE_BEHAVIOR_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_SIDE_BEHAVIOR_H
+
+#include <CGAL/license/Incompressible_fluids_3.h>
+
+#include <array>
+#include <optional>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+/// \ingroup PkgIncompressibleFluids3Ref
+/// The behavior of liquids on a side of a box, the domain of a complex.
+struct Side_behavior
+{
+  /// The velocity of the side, to which liquids stick (no-slip). Its component perpendicular to the
+  /// side has no effect. Without a velocity, liquids slip along the side.
+  std::optional<std::array<double, 3>> velocity;
+};
+
+namespace internal {
+
+/// The behavior of liquids on the sides of the domain, in the order of `Boundary_class`.
+using Side_behaviors = std::array<Side_behavior, 6>;
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_SIDE_BEHAVIOR_H
