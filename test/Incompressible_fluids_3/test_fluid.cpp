@@ -33,7 +33,7 @@ using Vector = Fluid::Vector;
 using Point = Fluid::Point;
 
 dsc::Fluid_properties liquid(double density, double viscosity = 0, double tension = 0,
-                               double gravity = 0) {
+                             double gravity = 0) {
   dsc::Fluid_properties result;
   result.set_liquid(1, {density, viscosity});
   result.set_surface_tension(0, 1, tension);
@@ -366,6 +366,87 @@ TEST(Fluid, with_two_liquids_rests) {
   Fluid fluid(complex, properties);
   fluid.advance(.05, parameters::adaptation_interval(0u));
   EXPECT_LT(greatest_velocity(fluid), 1e-10);
+}
+
+// A ball of liquid rotates in another liquid at rest. The state can be saved.
+TEST(Fluid, slips_along_another_liquid) {
+  Complex complex = sphere(8, .5);
+  dsc::Fluid_properties properties;
+  properties.set_liquid(0, {.5, 0});
+  properties.set_liquid(1, {2, 0});
+  Fluid fluid(complex, properties);
+  fluid.set_velocities([&](Complex::Vertex_handle v, int label) {
+    const auto p = complex.position(v);
+    return label == 1 ? Vector(-p.y(), p.x(), 0) : Vector(0, 0, 0);
+  });
+  const auto begin = fluid.advance(.02).after;
+  auto end = begin;
+  for (int k = 0; k < 4; ++k)
+    end = fluid.advance(.02).after;
+  EXPECT_NEAR(end.kinetic_energy, begin.kinetic_energy, .03 * begin.kinetic_energy);
+  double relative = 0, inner = 0;
+  for (auto v : complex.interface_vertices()) {
+    const auto p = complex.position(v);
+    relative = (std::max)(relative, length(fluid.velocity(v, 1) - fluid.velocity(v, 0)));
+    inner = (std::max)(inner, length(fluid.velocity(v, 1) - Vector(-p.y(), p.x(), 0)));
+    // The vertex moves with the mean by mass, so nearer to the heavy liquid.
+    EXPECT_LT(length(fluid.velocity(v) - fluid.velocity(v, 1)),
+              length(fluid.velocity(v) - fluid.velocity(v, 0)) + 1e-12);
+  }
+  EXPECT_GT(relative, .3); // of .5 at the equator
+  EXPECT_LT(inner, .15);
+
+  Complex copy;
+  copy.restore(complex.state());
+  Fluid second(copy, properties);
+  second.restore(fluid.state());
+  fluid.advance(.02);
+  second.advance(.02);
+  EXPECT_EQ(second.state().motion, fluid.state().motion);
+  EXPECT_EQ(second.state().deviations, fluid.state().deviations);
+  EXPECT_FALSE(fluid.state().deviations.empty());
+}
+
+// The facets of a slippery wall are chords. They neither push a liquid along the wall nor brake it.
+TEST(Fluid, in_a_slippery_bowl_rests_or_keeps_its_spin) {
+  for (const bool spins : {false, true}) {
+    SCOPED_TRACE(spins);
+    Complex complex = sphere(8, .5);
+    Fluid fluid(complex, liquid(1, 0, 0, spins ? 0 : 1));
+    // The vertices of the sphere are on the wall.
+    double radius = 0;
+    for (auto v : complex.interface_vertices())
+      radius = (std::max)(radius, length(complex.position(v) - CGAL::ORIGIN));
+    fluid.add_solid(dsc::Ball_solid_3({0, 0, 0}, radius, dsc::Solid_side::outside),
+                    {90, false, false});
+    if (spins)
+      fluid.set_velocities([&](Complex::Vertex_handle v) {
+        const auto p = complex.position(v);
+        return Vector(-p.y(), p.x(), 0);
+      });
+    const double begin = fluid.advance(.02).after.angular_momentum.z();
+    double end = begin;
+    for (int k = 0; k < 5; ++k)
+      end = fluid.advance(.02).after.angular_momentum.z();
+    if (spins)
+      EXPECT_NEAR(end, begin, 1e-3 * begin);
+    else
+      EXPECT_LT(greatest_velocity(fluid), 1e-9);
+  }
+}
+
+TEST(Fluid_motion, is_interpolated_for_each_liquid) {
+  using Motion = dsc::internal::Fluid_motion;
+  Motion::Value a, b;
+  a.common.setConstant(1);
+  a.deviation(7).setConstant(2);
+  a.deviation(3).setConstant(-2);
+  b.common.setConstant(3);
+  const Motion::Value middle = .5 * a + .5 * b;
+  EXPECT_EQ(middle.of(7)(0), 3); // (3 + 3) / 2
+  EXPECT_EQ(middle.of(3)(6), 1); // (-1 + 3) / 2
+  EXPECT_EQ(middle.of(5)(0), 2); // a liquid without deviation
+  EXPECT_EQ(middle.of({})(0), 2);
 }
 
 // A bubble in a ball of liquid oscillates; gas and surrounding air have the same pressure (M.

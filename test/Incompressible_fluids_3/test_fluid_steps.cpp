@@ -252,7 +252,7 @@ TEST(Energy_budget, does_not_depend_on_the_origin) {
     before.surface_energy = after.surface_energy = 1;
     after.kinetic_energy = .11;
     dsc::internal::Energy_budget budget(before, {0, 0, -10}, {{0, 0, height}, {0, 0, height + 1}},
-                                          0);
+                                        0);
     EXPECT_NEAR(budget.rise(after, 0), .01, 1e-3); // .11 of 11
     budget.supply(.11);
     EXPECT_NEAR(budget.rise(after, 0), 0, 1e-12);

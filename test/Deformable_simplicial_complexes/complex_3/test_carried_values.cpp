@@ -217,6 +217,34 @@ TEST(Carried_values, keep_bounds_where_the_interface_stays) {
   }
 }
 
+// The mean gradient keeps a linear function, and flattens a maximum less than the gradient of a
+// cell does.
+TEST(Carried_values, follow_mean_gradients) {
+  const auto sum_of_squares = [](const Position& p) {
+    return 1 - (p - CGAL::ORIGIN).squared_length();
+  };
+  std::map<DSC::Carried_gradient, double> change;
+  for (const auto gradient : {DSC::Carried_gradient::of_cell, DSC::Carried_gradient::mean})
+    for (const bool is_linear : {true, false}) {
+      Complex dsc = jittered_grid(6, small_meshes::ball, .35, 1);
+      Vertex_values values;
+      for (Vertex_handle v : dsc.vertices())
+        values.set(v, is_linear ? linear(dsc.position(v)) : sum_of_squares(dsc.position(v)));
+      const auto map = values.map();
+      DSC::Carried_vertex_values<Complex, Vertex_values::Map> visitor(
+          dsc, map, [](Cell_handle) { return true; }, gradient);
+      EXPECT_GT(DSC::improve_mesh(dsc, parameters::visitor(std::ref(visitor))).smoothed, 10u);
+      if (is_linear) {
+        EXPECT_LT(largest_error(dsc, values), tolerance);
+        continue;
+      }
+      for (Vertex_handle v : dsc.vertices())
+        change[gradient] += values[v] - sum_of_squares(dsc.position(v));
+    }
+  EXPECT_LT(std::abs(change[DSC::Carried_gradient::mean]),
+            .5 * std::abs(change[DSC::Carried_gradient::of_cell]));
+}
+
 // The values may be NaN.
 TEST(Carried_values, may_be_vectors) {
   Complex dsc = jittered_grid(3, small_meshes::ball, .35, 1);

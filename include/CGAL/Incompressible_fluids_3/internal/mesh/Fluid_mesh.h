@@ -127,8 +127,15 @@ template <class Complex> struct Fluid_mesh
     number_pressures();
   }
 
-  // Returns the pressure of the liquid with a label at a vertex.
-  // \pre The vertex belongs to the liquid.
+  // Returns the occurrence of a vertex for the liquid with a label, given its first occurrence.
+  // Returns the first one if there is only one.
+  Index occurrence(Index first, int label) const {
+    const Index second = m_second[first];
+    return second != 0 && labels[second] == label ? second : first;
+  }
+
+  // Returns the pressure of the liquid with a label at an occurrence of a vertex.
+  // \pre The occurrence belongs to the liquid.
   Index pressure(Index v, int label) const {
     Index p = m_pressure_of_vertex[v];
     while (label_of_pressure[p] != label)
@@ -309,12 +316,14 @@ private:
     for (const Cell& cell : cells)
       for (Index v : cell.vertices) {
         Around& a = around[v];
-        if (a.least == nothing)
+        const bool is_known = cell.label == a.least || cell.label == a.largest;
+        if (a.least == nothing) {
           a.least = a.largest = cell.label;
-        else if (a.least == a.largest)
-          std::tie(a.least, a.largest) = std::minmax(a.least, cell.label);
-        else if (cell.label != a.least && cell.label != a.largest)
-          a.is_shared = true;
+        } else if (!is_known) {
+          a.is_shared = a.is_shared || a.least != a.largest;
+          a.least = (std::min)(a.least, cell.label);
+          a.largest = (std::max)(a.largest, cell.label);
+        }
       }
     for (const Facet& facet : facets)
       if (facet.is_free)
@@ -326,15 +335,15 @@ private:
       for (Index v : cell.vertices)
         around[v].masses[cell.label != around[v].least] += mass;
     }
-    std::vector<Index> second(vertices.size(), 0); // 0 if there is none
+    m_second.assign(vertices.size(), 0);
     for (Index v = 0; v < around.size(); ++v) {
       const Around& a = around[v];
       labels.push_back(a.least == a.largest ? std::optional<int>(a.least) : std::nullopt);
       const double mass = a.masses[0] + a.masses[1];
       if (a.least == a.largest || a.is_shared || !(a.masses[0] > 0) || !(a.masses[1] > 0))
         continue;
-      second[v] = Index(vertices.size());
-      slips.push_back({v, second[v], a.masses[1] / mass});
+      m_second[v] = Index(vertices.size());
+      slips.push_back({v, m_second[v], a.masses[1] / mass});
       labels[v] = a.least;
       vertices.push_back(vertices[v]);
     }
@@ -344,8 +353,8 @@ private:
     }
     for (Cell& cell : cells)
       for (Index& v : cell.vertices)
-        if (second[v] != 0 && cell.label != around[v].least)
-          v = second[v];
+        if (m_second[v] != 0 && cell.label != around[v].least)
+          v = m_second[v];
   }
 
   // Numbers the pressures in the order of vertices. Most vertices have only one pressure.
@@ -375,6 +384,7 @@ private:
         cell.pressures[i] = pressure(cell.vertices[i], cell.label);
   }
 
+  std::vector<Index> m_second;             // the second occurrence, by the first; 0 if none
   std::vector<Index> m_pressure_of_vertex; // the first one
 };
 

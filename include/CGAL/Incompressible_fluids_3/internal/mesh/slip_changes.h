@@ -56,13 +56,6 @@ std::vector<Velocity_change> changes_by_slip(const Mesh& mesh, const Vectors_3& 
       for (std::size_t k = 0; k < others; ++k)
         corners[k] = facet.vertices[(i + k + 1) % Mesh::dimension];
     }
-  // Returns the occurrence of a vertex that has the velocity of a liquid, if there is one.
-  std::vector<Index> second(mesh.number_of_vertices(), 0);
-  for (const auto& slip : mesh.slips)
-    second[slip.first] = slip.second;
-  const auto of_liquid = [&](Index v, int label) {
-    return second[v] != 0 && mesh.labels[second[v]] == label ? second[v] : v;
-  };
   const Vectors_3 common = mesh.common(moving);
   for (const auto& slip : mesh.slips)
     for (Index v : {slip.first, slip.second}) {
@@ -76,7 +69,7 @@ std::vector<Velocity_change> changes_by_slip(const Mesh& mesh, const Vectors_3& 
         for (int k = 0; k < others; ++k) {
           const Index corner = corners[std::size_t(k)];
           edges.col(k) = positions[corner] - positions[slip.first];
-          differences.col(k) = velocities[of_liquid(corner, *mesh.labels[v])] - velocities[v];
+          differences.col(k) = velocities[mesh.occurrence(corner, *mesh.labels[v])] - velocities[v];
         }
         // The coordinates of the shift in the facet, which minimize the distance to it.
         const Eigen::Matrix<double, others, 1> coordinates =

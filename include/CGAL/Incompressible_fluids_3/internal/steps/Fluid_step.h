@@ -20,9 +20,9 @@
 #include <CGAL/Incompressible_fluids_3/internal/solvers/relative_residual.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_equations.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Roughness_damper.h>
+#include <CGAL/Incompressible_fluids_3/internal/walls/Slip_flux.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Vertex_constraints.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Wall_contacts.h>
-#include <CGAL/Incompressible_fluids_3/internal/walls/Wall_flux.h>
 
 #include <Eigen/Core>
 
@@ -126,8 +126,15 @@ public:
   double residual() const { return m_residual; }
   std::size_t number_of_flat_cells() const { return m_equations.number_of_flat_cells(); }
 
-  // Returns an upper bound of the energy that moving walls supply to liquids in the step.
-  double work_of_walls() const { return m_step.dt * m_contacts.power(forces_on_vertices()); }
+  // Returns an upper bound of the energy that moving walls and sides supply to liquids in the step.
+  double work_of_walls() const {
+    const Vector forces = forces_on_vertices();
+    double power = m_contacts.power(forces);
+    for (std::size_t v = 0; v < m_positions.size(); ++v)
+      if (const auto velocity = velocity_of_side(v))
+        power += (std::max)(0., velocity->dot(forces.segment<3>(3 * Eigen::Index(v))));
+    return m_step.dt * power;
+  }
 
   // Returns an upper bound of the energy that sources supply in the step, less the energy that
   // drains remove. It consists of the kinetic and potential energy of the new liquid, and of the
@@ -336,7 +343,7 @@ private:
                  s = m_equations.stabilization(m_accelerations) + m_equations.sources(m_gains);
     Solution& last = m_last_solution;
     last.f = f - system.multiply_a(known);
-    last.s = s - m_b * known + m_wall_flux->matrix * m_wall_flux->wall_velocities;
+    last.s = s - m_b * known + m_slip_flux->of_walls();
     Vector v = flat(m_velocities);
     m_equations.slips().to_unknowns(v);
     v -= known;
@@ -379,9 +386,9 @@ private:
     m_constraints.close();
     System system = m_equations.system();
     system.constrained = m_constraints.constrained();
-    m_wall_flux.emplace(m_mesh, m_contacts, system.constrained, m_midpoint_positions);
-    if (!m_wall_flux->is_zero())
-      system.b += m_wall_flux->matrix;
+    m_slip_flux.emplace(m_mesh, m_contacts, system.constrained, m_midpoint_positions);
+    if (!m_slip_flux->is_zero())
+      system.b += m_slip_flux->matrix();
     m_b = system.b;
     system.closed = m_closed = closed_sets(system);
     if (m_is_factorized)
@@ -393,9 +400,15 @@ private:
 
   // Returns the velocity of the first side to which a liquid sticks at a vertex.
   std::optional<Eigen::Vector3d> velocity_of_side(std::size_t v) const {
+    const auto sides = m_mesh.vertices[v]->boundary_class();
     for (std::size_t side = 0; side < m_sides.size(); ++side)
-      if (m_sides[side].velocity && m_mesh.vertices[v]->boundary_class() >> side & 1)
-        return Eigen::Vector3d(m_sides[side].velocity->data());
+      if (m_sides[side].velocity && sides >> side & 1) {
+        Eigen::Vector3d result(m_sides[side].velocity->data());
+        for (int axis = 0; axis < 3; ++axis)
+          if (axis >= Mesh::dimension || Boundary_class::fixes(sides, axis))
+            result[axis] = 0;
+        return result;
+      }
     return std::nullopt;
   }
 
@@ -461,8 +474,8 @@ private:
   Contacts m_contacts;
   Vertex_constraints m_constraints{0};
   std::vector<System::Closed_set> m_closed;
-  std::optional<Wall_flux> m_wall_flux;
-  System::Matrix m_b; // with the correction at walls
+  std::optional<Slip_flux<Complex>> m_slip_flux;
+  System::Matrix m_b; // with the correction for slip
   bool m_is_factorized = false, m_is_assembled = false, m_is_settled = false;
   unsigned m_iterations = 0, m_solutions = 0;
   Solution m_last_solution;
