@@ -4,7 +4,7 @@
 Usage: benchmark/fluids.py DSC [--data DIR] [PART...]
 
 The parts are droplets, decay, rest, waves, jets, sessile, sloshing, dam, bubble, breathing, figures,
-speed, subdivision and survival. Runs all parts by default. The scenes are scenes of the program with
+speed, subdivision, survival, layers, vortices and spin. Runs all parts by default. The scenes are scenes of the program with
 the changes that the rows name. The part `figures` needs the meshes bunny00.off and armadillo.off of
 CGAL in DIR.
 """
@@ -501,6 +501,89 @@ def vortices(cells):
             "time_step": .48 / cells, "cfl": .4, "end": 1}
 
 
+def two_layers(cells, density, amplitude, steps_per_time, end):
+    """Returns the scene of two liquids in a box, with a wave on their interface. The lower liquid has the
+    density 1. There are `cells` edges per unit of length, which is also the length of the wave."""
+    depth = max(.25, 2 / cells)
+    return {"domain": [0, 0, 0, 1, depth, 1.2], "edge": 1 / cells,
+            "liquids": [{"shape": {"type": "pool", "level": .5, "height": f"0.5+{amplitude}*cos(2*pi*x)"},
+                         "density": 1},
+                        {"shape": {"type": "surroundings"}, "density": density}],
+            "gravity": [0, 0, -1], "interface_tolerance": 0,
+            "probes": [{"name": "crest", "height_at": [0, depth / 2]},
+                       {"name": "trough", "height_at": [.5, depth / 2]}],
+            "time_step": 1 / steps_per_time, "end": end}
+
+
+def layers(dsc):
+    """Prints the frequencies and growth rates of waves between two liquids. They are those of layers of
+    heights .5 and .7: omega^2 (rho coth(k h) + rho' coth(k h')) = g k (rho - rho')."""
+    print("| density above | cells | vertices | rate | exact | error (%) |")
+    print("| --- " * 6 + "|")
+    k = 2 * math.pi
+    for density in (.5, .001, 3):
+        square = k * (1 - density) / (1 / math.tanh(k * .5) + density / math.tanh(k * .7))
+        exact = math.sqrt(abs(square))
+        for cells in (8, 16, 32):
+            periods = 3.2 * 2 * math.pi / exact
+            scene = (two_layers(cells, density, .004, 15 * exact, periods) if square > 0 else
+                     two_layers(cells, density, .001, 12, 2.2 / exact))
+            found = report_of(dsc, scene, f"two layers, {density}")["steps"]
+            times = [s["time"] for s in found]
+            heights = [(s["probes"]["crest"] - s["probes"]["trough"]) / 2 for s in found]
+            rate = (damped_oscillation(times, heights, exact)[0] if square > 0 else
+                    math.acosh(heights[-1] / heights[0]) / times[-1])
+            print(f"| {density} | {cells} | {found[-1]['vertices']} | {rate:.4f} | {exact:.4f} | "
+                  f"{100 * (rate / exact - 1):.2f} |", flush=True)
+
+
+def decay_of_vortices(dsc):
+    """Prints the energy of Taylor-Green vortices after the first step and at the time 1."""
+    print("| viscosity | cells | vertices | energy over the exact one | error (%) |")
+    print("| --- " * 5 + "|")
+    for viscosity in (0, .01):
+        for cells in (12, 24):
+            scene = vortices(cells)
+            for liquid in scene["liquids"]:
+                liquid["viscosity"] = viscosity
+            found = report_of(dsc, scene, "vortices")["steps"]
+            exact = math.exp(-4 * math.pi ** 2 * viscosity * (found[-1]["time"] - found[1]["time"]))
+            ratio = found[-1]["kinetic_energy"] / found[1]["kinetic_energy"] / exact
+            print(f"| {viscosity} | {cells} | {found[-1]['vertices']} | {ratio:.4f} | "
+                  f"{100 * (ratio - 1):.2f} |", flush=True)
+
+
+def spin(dsc):
+    """Prints the changes of angular momentum at slip walls, and velocities at rest."""
+    print("| scene | time step | what | value |")
+    print("| --- " * 4 + "|")
+    cylinder = {"type": "cylinder", "point": [0, 0, 0], "axis": [0, 0, 1], "radius": .5, "liquid": "inside",
+                "separates": False}
+    floor = {"type": "plane", "point": [0, 0, 0], "normal": [0, 0, 1], "separates": False}
+    for dt in (.02, .005):
+        scene = {"domain": [-.8, -.8, -.2, .8, .8, 1.2], "edge": .1,
+                 "liquids": [{"shape": {"type": "cylinder", "from": [0, 0, 0], "to": [0, 0, .5],
+                                        "radius": .5},
+                              "density": 1, "velocity": "-2*y,2*x,0"}],
+                 "gravity": [0, 0, -2], "solids": [cylinder, floor], "time_step": dt, "end": .6}
+        found = report_of(dsc, scene, "cylinder")["steps"]
+        change = found[-1]["angular_momentum"][2] / found[1]["angular_momentum"][2] - 1
+        print(f"| cylinder | {dt} | angular momentum, change in .6 | {change:.1e} |", flush=True)
+    bowl = {"type": "ball", "center": [0, 0, 0], "radius": 1, "liquid": "inside", "separates": False}
+    for gravity, velocity in ((-1, "0,0,0"), (0, "-y,x,0")):
+        scene = {"domain": [-1.5, -1.5, -1.5, 1.5, 1.5, 1.5], "edge": .17,
+                 "liquids": [{"shape": {"type": "ball", "center": [0, 0, 0], "radius": 1, "triangles": 1280},
+                              "density": 1, "velocity": velocity}],
+                 "gravity": [0, 0, gravity], "solids": [bowl], "time_step": .02, "end": .6}
+        found = report_of(dsc, scene, "bowl")["steps"]
+        if gravity:
+            print(f"| full bowl | .02 | greatest velocity under gravity | "
+                  f"{greatest(found, 'greatest_velocity'):.1e} |", flush=True)
+        else:
+            change = found[-1]["angular_momentum"][2] / found[1]["angular_momentum"][2] - 1
+            print(f"| full bowl | .02 | angular momentum, change in .6 | {change:.1e} |", flush=True)
+
+
 def survival(dsc):
     scenes = [(f"drop, contact angle {angle}, viscosity {viscosity}", drop_on_plane(angle, viscosity))
               for angle in (70, 80, 90, 100, 110, 120, 140) for viscosity in (0, .02, .1)]
@@ -530,7 +613,8 @@ def main():
     global data
     parts = {"droplets": droplets, "decay": decay, "rest": rest, "waves": waves, "jets": jets,
              "sessile": sessile, "sloshing": sloshing, "dam": dam, "bubble": bubble, "breathing": breathing,
-             "figures": figures, "speed": speed, "subdivision": subdivision, "survival": survival}
+             "figures": figures, "speed": speed, "subdivision": subdivision, "survival": survival,
+             "layers": layers, "vortices": decay_of_vortices, "spin": spin}
     dsc, *wanted = sys.argv[1:]
     if wanted and wanted[0] == "--data":
         data, wanted = wanted[1], wanted[2:]
