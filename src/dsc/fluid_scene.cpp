@@ -251,6 +251,17 @@ std::vector<Fluid_scene::Tension> read_tensions(const Json_fields& scene) {
   return result;
 }
 
+void read_sides(const Json_fields& sides, Fluid_scene& scene) {
+  sides.require_known({names_of_sides.begin(), names_of_sides.end()});
+  for (std::size_t side = 0; side < names_of_sides.size(); ++side)
+    if (sides.has(names_of_sides[side])) {
+      const auto velocity = sides.numbers<3>(names_of_sides[side]);
+      if (velocity[side / 2] != 0)
+        sides.refuse(names_of_sides[side], "must be a velocity along the side");
+      scene.sides[side] = velocity;
+    }
+}
+
 Scene_probe read_probe(const Json_fields& probe) {
   const bool has_mode = probe.has("mode");
   if (has_mode && probe.has("height_at"))
@@ -290,8 +301,8 @@ void read_relaxation(const Json_fields& scene, Fluid_scene& result) {
 Fluid_scene read_scene(const Json& json) {
   const Json_fields scene(json, "the scene");
   scene.require_known({"title", "domain", "edge", "liquids", "gases", "sources", "surface_tension",
-                       "gravity", "solids", "probes", "time_step", "cfl", "end", "implicitness",
-                       "interface_tolerance", "adaptation_interval", "relaxation"});
+                       "gravity", "solids", "sides", "probes", "time_step", "cfl", "end",
+                       "implicitness", "interface_tolerance", "adaptation_interval", "relaxation"});
   Fluid_scene result;
   result.json = json;
   result.title = scene.text("title", "");
@@ -315,6 +326,8 @@ Fluid_scene read_scene(const Json& json) {
     result.gravity = scene.numbers<3>("gravity");
   for (const Json_fields& solid : scene.objects("solids"))
     result.solids.push_back(read_solid(solid));
+  if (scene.has("sides"))
+    read_sides(scene.object("sides"), result);
   for (const Json_fields& probe : scene.objects("probes"))
     result.probes.push_back(read_probe(probe));
   result.time_step = scene.positive("time_step");

@@ -133,6 +133,8 @@ struct Fluid_scene
   std::vector<Tension> tensions;
   std::array<double, 3> gravity = {};
   std::vector<Scene_solid> solids;
+  /// By side of the domain: the velocity of a no-slip side.
+  std::array<std::optional<std::array<double, 3>>, 6> sides;
   std::vector<Scene_probe> probes;
   double time_step; ///< maximum
   double cfl;       ///< 0 for constant time steps
@@ -143,6 +145,9 @@ struct Fluid_scene
   double relaxation_step;
   std::size_t relaxation_steps;
 };
+
+/// The names of the sides of the domain, in the order of `Fluid_scene::sides`.
+inline constexpr std::array<const char*, 6> names_of_sides = {"x-", "x+", "y-", "y+", "z-", "z+"};
 
 /// Returns the labels and shapes, liquids first.
 std::vector<std::pair<int, const Fluid_shape*>> shapes_of(const Fluid_scene& scene);

@@ -244,6 +244,9 @@ std::unique_ptr<Fluid> fluid_of_scene(const Fluid_scene& scene, const std::strin
           rate += source.rate;
       return rate;
     });
+  for (std::size_t side = 0; side < scene.sides.size(); ++side)
+    if (scene.sides[side])
+      fluid.set_side(int(side / 2), side % 2 == 1, {scene.sides[side]});
   for (const Scene_solid& solid : scene.solids) {
     const Fluid::Point point(solid.point[0], solid.point[1], solid.point[2]);
     const Fluid::Vector direction(solid.direction[0], solid.direction[1], solid.direction[2]);
@@ -320,11 +323,25 @@ void require_liquid_at_sources(const Fluid_scene& scene, const Complex& complex)
                         "] of the scene contains no liquid; move it or choose a larger radius");
 }
 
+void require_liquid_at_sides(const Fluid_scene& scene, const Complex& complex) {
+  unsigned met = 0; // sides as bits
+  for (const auto c : complex.cells())
+    if (std::any_of(scene.liquids.begin(), scene.liquids.end(),
+                    [&](const Scene_liquid& liquid) { return liquid.label == c->label(); }))
+      for (int i = 0; i < 4; ++i)
+        met |= c->vertex(i)->boundary_class();
+  for (std::size_t side = 0; side < scene.sides.size(); ++side)
+    if (scene.sides[side] && !(met >> side & 1))
+      throw Input_error("no liquid touches the side '" + std::string(names_of_sides[side]) +
+                        "' of the domain, so its velocity has no effect; remove it");
+}
+
 } // namespace
 
 void require_effect(const Fluid_scene& scene, const Complex& complex) {
   require_cells_of_all(scene, complex);
   require_liquid_at_sources(scene, complex);
+  require_liquid_at_sides(scene, complex);
 }
 
 void require_outside_of_solids(const Fluid_scene& scene, const Fluid& fluid) {
@@ -347,16 +364,16 @@ void set_velocities(const Fluid_scene& scene, Fluid& fluid) {
       of_component[i] +=
           scene.liquids[i].label == c->label() && is_about(scene.liquids[i].shape, middle);
   }
-  std::map<Complex::Vertex_handle, std::size_t> liquid_of;
+  std::map<std::pair<Complex::Vertex_handle, int>, std::size_t> liquid_of; // of vertex and label
   for (const auto c : complex.cells()) {
     const std::vector<std::size_t>& of_component = cells[c->component()];
     const auto most = std::max_element(of_component.begin(), of_component.end());
     if (*most > 0)
       for (int i = 0; i < 4; ++i)
-        liquid_of[c->vertex(i)] = std::size_t(most - of_component.begin());
+        liquid_of[{c->vertex(i), c->label()}] = std::size_t(most - of_component.begin());
   }
-  fluid.set_velocities([&](Complex::Vertex_handle v) {
-    const auto found = liquid_of.find(v);
+  fluid.set_velocities([&](Complex::Vertex_handle v, int label) {
+    const auto found = liquid_of.find({v, label});
     if (found == liquid_of.end() || !scene.liquids[found->second].velocity)
       return Fluid::Vector(0, 0, 0);
     const Point p = complex.position(v);

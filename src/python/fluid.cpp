@@ -39,9 +39,9 @@ DSC::Solid_side side(bool is_outside) {
 }
 
 DSC::Fluid_properties properties_of(const std::map<int, std::pair<double, double>>& liquids,
-                                      const std::map<int, std::pair<double, double>>& gases,
-                                      const std::map<std::pair<int, int>, double>& tensions,
-                                      const Coordinates& gravity) {
+                                    const std::map<int, std::pair<double, double>>& gases,
+                                    const std::map<std::pair<int, int>, double>& tensions,
+                                    const Coordinates& gravity) {
   DSC::Fluid_properties result;
   for (const auto& [label, liquid] : liquids)
     result.set_liquid(label, {liquid.first, liquid.second});

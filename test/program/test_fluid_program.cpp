@@ -280,6 +280,29 @@ TEST_F(Fluids, wrong_scenes_are_refused_by_name) {
   EXPECT_NE(run("fluid --resume " + path("other.dsc").string()).exit_code, 0);
 }
 
+// Two liquids in a box are dragged by the upper side.
+TEST_F(Fluids, stick_to_sides) {
+  Json json = Json::parse(R"json({
+    "domain": [0, 0, 0, 1, 0.5, 1], "edge": 0.25,
+    "liquids": [{"shape": {"type": "pool", "level": 0.5}, "density": 1},
+                {"shape": {"type": "surroundings"}, "density": 1}],
+    "sides": {"z+": [1, 0, 0]}, "time_step": 0.02, "end": 0.04
+  })json");
+  const auto energy = [&] {
+    const std::string report = path("report.json").string();
+    EXPECT_EQ(run("fluid " + write_scene(json) + " --report " + report + " --quiet").err, "");
+    return Json::parse(contents(report))["steps"].back()["kinetic_energy"].get<double>();
+  };
+  EXPECT_GT(energy(), 1e-3);
+  json["sides"]["z+"] = {1, 0, 1};
+  expect_refusal(json, "along the side");
+  json["sides"] = Json::parse(R"({"top": [1, 0, 0]})");
+  expect_refusal(json, "top");
+  json = scene();
+  json["sides"] = Json::parse(R"({"x-": [0, 0, 0]})");
+  expect_refusal(json, "no liquid touches the side 'x-'");
+}
+
 TEST_F(Fluids, misspelt_fields_get_advice) {
   Json json = scene();
   json["gravitiy"] = json["gravity"];

@@ -61,8 +61,9 @@ template <class Complex> struct Deformation_options
   /// Returns the destinations of vertices by the flow of space, in the order of the vertices. If
   /// empty, free vertices follow the extension of the displacement.
   std::function<std::vector<Approximate_point>(const std::vector<Vertex_handle>&)> flow;
-  /// Whether all free vertices with a finite destination follow the flow. Otherwise, only vertices
-  /// near the moving interface do.
+  /// Whether all free vertices with a finite destination follow the flow in the first pass, however
+  /// far they move. Otherwise, only vertices near the moving interface do, and displacements that
+  /// are much longer than those of the interface are ignored. No effect without `flow`.
   bool flow_moves_all = false;
   /// Number of threads if linked with TBB. The result does not depend on it.
   unsigned number_of_threads = defaults::number_of_threads;

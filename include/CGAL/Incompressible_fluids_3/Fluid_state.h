@@ -35,8 +35,8 @@ struct Wall_behavior
 };
 
 /// \ingroup PkgIncompressibleFluids3Ref
-/// The state of `Incompressible_fluid_3`, in addition to the state of its complex, as plain
-/// numbers. It contains neither solids nor sources.
+/// The state of `Incompressible_fluid`, in addition to the state of its complex, as plain
+/// numbers. It contains neither solids, nor sides, nor sources.
 struct Fluid_state
 {
   double time = 0;         ///< the present time

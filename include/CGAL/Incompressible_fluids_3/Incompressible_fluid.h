@@ -81,10 +81,11 @@ only by external work, viscosity, damping, contacts and remeshing. Surface tensi
 - The momentum and the angular momentum of each connected component change only by gravity, gases,
   walls and sources.
 - Two liquids slip along their interface. The normal velocity is common to both. If both are
-  viscous, friction resists the slip, so that they stick to each other where the mesh resolves their
+  viscous, friction resists the slip. So the relative velocity vanishes where the mesh resolves the
   viscosity. Where three media meet, liquids have a common velocity.
-- A liquid on a side of the domain slides along this side and stays on it, provided that the domain
-  is a box. Other surfaces keep a distance of a quarter of an edge from the sides.
+- A liquid on a side of the domain stays on it, provided that the domain is a box. By default, it
+  slips along the side, see `set_side()`. Other surfaces keep a distance of a quarter of an edge
+  from the sides.
 - The surface of a liquid can touch a solid and leave it, see `Wall_behavior`. Vertices of the
   surface are moved out of solids. `Report::depth_in_solids` contains the remaining depth.
 
@@ -155,10 +156,14 @@ public:
                         behavior.separates});
   }
 
-  /// Sets the behavior of liquids on a side of the domain. By default, liquids slip.
+  /// Sets the boundary condition at a side of the domain, slip by default. It applies to liquids
+  /// that are on the side at the beginning, and has no effect if the domain is not a box. Where
+  /// several no-slip sides meet, the first one determines the velocity, in the order x minimum, x
+  /// maximum, y minimum, and so on. `state()` does not contain the conditions, so set them again
+  /// after `restore()` into a new fluid.
   /// \param axis the axis perpendicular to the side: 0 for x, 1 for y, 2 for z
   /// \param is_upper whether the side has the larger coordinate
-  /// \param behavior the behavior
+  /// \param behavior the boundary condition
   /// \throws Error if the axis is out of range, or if the velocity is not finite
   void set_side(int axis, bool is_upper, const Side_behavior& behavior) {
     if (axis < 0 || axis >= dimension)
@@ -385,7 +390,8 @@ public:
   /// @{
 
   /// Returns the state of the fluid. Together with `Complex::state()`, it permits to continue with
-  /// bitwise identical results. It contains neither solids nor sources. Takes O(n log n) time.
+  /// bitwise identical results. It contains neither solids, nor sides, nor sources. Takes O(n log
+  /// n) time.
   State state() const;
 
   /// Restores a state of the fluid. Restore the state of the complex first, as it was when

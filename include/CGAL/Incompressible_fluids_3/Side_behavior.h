@@ -17,17 +17,18 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
 /// \ingroup PkgIncompressibleFluids3Ref
-/// The behavior of liquids on a side of a box, the domain of a complex.
+/// The boundary condition of liquids at a side of the domain: slip, or no-slip with the velocity of
+/// the side.
 struct Side_behavior
 {
-  /// The velocity of the side, to which liquids stick (no-slip). Its component perpendicular to the
-  /// side has no effect. Without a velocity, liquids slip along the side.
+  /// The velocity of the side for the no-slip condition. Its component perpendicular to the side
+  /// has no effect. Without a velocity, the condition is slip.
   std::optional<std::array<double, 3>> velocity;
 };
 
 namespace internal {
 
-/// The behavior of liquids on the sides of the domain, in the order of `Boundary_class`.
+/// The boundary conditions at the sides of the domain, in the order of `Boundary_class`.
 using Side_behaviors = std::array<Side_behavior, 6>;
 
 } // namespace internal

@@ -46,7 +46,7 @@ private:
 };
 
 /// \ingroup PkgIncompressibleFluids3Ref
-/// The reasons for which an attempt at a time step of `Incompressible_fluid_3` is undone.
+/// The reasons for which an attempt at a time step of `Incompressible_fluid` is undone.
 enum class Fluid_failure {
   equations, ///< the linear equations have no solution, or the residual is above the bound
   /// The energy rises by more than moving walls and sources supply, and the motion causes at least
@@ -77,7 +77,7 @@ struct Fluid_repetition
 /*!
 \ingroup PkgIncompressibleFluids3Ref
 
-The exception that is thrown if all attempts at a time step of `Incompressible_fluid_3` fail. The
+The exception that is thrown if all attempts at a time step of `Incompressible_fluid` fail. The
 fluid and its complex are in their state before the step.
 */
 class Fluid_step_error : public Error

@@ -105,7 +105,8 @@ public:
   // Moves interface vertices and free vertices simultaneously, which completes the largest part of
   // most motions. In the first pass, free vertices follow the flow of the space if it is given.
   void move_together(unsigned pass) {
-    // in lengths of the longest displacement; larger displacements by the flow are ignored
+    // In lengths of the longest displacement. Larger displacements by the flow are ignored, except
+    // if all vertices follow the flow.
     static constexpr double far = 100;
     const bool moves_all = is_moving_all(pass);
     if (is_complete() && !moves_all)

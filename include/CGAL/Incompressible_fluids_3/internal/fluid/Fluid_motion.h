@@ -8,7 +8,7 @@
 #ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_FLUID_MOTION_H
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_FLUID_MOTION_H
 
-#include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
+#include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
 #include <CGAL/property_map.h>
 
 #include <Eigen/Core>
@@ -25,15 +25,16 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // The velocity, the acceleration and the pressure of vertices of liquids, in this order. Where two
-// liquids slip along each other, each of them has its own numbers.
+// liquids slip along each other, each of them has its own velocity, acceleration and pressure.
 class Fluid_motion
 {
 public:
   using Numbers = Eigen::Matrix<double, 7, 1>;
 
   // The numbers of a vertex. The numbers of a liquid are the common numbers plus its deviation.
-  // Deviations are by increasing label, and those of other liquids are zero. So values are elements
-  // of a vector space, and can be interpolated between vertices of different liquids.
+  // Deviations are by increasing label. The deviation of a liquid that is not in the list is zero.
+  // So values are elements of a vector space, and can be interpolated. In a cell of a liquid, its
+  // numbers are interpolated exactly.
   class Value
   {
   public:

@@ -304,7 +304,7 @@ void Incompressible_fluid<Complex, Solver>::restore(const State& state) {
   for (const auto& numbers : state.motion)
     fits = fits && is_finite(numbers);
   for (const auto& [vertex, label, numbers] : state.deviations)
-    fits = fits && vertex < vertices.size() && is_finite(numbers);
+    fits = fits && vertex < vertices.size() && m_properties.liquid(label) && is_finite(numbers);
   if (!fits)
     throw Error("the state of the fluid does not match the complex: first restore the complex with "
                 "which the state was saved");

@@ -90,7 +90,9 @@ Incompressible_fluid<Complex, Solver>::move(const Flow& flow, const Contacts& co
                                             const Vectors& destinations, const Options& chosen) {
   const Mesh& mesh = flow.mesh;
   const Liquid_interface interface_(m_complex, m_properties, flow.volumes());
-  const Vertex_numbers number(m_complex, mesh.vertices);
+  const Vertex_numbers number(
+      m_complex,
+      {mesh.vertices.begin(), mesh.vertices.begin() + std::ptrdiff_t(mesh.number_of_vertices())});
   const auto from = interface_.snapshot().positions(m_complex);
   auto to = from;
   std::vector<char> is_constrained(to.size(), false);
@@ -269,7 +271,7 @@ double Incompressible_fluid<Complex, Solver>::restore_momenta(Flow& flow) {
     for (const auto& [v, mass] : masses[k].of_vertices)
       velocities[v] = flow.velocities[v] + correction.at(flow.positions[v]);
   }
-  flow.mesh.keep_on_sides(velocities);
+  stop_on_sides(flow.mesh, m_sides, velocities);
   for (std::size_t v = 0; v < velocities.size(); ++v)
     result = (std::max)(result, (velocities[v] - flow.velocities[v]).norm());
   m_motion.set(flow.mesh, velocities, flow.accelerations);

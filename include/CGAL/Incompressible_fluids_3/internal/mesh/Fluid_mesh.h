@@ -280,7 +280,7 @@ private:
   // stick to each other where the mesh resolves their viscosity, and slip elsewhere.
   static double friction(const Complex& complex, const typename Complex::Facet& f,
                          const Fluid_properties& properties) {
-    static constexpr double layers = 20; // in a cell; the error is that of a layer
+    static constexpr double layers = 20; // number in a cell; only one of them resists
     double resistance = 0;               // of the layers on both sides
     Vectors_3 ends;
     for (Vertex_handle v : complex.facet_vertices(f))

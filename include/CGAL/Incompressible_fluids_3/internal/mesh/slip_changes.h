@@ -75,10 +75,11 @@ std::vector<Velocity_change> changes_by_slip(const Mesh& mesh, const Vectors_3& 
         const Eigen::Matrix<double, others, 1> coordinates =
             (edges.transpose() * edges).ldlt().solve(edges.transpose() * shift);
         const double least = coordinates.minCoeff();
-        if (!(least > best))
+        if (!coordinates.allFinite() || !(least > best))
           continue;
         best = least;
-        change.velocity = differences * coordinates.cwiseMax(0.).cwiseMin(1.);
+        const Eigen::Matrix<double, others, 1> inside = coordinates.cwiseMax(0.);
+        change.velocity = differences * inside / (std::max)(1., inside.sum());
       }
       if (change.velocity.allFinite())
         result.push_back(change);

@@ -20,9 +20,10 @@
 #include <CGAL/Incompressible_fluids_3/internal/solvers/relative_residual.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_equations.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Roughness_damper.h>
-#include <CGAL/Incompressible_fluids_3/internal/walls/Slip_flux.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Vertex_constraints.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Wall_contacts.h>
+#include <CGAL/Incompressible_fluids_3/internal/walls/no_slip_sides.h>
+#include <CGAL/Incompressible_fluids_3/internal/walls/slip_flux.h>
 
 #include <Eigen/Core>
 
@@ -52,7 +53,7 @@ public:
 
   using Source = std::function<double(const Eigen::Vector3d&, double)>;
 
-  // What acts on the liquids.
+  // The loads on the liquids, and their boundary conditions.
   struct Loads
   {
     const Fluid_properties& properties;
@@ -70,7 +71,7 @@ public:
   };
 
   // Prepares the step that begins with the given flow. The complex, the flow, the solver, the
-  // properties and the solids must outlive the object.
+  // properties, the solids and the sides must outlive the object.
   Fluid_step(const Complex& complex, const Liquid_flow<Complex>& flow, const Loads& loads,
              const Interval& interval, Solver& solver, unsigned number_of_threads)
       : m_mesh(flow.mesh), m_properties(loads.properties), m_solver(solver),
@@ -129,7 +130,7 @@ public:
   // Returns an upper bound of the energy that moving walls and sides supply to liquids in the step.
   double work_of_walls() const {
     const Vector forces = forces_on_vertices();
-    double power = m_contacts.power(forces);
+    double power = m_contacts.power(forces) + (std::max)(0., m_pressures.dot(m_slip_flux.of_walls));
     for (std::size_t v = 0; v < m_positions.size(); ++v)
       if (const auto velocity = velocity_of_side(v))
         power += (std::max)(0., velocity->dot(forces.segment<3>(3 * Eigen::Index(v))));
@@ -179,12 +180,13 @@ public:
     // the whole step.
     const double time_of_arms = (1 - m_step.theta) * m_step.dt;
     const Eigen::Vector3d gravity(m_properties.gravity().data());
+    const Vectors_3 moving = m_mesh.common(m_velocities);
     for (const auto& [v, m] : masses.of_vertices) {
       const double mass = m / (1 - Mesh::part_at_middle), share = mass / m_equations.masses()[v];
       const Eigen::Vector3d pushed =
           m_step.dt * (mass * gravity + share * m_reactions.segment<3>(3 * Eigen::Index(v)));
       result.linear += pushed;
-      result.angular += (m_positions[v] + time_of_arms * m_velocities[v]).cross(pushed);
+      result.angular += (m_positions[v] + time_of_arms * moving[v]).cross(pushed);
       const Vector& pushes = m_equations.pushes();
       const Eigen::Vector3d push = m_step.dt * share * pushes.segment<3>(3 * Eigen::Index(v));
       result.linear += push;
@@ -271,7 +273,7 @@ private:
     m_unstopped_velocities = damper.damped(velocities, m_equations.masses(), m_step.dt);
     m_final_velocities = m_unstopped_velocities;
     m_contacts.stop(m_final_velocities);
-    stop_on_sides(m_final_velocities);
+    stop_on_sides(m_mesh, m_sides, m_final_velocities);
     for (std::size_t v = 0; v < m_final_velocities.size(); ++v)
       m_final_accelerations.push_back((m_final_velocities[v] - m_before[v]) / m_step.dt);
     for (const auto& change :
@@ -279,7 +281,7 @@ private:
       m_final_velocities[change.vertex] += change.velocity;
       m_unstopped_velocities[change.vertex] += change.velocity;
     }
-    stop_on_sides(m_final_velocities);
+    stop_on_sides(m_mesh, m_sides, m_final_velocities);
     for (std::size_t v = 0; v < m_final_velocities.size(); ++v)
       if (!m_final_velocities[v].allFinite() || !m_velocities[v].allFinite())
         throw Convergence_error("the equations of the flow have no finite solution: the time step "
@@ -343,7 +345,7 @@ private:
                  s = m_equations.stabilization(m_accelerations) + m_equations.sources(m_gains);
     Solution& last = m_last_solution;
     last.f = f - system.multiply_a(known);
-    last.s = s - m_b * known + m_slip_flux->of_walls();
+    last.s = s - m_b * known + m_slip_flux.of_walls;
     Vector v = flat(m_velocities);
     m_equations.slips().to_unknowns(v);
     v -= known;
@@ -361,7 +363,8 @@ private:
     }
     v += known;
     m_reactions = system.multiply_a(v) - system.b.transpose() * m_pressures - f;
-    for (const auto& slip : m_mesh.slips) // the forces between two liquids cancel
+    // Clears the reactions of relative velocities: the forces between two liquids cancel.
+    for (const auto& slip : m_mesh.slips)
       m_reactions.segment<3>(3 * Eigen::Index(slip.second)).setZero();
     m_equations.slips().to_velocities(v);
     for (std::size_t i = 0; i < m_velocities.size(); ++i)
@@ -378,17 +381,18 @@ private:
         if (axis >= Mesh::dimension ||
             Boundary_class::fixes(m_mesh.vertices[v]->boundary_class(), axis))
           m_constraints.add(v, {Eigen::Vector3d::Unit(axis), 0});
-        else if (sticking)
-          m_constraints.add(v, {Eigen::Vector3d::Unit(axis), (*sticking)[axis]});
+        else if (sticking) // the second occurrence has the relative velocity of liquids
+          m_constraints.add(v, {Eigen::Vector3d::Unit(axis),
+                                v < m_mesh.number_of_vertices() ? (*sticking)[axis] : 0});
     }
     m_contacts.constrain(m_constraints);
     constrain_slips();
     m_constraints.close();
     System system = m_equations.system();
     system.constrained = m_constraints.constrained();
-    m_slip_flux.emplace(m_mesh, m_contacts, system.constrained, m_midpoint_positions);
-    if (!m_slip_flux->is_zero())
-      system.b += m_slip_flux->matrix();
+    m_slip_flux = slip_flux(m_mesh, m_contacts, system.constrained, m_midpoint_positions);
+    if (m_slip_flux.matrix.nonZeros() > 0)
+      system.b += m_slip_flux.matrix;
     m_b = system.b;
     system.closed = m_closed = closed_sets(system);
     if (m_is_factorized)
@@ -398,26 +402,8 @@ private:
     m_is_factorized = m_is_assembled = true;
   }
 
-  // Returns the velocity of the first side to which a liquid sticks at a vertex.
   std::optional<Eigen::Vector3d> velocity_of_side(std::size_t v) const {
-    const auto sides = m_mesh.vertices[v]->boundary_class();
-    for (std::size_t side = 0; side < m_sides.size(); ++side)
-      if (m_sides[side].velocity && sides >> side & 1) {
-        Eigen::Vector3d result(m_sides[side].velocity->data());
-        for (int axis = 0; axis < 3; ++axis)
-          if (axis >= Mesh::dimension || Boundary_class::fixes(sides, axis))
-            result[axis] = 0;
-        return result;
-      }
-    return std::nullopt;
-  }
-
-  // Sets the velocities of vertices on the sides of the domain.
-  void stop_on_sides(Vectors_3& velocities) const {
-    for (std::size_t v = 0; v < velocities.size(); ++v)
-      if (const auto sticking = velocity_of_side(v))
-        velocities[v] = *sticking;
-    m_mesh.keep_on_sides(velocities);
+    return no_slip_velocity(m_mesh, m_sides, v);
   }
 
   // Permits two liquids to slip only along their interface: perpendicular to the gradients of their
@@ -474,7 +460,7 @@ private:
   Contacts m_contacts;
   Vertex_constraints m_constraints{0};
   std::vector<System::Closed_set> m_closed;
-  std::optional<Slip_flux<Complex>> m_slip_flux;
+  Slip_flux m_slip_flux;
   System::Matrix m_b; // with the correction for slip
   bool m_is_factorized = false, m_is_assembled = false, m_is_settled = false;
   unsigned m_iterations = 0, m_solutions = 0;

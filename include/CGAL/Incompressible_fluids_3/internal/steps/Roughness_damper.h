@@ -32,13 +32,15 @@ similar damping on grids.
 */
 template <class Mesh> class Roughness_damper
 {
-  // Takes the positions of vertices at the end of the step.
 public:
+  // `positions` are the positions of vertices at the end of the step.
   Roughness_damper(const Mesh& mesh, const Vectors_3& positions) : m_mesh(mesh) {
     std::vector<double> tensions(positions.size(), 0);
     for (const auto& facet : mesh.facets)
       for (auto v : facet.vertices)
         tensions[v] = (std::max)(tensions[v], facet.tension);
+    for (const auto& slip : mesh.slips)
+      tensions[slip.second] = tensions[slip.first];
     for (const auto& cell : mesh.cells) {
       Part part;
       const Eigen::Vector3d& o = positions[cell.vertices[0]];

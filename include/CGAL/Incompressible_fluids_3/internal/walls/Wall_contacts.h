@@ -112,9 +112,9 @@ public:
             const Eigen::Vector3d normal = eigen_vector(w.normal);
             const Eigen::Vector3d direction =
                 touches ? direction_of(place, areas, middles[v], time_of_middle, normal) : normal;
-            const double way = w.distance / direction.dot(normal);
+            const double remaining = w.distance / direction.dot(normal);
             m_contacts.push_back({v, solid, wall, normal, direction,
-                                  (direction.dot(expected[v] - m_positions[v]) - way) / dt,
+                                  (direction.dot(expected[v] - m_positions[v]) - remaining) / dt,
                                   (walls_move ? 1. : 0.) * eigen_vector(w.velocity),
                                   is_known ? known->is_active : touches || w.distance < 0});
           });

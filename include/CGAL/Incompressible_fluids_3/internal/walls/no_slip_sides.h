@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Incompressible_fluids_3, written for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_NO_SLIP_SIDES_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_NO_SLIP_SIDES_H
+
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Incompressible_fluids_3/Side_behavior.h>
+#include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <optional>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Returns the velocity at a vertex on a no-slip side. If several sides meet there, it is that of
+// the first one, in the order of `Boundary_class`. Components that leave a side are 0.
+template <class Mesh>
+std::optional<Eigen::Vector3d> no_slip_velocity(const Mesh& mesh, const Side_behaviors& behaviors,
+                                                std::size_t v) {
+  const auto sides = mesh.vertices[v]->boundary_class();
+  for (std::size_t side = 0; side < behaviors.size(); ++side)
+    if (behaviors[side].velocity && sides >> side & 1) {
+      Eigen::Vector3d result(behaviors[side].velocity->data());
+      for (int axis = 0; axis < 3; ++axis)
+        if (axis >= Mesh::dimension || Boundary_class::fixes(sides, axis))
+          result[axis] = 0;
+      return result;
+    }
+  return std::nullopt;
+}
+
+// Replaces velocities of vertices on sides of the domain by those that the sides permit.
+template <class Mesh>
+void stop_on_sides(const Mesh& mesh, const Side_behaviors& behaviors, Vectors_3& velocities) {
+  for (std::size_t v = 0; v < velocities.size(); ++v)
+    if (const auto velocity = no_slip_velocity(mesh, behaviors, v))
+      velocities[v] = *velocity;
+  mesh.keep_on_sides(velocities);
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_NO_SLIP_SIDES_H
