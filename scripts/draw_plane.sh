@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Draws the pictures of planar complexes and of cut loci for the manual: doc/PACKAGE/fig/plane_NAME.png.
-# Needs the targets dsc, example_planar_foam and example_cut_locus in BUILD_DIR. Takes two minutes.
+# Needs the targets dsc, example_planar_foam, example_cut_locus and example_rising_bubble_2 in BUILD_DIR. Takes
+# four minutes.
 # Usage: scripts/draw_plane.sh [BUILD_DIR]
 set -euo pipefail
 source=$(realpath "$(dirname "$0")/..")
@@ -9,9 +10,10 @@ work=$build/plane
 doc=$source/doc
 foam=$build/examples/planar_foam
 cut_locus=$build/examples/cut_locus
+bubble=$build/examples/rising_bubble_2
 
 "$source/scripts/install_dependencies.sh" librsvg2-bin
-for program in "$build/dsc" "$foam" "$cut_locus"; do
+for program in "$build/dsc" "$foam" "$cut_locus" "$bubble"; do
   [ -x "$program" ] || { echo "draw_plane.sh: $program is missing; build it first" >&2; exit 1; }
 done
 rm -rf "$work"
@@ -21,6 +23,7 @@ cd "$work"
 picture() { # FILE.svg NAME
   local package=Interface_flows
   [[ $2 != cut_locus* ]] || package=Cut_loci_2
+  [[ $2 != bubble* ]] || package=Incompressible_fluids_3
   rsvg-convert --width 480 --background-color white "$1" --output "$doc/$package/fig/plane_$2.png"
 }
 
@@ -53,6 +56,10 @@ run vortex vortex --plane --steps 400 --every 400
 picture vortex/picture_000400.svg vortex
 "$foam" 100 .014 60 foam.svg
 picture foam.svg foam
+for case in 1 2; do
+  "$bubble" $case .03 .01 2.2 "bubble_$case.svg"
+  picture "bubble_$case.svg" "bubble_$case"
+done
 locus() { # NAME V B
   "$cut_locus" .15 "$2" "$3" "$1.svg"
   picture "$1.svg" "$1"

@@ -1,8 +1,10 @@
 // Simulates a bubble that rises in a heavier liquid in the plane: the benchmark of S. Hysing and
-// others, "Quantitative benchmark computations of two-dimensional bubble dynamics", 2009. Usage:
-// rising_bubble_2 [CASE [EDGE [TIME_STEP [END]]]], with the case 1 or 2
+// others, "Quantitative benchmark computations of two-dimensional bubble dynamics", 2009.
+//
+// Usage: rising_bubble_2 [CASE [EDGE [TIME_STEP [END [PICTURE.svg]]]]], where CASE is 1 or 2
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Deformable_simplicial_complex_2.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/SVG_2.h>
 #include <CGAL/Deformable_simplicial_complexes/Labelled_curve_2.h>
 #include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Incompressible_fluid_2.h>
@@ -98,4 +100,6 @@ int main(int argc, char* argv[]) {
   std::cout << "least circularity " << least_circularity << " at " << std::setprecision(2)
             << time_of_circularity << ", greatest velocity " << std::setprecision(4)
             << greatest_velocity << " at " << std::setprecision(2) << time_of_velocity << '\n';
+  if (argc > 5)
+    CGAL::IO::write_SVG(argv[5], complex);
 }
