@@ -65,10 +65,9 @@ namespace Deformable_simplicial_complexes {
 
 The incompressible flow of any number of liquids with free surfaces, surface tension, viscosity and
 solids, in space or in the plane. Linear finite elements on the cells of a complex discretize the
-equations. The mesh
-moves with the liquids. See Section 4.4 of the paper, and M. K. Misztal, R. Bridson, K. Erleben,
-J. A. Bærentzen, F. Anton, "Optimization-based fluid simulation on unstructured meshes", VRIPHYS
-2010.
+equations. The mesh moves with the liquids. See Section 4.4 of the paper, and M. K. Misztal, R.
+Bridson, K. Erleben, J. A. Bærentzen, F. Anton, "Optimization-based fluid simulation on unstructured
+meshes", VRIPHYS 2010.
 
 Each label is a liquid, a gas or void, see `Fluid_properties`. A time step solves one system for
 all velocities and pressures.
@@ -440,9 +439,8 @@ private:
     Balance balance(const Incompressible_fluid& fluid, const Vectors& at, const Vectors& with,
                     double time) const {
       const Contacts contacts(mesh, fluid.m_solids, fluid.m_complex, at, time);
-      Balance result = internal::balance(mesh, fluid.m_properties, at, with, [&](std::size_t f) {
-        return contacts.tension(mesh.facets[f]);
-      });
+      Balance result = internal::balance(mesh, fluid.m_properties, at, with,
+                                         [&](std::size_t f) { return contacts.tension(f); });
       const auto gases = fluid.m_gases.components_of(mesh);
       const auto volumes = internal::volumes_of_gases(mesh, gases, positions, at);
       for (std::size_t k = 0; k < gases.size(); ++k)
@@ -491,12 +489,6 @@ private:
   static Vector vector(const Eigen::Vector3d& v) { return internal::from_eigen<Vector>(v); }
   static Approximate_point point(const Eigen::Vector3d& p) {
     return internal::from_eigen<Approximate_point>(p);
-  }
-  static typename Report::Vector in_space(const Eigen::Vector3d& v) {
-    return {v.x(), v.y(), v.z()};
-  }
-  static Fluid_repetition::Point in_space_point(const Eigen::Vector3d& p) {
-    return {p.x(), p.y(), p.z()};
   }
 
   // Returns the length of an edge at a vertex: the initial length for vertices of the interface,

@@ -70,7 +70,8 @@ auto Incompressible_fluid<Complex, Solver>::advance_in_parts(const Options& chos
     if (!plan.is_done())
       last = &middle.emplace(m_complex, *this);
   }
-  std::transform(forces.begin(), forces.end(), done.forces_on_solids.begin(), in_space);
+  std::transform(forces.begin(), forces.end(), done.forces_on_solids.begin(),
+                 internal::from_eigen<typename Report::Vector>);
   done.dt = dt;
   return done;
 }
@@ -128,7 +129,8 @@ auto Incompressible_fluid<Complex, Solver>::fastest_vertex() const -> Fluid_repe
   for (Vertex_handle v : m_complex.vertices())
     if (const double square = m_motion.velocity(v).squaredNorm(); square > greatest) {
       greatest = square;
-      result = in_space_point(internal::eigen_vector(m_complex.position(v)));
+      result = internal::from_eigen<Fluid_repetition::Point>(
+          internal::eigen_vector(m_complex.position(v)));
     }
   return result;
 }
@@ -144,7 +146,7 @@ auto Incompressible_fluid<Complex, Solver>::flattest_cell() const -> Fluid_repet
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
       for (int i = 0; i < Complex::corners; ++i)
         sum += internal::eigen_vector(m_complex.position(c->vertex(i))) / Complex::corners;
-      result = in_space_point(sum);
+      result = internal::from_eigen<Fluid_repetition::Point>(sum);
     }
   return result;
 }

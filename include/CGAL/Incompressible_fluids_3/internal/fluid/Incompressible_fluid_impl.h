@@ -179,7 +179,8 @@ void Incompressible_fluid<Complex, Solver>::describe(const Step& step, const Flo
   report.contacts = step.contacts().number_of_constrained();
   report.contacts_settled = step.is_settled();
   const Vectors forces = step.contacts().forces(step.forces_on_vertices());
-  std::transform(forces.begin(), forces.end(), report.forces_on_solids.begin(), in_space);
+  std::transform(forces.begin(), forces.end(), report.forces_on_solids.begin(),
+                 internal::from_eigen<typename Report::Vector>);
   const Vectors& after = step.final_velocities();
   for (std::size_t v = 0; v < after.size(); ++v) {
     report.greatest_velocity = (std::max)(report.greatest_velocity, after[v].norm());

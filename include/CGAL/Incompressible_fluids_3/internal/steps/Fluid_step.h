@@ -307,8 +307,7 @@ private:
     for (std::size_t k = 0; k < m_gases.size(); ++k)
       pressures.push_back(m_gases[k].pressure(volumes[k]));
     m_equations.assemble(
-        m_midpoint_positions, [&](std::size_t f) { return m_contacts.tension(m_mesh.facets[f]); },
-        pressures);
+        m_midpoint_positions, [&](std::size_t f) { return m_contacts.tension(f); }, pressures);
     m_gains.clear();
     if (m_source)
       for (std::size_t k = 0; k < m_mesh.cells.size(); ++k) {

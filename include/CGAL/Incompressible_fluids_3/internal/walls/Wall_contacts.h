@@ -75,12 +75,12 @@ public:
                     });
     m_adheres.assign(positions.size(), false);
     m_is_covered.assign(positions.size(), true);
-    for (const auto& facet : mesh.facets) {
-      const auto wall = wall_of(facet);
-      m_wall_of_facet.push_back(wall);
-      for (auto v : facet.vertices) {
-        m_adheres[v] = m_adheres[v] || tension(facet) < facet.tension;
-        m_is_covered[v] = m_is_covered[v] && wall;
+    for (std::size_t f = 0; f < mesh.facets.size(); ++f) {
+      m_wall_of_facet.push_back(wall_of(mesh.facets[f]));
+      const bool adheres = tension(f) < mesh.facets[f].tension, is_wetted(m_wall_of_facet[f]);
+      for (auto v : mesh.facets[f].vertices) {
+        m_adheres[v] = m_adheres[v] || adheres;
+        m_is_covered[v] = m_is_covered[v] && is_wetted;
       }
     }
   }
@@ -194,12 +194,13 @@ public:
                       });
   }
 
-  // Returns the energy of a unit of area of a facet. On a wall, it is the energy of wetting. By
+  // Returns the energy of a unit of area of facet f. On a wall, it is the energy of wetting. By
   // Young's equation, the tensions of the wet and of the dry wall differ by the surface tension
   // times the cosine of the contact angle.
-  double tension(const typename Mesh::Facet& facet) const {
-    const auto wall = wall_of(facet);
-    return wall ? -m_solids[wall->first].cosine * facet.tension : facet.tension;
+  double tension(std::size_t f) const {
+    const double tension = m_mesh.facets[f].tension;
+    const auto& wall = m_wall_of_facet[f];
+    return wall ? -m_solids[wall->first].cosine * tension : tension;
   }
 
   // Returns the depth in a solid of a vertex at position p, or 0 if p is outside.
