@@ -103,8 +103,11 @@ template <class Complex> struct Fluid_report
   /// Whether the search for the vertices constrained by contacts converged.
   bool contacts_settled = true;
   double depth_in_solids = 0; ///< the depth of the deepest vertex in a solid, after the step
-  /// The mean force of liquids on each solid in the step, in the order of `add_solid()`.
+  /// The mean force of liquids on each solid in the step, in the order of `add_solid()` and
+  /// `add_body()`.
   std::vector<Vector> forces_on_solids;
+  /// The mean torque of liquids about the origin on each solid, in the same order.
+  std::vector<Vector> torques_on_solids;
   double seconds_of_solver = 0,  ///< wall-clock time (s) of linear systems; not deterministic
       seconds_of_mesh = 0;       ///< wall-clock time (s) of all other work; not deterministic
   Improvement_report adaptation; ///< the adaptation of the mesh before the step

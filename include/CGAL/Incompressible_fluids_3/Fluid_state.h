@@ -36,7 +36,8 @@ struct Wall_behavior
 
 /// \ingroup PkgIncompressibleFluids3Ref
 /// The state of `Incompressible_fluid`, in addition to the state of its complex, as plain
-/// numbers. It contains neither solids, nor sides, nor sources.
+/// numbers. It contains the places and motions of bodies, but neither solids, nor sides, nor
+/// sources.
 struct Fluid_state
 {
   double time = 0;         ///< the present time
@@ -53,6 +54,9 @@ struct Fluid_state
   std::vector<std::pair<std::uint32_t, double>> volumes;
   /// For each component of a gas, a pressure and the volume at that pressure.
   std::vector<std::pair<std::uint32_t, std::array<double, 2>>> gases;
+  /// For each body, the numbers of its center, rotation, velocity and angular velocity, see
+  /// `Rigid_body_3`.
+  std::vector<std::array<double, 13>> bodies;
 };
 
 } // namespace Deformable_simplicial_complexes

@@ -25,6 +25,7 @@
 #include <CGAL/Incompressible_fluids_3/Fluid_report.h>
 #include <CGAL/Incompressible_fluids_3/Fluid_state.h>
 #include <CGAL/Incompressible_fluids_3/Fluid_step_options.h>
+#include <CGAL/Incompressible_fluids_3/Rigid_body_3.h>
 #include <CGAL/Incompressible_fluids_3/Saddle_point_solver.h>
 #include <CGAL/Incompressible_fluids_3/Side_behavior.h>
 #include <CGAL/Incompressible_fluids_3/Solids_3.h>
@@ -147,12 +148,33 @@ public:
   /// \tparam Solid a model of `Solid_3`
   /// \throws Error if the contact angle is not in [0, 180] degrees
   template <class Solid> void add_solid(const Solid& solid, const Wall_behavior& behavior = {}) {
-    if (!(behavior.contact_angle >= 0 && behavior.contact_angle <= 180))
-      throw Error("a contact angle is out of range: use 0 to 180 degrees");
-    m_solids.push_back({[solid](const Simple_cartesian<double>::Point_3& p, double t,
-                                std::vector<Wall>& walls) { solid.walls(p, t, walls); },
-                        std::cos(behavior.contact_angle * CGAL_PI / 180), behavior.sticks,
-                        behavior.separates});
+    m_solids.push_back(any_solid(solid, behavior));
+  }
+
+  /// Adds a copy of a solid that liquids move. The motion of the body and the flow are solved
+  /// together, so the body can be lighter than the liquid that it displaces. Gravity acts on the
+  /// body. Two bodies, or a body and another solid, do not touch each other: they pass through each
+  /// other.
+  ///
+  /// The cells inside the solid have the label of the void or of a gas. If it is a gas, its
+  /// component includes the volume of the body. `relax()` does not move bodies.
+  /// \tparam Solid a model of `Solid_3`
+  /// \param solid the solid at its initial place. Its walls must not depend on the time.
+  /// \param body the mass, inertia and initial motion. `Rigid_body_3::rotation` must be the
+  /// identity.
+  /// \param behavior the boundary conditions of liquids at the solid
+  /// \return the number of the body, from 0 on
+  /// \throws Error if the contact angle is not in [0, 180] degrees, if the mass is not positive, if
+  /// the tensor of inertia is not symmetric and positive definite, or if a number is not finite
+  template <class Solid>
+  std::size_t add_body(const Solid& solid, const Rigid_body_3& body,
+                       const Wall_behavior& behavior = {}) {
+    auto any = any_solid(solid, behavior);
+    internal::require_body(body);
+    any.body = body;
+    any.initial_center = body.center;
+    m_solids.push_back(std::move(any));
+    return number_of_bodies() - 1;
   }
 
   /// Sets the boundary condition at a side of the domain, slip by default. It applies to liquids
@@ -253,6 +275,19 @@ public:
       result.push_back({flow.mesh.gases[k].component, flow.mesh.gases[k].label,
                         components[k].volume, components[k].pressure()});
     return result;
+  }
+  /// Returns the number of bodies.
+  std::size_t number_of_bodies() const {
+    return std::size_t(std::count_if(m_solids.begin(), m_solids.end(),
+                                     [](const auto& solid) { return solid.body.has_value(); }));
+  }
+  /// Returns the present place and motion of a body, by its number.
+  /// \throws Error if there is no such body
+  const Rigid_body_3& body(std::size_t number) const {
+    for (const auto& solid : m_solids)
+      if (solid.body && number-- == 0)
+        return *solid.body;
+    throw Error("there is no body with this number: use a number from add_body()");
   }
   /// Returns the volume to be preserved for each connected component of a liquid, by
   /// `Complex::component()`.
@@ -389,13 +424,13 @@ public:
   /// @{
 
   /// Returns the state of the fluid. Together with `Complex::state()`, it permits to continue with
-  /// bitwise identical results. It contains neither solids, nor sides, nor sources. Takes O(n log
-  /// n) time.
+  /// bitwise identical results. It contains the places and motions of bodies, but neither solids,
+  /// nor sides, nor sources. Takes O(n log n) time.
   State state() const;
 
   /// Restores a state of the fluid. Restore the state of the complex first, as it was when
-  /// `state()` was called.
-  /// \throws Error if the state does not fit the complex, or if it contains numbers that are not
+  /// `state()` was called, and add the bodies.
+  /// \throws Error if the state does not fit the complex or the bodies, or if it contains numbers that are not
   /// finite; then nothing is changed
   void restore(const State& state);
 
@@ -468,6 +503,18 @@ private:
         result = (std::max)(result, contacts.depth(v, positions[v], fluid.m_time));
       return result;
     }
+
+    // Returns whether no vertex is in a solid, and no change of the mesh has moved a vertex off a
+    // wall.
+    bool fits_solids(const Incompressible_fluid& fluid) const {
+      const Contacts contacts(mesh, fluid.m_solids, fluid.m_complex, positions, fluid.m_time);
+      for (std::size_t v = 0; v < positions.size(); ++v)
+        if (contacts.depth(v, positions[v], fluid.m_time) > 0 ||
+            (fluid.m_motion.is_from_wall(mesh.vertices[v]) &&
+             !contacts.displacement_to_wall(v, fluid.m_time).isZero(0)))
+          return false;
+      return true;
+    }
   };
 
   using Clock = std::chrono::steady_clock;
@@ -511,6 +558,17 @@ private:
         },
         Carried_gradient::mean); // preserves most of the kinetic energy
   }
+
+  template <class Solid>
+  static internal::Any_solid_3 any_solid(const Solid& solid, const Wall_behavior& behavior) {
+    if (!(behavior.contact_angle >= 0 && behavior.contact_angle <= 180))
+      throw Error("a contact angle is out of range: use 0 to 180 degrees");
+    return {[solid](const Simple_cartesian<double>::Point_3& p, double t,
+                    std::vector<Wall>& walls) { solid.walls(p, t, walls); },
+            std::cos(behavior.contact_angle * CGAL_PI / 180), behavior.sticks, behavior.separates};
+  }
+  // Sets the velocities of bodies, and their places after a motion with the velocities `in_step`.
+  void set_motion_of_bodies(const Step& step, bool moves);
 
   static void require_step(double dt) {
     if (!(dt > 0) || !std::isfinite(dt))

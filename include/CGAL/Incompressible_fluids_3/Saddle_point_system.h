@@ -21,8 +21,8 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgIncompressibleFluids3Ref
 
-A linear system of `Incompressible_fluid_3`. The unknowns are the velocities v of n vertices, with
-three numbers each, and m pressures p:
+A linear system of `Incompressible_fluid_3`. The unknowns are n velocities v of vertices and bodies,
+with three numbers each, and m pressures p:
 
     P (a v - b^T p)     = P f,    v = P v,
       -b v - c p - d p  = -s.
@@ -84,6 +84,9 @@ struct Saddle_point_system
   std::vector<Constrained_velocity> constrained;
   /// Closed sets; there are none if all liquids have free surfaces.
   std::vector<Closed_set> closed;
+  /// The number of velocities of rigid bodies. They are the last velocities. Each of them has an
+  /// entry in `b` for all pressures around the body, so a preconditioner may omit them.
+  Eigen::Index velocities_of_bodies = 0;
 
   /// Replaces v by P v. Takes linear time in the number of constrained velocities.
   void project(Vector& v) const {

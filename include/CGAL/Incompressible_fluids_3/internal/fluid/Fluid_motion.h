@@ -39,6 +39,8 @@ public:
   {
   public:
     Numbers common = Numbers::Zero();
+    // While the mesh changes: 1 if the vertex is on a wall, and 0 if it is not.
+    double wetting = 0;
     std::vector<std::pair<int, Numbers>> deviations;
 
     // Returns the numbers of the liquid with a label, or the common numbers.
@@ -62,12 +64,14 @@ public:
 
     friend Value operator+(Value a, const Value& b) {
       a.common += b.common;
+      a.wetting += b.wetting;
       for (const auto& [label, numbers] : b.deviations)
         a.deviation(label) += numbers;
       return a;
     }
     friend Value operator*(double factor, Value value) {
       value.common *= factor;
+      value.wetting *= factor;
       for (auto& deviation : value.deviations)
         deviation.second *= factor;
       return value;
@@ -133,6 +137,20 @@ public:
         value_of(mesh.vertices[v]).deviation(*mesh.labels[v]).template head<6>()
             << velocities[v] - common_velocities[v],
             accelerations[v] - common_accelerations[v];
+  }
+
+  // Records the vertices of a mesh on walls, before the mesh changes.
+  template <class Mesh, class IsWetted>
+  void set_wetting(const Mesh& mesh, const IsWetted& is_wetted) {
+    for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
+      value_of(mesh.vertices[v]).wetting = is_wetted(v) ? 1 : 0;
+  }
+
+  // Returns whether a vertex is from a wall: it was there when the mesh changed, or the change
+  // created it between vertices of the wall.
+  template <class Vertex_handle> bool is_from_wall(Vertex_handle v) const {
+    static constexpr double most = .75;
+    return at(v).wetting > most;
   }
 
   // Sets the pressures of all vertices of a mesh, in the order of the mesh. The common pressure of

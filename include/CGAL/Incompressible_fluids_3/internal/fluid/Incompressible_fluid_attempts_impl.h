@@ -47,7 +47,7 @@ auto Incompressible_fluid<Complex, Solver>::advance_in_parts(const Options& chos
   const Snapshot* last = &start;
   std::optional<Snapshot> middle; // the state after the last part
   Report done;
-  Vectors forces(m_solids.size(), Eigen::Vector3d::Zero());
+  Vectors forces(m_solids.size(), Eigen::Vector3d::Zero()), torques = forces;
   for (internal::Step_plan plan; !plan.is_done();) {
     Report report = done;
     const auto failure = attempt(plan, begin, dt, chosen, report);
@@ -59,8 +59,10 @@ auto Incompressible_fluid<Complex, Solver>::advance_in_parts(const Options& chos
         throw Fluid_step_error(internal::message_of(*failure, m_steps + 1), m_steps + 1, *failure);
       continue;
     }
-    for (std::size_t k = 0; k < forces.size(); ++k)
+    for (std::size_t k = 0; k < forces.size(); ++k) {
       forces[k] += plan.length() * internal::eigen_vector(report.forces_on_solids[k]);
+      torques[k] += plan.length() * internal::eigen_vector(report.torques_on_solids[k]);
+    }
     if (!plan.is_first())
       report.before = done.before;
     report.repetitions = std::move(done.repetitions);
@@ -70,8 +72,10 @@ auto Incompressible_fluid<Complex, Solver>::advance_in_parts(const Options& chos
     if (!plan.is_done())
       last = &middle.emplace(m_complex, *this);
   }
-  std::transform(forces.begin(), forces.end(), done.forces_on_solids.begin(),
-                 internal::from_eigen<typename Report::Vector>);
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    done.forces_on_solids[k] = internal::from_eigen<typename Report::Vector>(forces[k]);
+    done.torques_on_solids[k] = internal::from_eigen<typename Report::Vector>(torques[k]);
+  }
   done.dt = dt;
   return done;
 }

@@ -95,6 +95,7 @@ void Incompressible_fluid<Complex, Solver>::step(double dt, double end, const Op
   report.before = report.moved = flow.balance(*this, flow.positions, flow.velocities, m_time);
   report.after = report.before;
   report.forces_on_solids.assign(m_solids.size(), NULL_VECTOR);
+  report.torques_on_solids = report.forces_on_solids;
   if (flow.mesh.facets.empty()) { // nothing can move
     m_time = end;
     return;
@@ -109,6 +110,7 @@ void Incompressible_fluid<Complex, Solver>::step(double dt, double end, const Op
   report.seconds_of_solver += seconds_since(begin_of_solver);
   add_source_volumes(flow, step, dt, report);
   m_time = end;
+  set_motion_of_bodies(step, true);
   const Vectors after = step.final_velocities(),
                 destinations =
                     shortened(step.destinations(), flow, longest_displacement, step.contacts());
@@ -119,7 +121,8 @@ void Incompressible_fluid<Complex, Solver>::step(double dt, double end, const Op
   if (judge) {
     if (!judge->budget)
       judge->budget = flow.budget(*this);
-    judge->budget->supply(step.work_of_walls() + step.work_of_sources(judge->budget->level()));
+    judge->budget->supply(step.work_of_walls() + step.work_of_bodies() +
+                          step.work_of_sources(judge->budget->level()));
     // The volumes of gases are not restored yet, so their energies are not exact.
     if (m_properties.gases().empty())
       judge->check(report, report.moved);
@@ -138,6 +141,18 @@ void Incompressible_fluid<Complex, Solver>::step(double dt, double end, const Op
   describe(step, flow, report);
   if (judge)
     judge->check(report, energies_with_gases_of(report));
+}
+
+// Sets the velocities of bodies to those at the end of a step. If `moves`, also sets their places.
+template <class Complex, class Solver>
+void Incompressible_fluid<Complex, Solver>::set_motion_of_bodies(const Step& step, bool moves) {
+  const auto& velocities = step.final_velocities_of_bodies();
+  for (std::size_t k = 0; k < velocities.size(); ++k) {
+    Rigid_body_3& body = *m_solids[step.contacts().solid_of_body(k)].body;
+    internal::set_motion(
+        body, moves ? step.contacts().place_of_body(k, m_time) : internal::place_of(body),
+        velocities[k]);
+  }
 }
 
 // Adds the volumes from sources to the volumes to be preserved.
@@ -178,9 +193,11 @@ void Incompressible_fluid<Complex, Solver>::describe(const Step& step, const Flo
   report.flat_cells = (std::max)(report.flat_cells, step.number_of_flat_cells());
   report.contacts = step.contacts().number_of_constrained();
   report.contacts_settled = step.is_settled();
-  const Vectors forces = step.contacts().forces(step.forces_on_vertices());
-  std::transform(forces.begin(), forces.end(), report.forces_on_solids.begin(),
-                 internal::from_eigen<typename Report::Vector>);
+  const auto loads = step.loads_on_solids();
+  for (std::size_t k = 0; k < loads.size(); ++k) {
+    report.forces_on_solids[k] = internal::from_eigen<typename Report::Vector>(loads[k].force);
+    report.torques_on_solids[k] = internal::from_eigen<typename Report::Vector>(loads[k].torque);
+  }
   const Vectors& after = step.final_velocities();
   for (std::size_t v = 0; v < after.size(); ++v) {
     report.greatest_velocity = (std::max)(report.greatest_velocity, after[v].norm());
@@ -211,8 +228,13 @@ void Incompressible_fluid<Complex, Solver>::make_admissible(double dt, unsigned 
   for (const auto& [label, liquid] : m_properties.liquids())
     inviscid.set_liquid(label, {liquid.density, 0});
   const Flow flow(*this, inviscid);
-  if (std::all_of(flow.velocities.begin(), flow.velocities.end(),
-                  [](const Eigen::Vector3d& v) { return v.isZero(0); }))
+  const bool bodies_rest =
+      std::all_of(m_solids.begin(), m_solids.end(), [](const internal::Any_solid_3& solid) {
+        return !solid.body ||
+               (solid.body->velocity == NULL_VECTOR && solid.body->angular_velocity == NULL_VECTOR);
+      });
+  if (bodies_rest && std::all_of(flow.velocities.begin(), flow.velocities.end(),
+                                 [](const Eigen::Vector3d& v) { return v.isZero(0); }))
     return;
   Step step(m_complex, flow, {inviscid, m_solids, m_sides, m_gases.components_of(flow.mesh), {}},
             {m_time, m_time + dt, {dt, 1}}, m_solver, number_of_threads);
@@ -222,6 +244,7 @@ void Incompressible_fluid<Complex, Solver>::make_admissible(double dt, unsigned 
   report.solutions += step.solutions();
   report.iterations += step.iterations();
   const Vectors& velocities = step.solved_velocities();
+  set_motion_of_bodies(step, false);
   m_motion.set(flow.mesh, velocities, Vectors(velocities.size(), Eigen::Vector3d::Zero()));
   record_momenta(flow,
                  [&](const internal::Masses& masses) { return step.pushed_momentum(masses); });
@@ -272,6 +295,9 @@ auto Incompressible_fluid<Complex, Solver>::state() const -> State {
   for (const auto& [component, gas] : m_gases.components())
     result.gases.emplace_back(component,
                               std::array<double, 2>{gas.reference_pressure, gas.reference_volume});
+  for (const auto& solid : m_solids)
+    if (solid.body)
+      result.bodies.push_back(internal::motion_of(*solid.body));
   return result;
 }
 
@@ -306,9 +332,12 @@ void Incompressible_fluid<Complex, Solver>::restore(const State& state) {
     fits = fits && is_finite(numbers);
   for (const auto& [vertex, label, numbers] : state.deviations)
     fits = fits && vertex < vertices.size() && m_properties.liquid(label) && is_finite(numbers);
+  fits = fits && state.bodies.size() == number_of_bodies() &&
+         std::all_of(state.bodies.begin(), state.bodies.end(), is_finite);
   if (!fits)
-    throw Error("the state of the fluid does not match the complex: first restore the complex with "
-                "which the state was saved");
+    throw Error(
+        "the state of the fluid does not match the complex or the bodies: first restore the "
+        "complex with which the state was saved, and add the bodies");
   internal::Fluid_motion motion;
   using Motion = internal::Fluid_motion;
   std::vector<Motion::Value> values(vertices.size());
@@ -322,6 +351,10 @@ void Incompressible_fluid<Complex, Solver>::restore(const State& state) {
   m_liquids.set_volumes(volumes);
   m_gases.set_components(gases);
   m_complex.take_component_lineage();
+  auto of_body = state.bodies.begin();
+  for (auto& solid : m_solids)
+    if (solid.body)
+      internal::set_motion(*solid.body, *of_body++);
   m_time = state.time;
   m_steps = state.steps;
   m_damped_steps = state.damped_steps;

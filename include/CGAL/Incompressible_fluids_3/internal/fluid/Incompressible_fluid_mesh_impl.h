@@ -27,6 +27,8 @@ void Incompressible_fluid<Complex, Solver>::adapt(const Options& chosen,
     return;
   require_interface_edge(m_complex);
   const Flow flow(*this, m_properties);
+  const Contacts contacts(flow.mesh, m_solids, m_complex, flow.positions, m_time);
+  m_motion.set_wetting(flow.mesh, [&contacts](std::size_t v) { return contacts.touches(v); });
   record_momenta(flow, [&](const internal::Masses& masses) {
     return internal::momentum(flow.mesh, masses, flow.positions, flow.velocities);
   });
@@ -78,6 +80,7 @@ auto Incompressible_fluid<Complex, Solver>::restore_components(const Options& ch
   Flow result(*this, m_properties);
   report.lost_volume += update_components(result);
   restore_volumes(result, chosen, report);
+  m_motion.set_wetting(result.mesh, [](std::size_t) { return false; });
   report.greatest_correction = (std::max)(report.greatest_correction, restore_momenta(result));
   return result;
 }
@@ -101,6 +104,7 @@ Incompressible_fluid<Complex, Solver>::move(const Flow& flow, const Contacts& co
       to[k] = point(destinations[i]);
       is_constrained[k] = contacts.is_constrained(i);
     }
+  m_motion.set_wetting(mesh, [&contacts](std::size_t v) { return contacts.is_constrained(v); });
   interface_.restore(
       m_liquids.volumes(), from, [&](std::size_t v) { return is_constrained[v] != 0; }, to);
 
@@ -141,8 +145,9 @@ auto Incompressible_fluid<Complex, Solver>::change_mesh(const Change& change) {
   }
 }
 
-// Moves the interface until the volumes of connected components are restored and no vertex is in a
-// solid. The number of rounds is bounded. The report contains the remaining error.
+// Moves the interface until the volumes of connected components are restored, no vertex is in a
+// solid, and vertices from walls are on walls. The number of rounds is bounded. The report contains
+// the remaining error.
 template <class Complex, class Solver>
 void Incompressible_fluid<Complex, Solver>::restore_volumes(Flow& flow, const Options& chosen,
                                                             Report& report) {
@@ -152,7 +157,7 @@ void Incompressible_fluid<Complex, Solver>::restore_volumes(Flow& flow, const Op
     report.volume_error = m_liquids.error(flow.volumes());
     if (k == 0)
       report.volume_correction = (std::max)(report.volume_correction, report.volume_error);
-    if (k == rounds || (report.volume_error <= rounding && !(flow.depth_in_solids(*this) > 0)))
+    if (k == rounds || (report.volume_error <= rounding && flow.fits_solids(*this)))
       break;
     flow = move_interface(flow, coordinates_of_interface(), chosen, report);
   }
@@ -177,6 +182,13 @@ auto Incompressible_fluid<Complex, Solver>::move_interface(const Flow& flow,
   for (std::size_t k = 0; k < vertices.size(); ++k)
     if (const auto found = number.find(vertices[k]->time_stamp()); found != number.end())
       positions[found->second] = coordinates.segment<3>(3 * Eigen::Index(k));
+  std::vector<char> returns(positions.size(), false); // to a wall
+  for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
+    if (m_motion.is_from_wall(mesh.vertices[v])) {
+      const Eigen::Vector3d displacement = contacts.displacement_to_wall(v, m_time);
+      positions[v] += displacement;
+      returns[v] = !displacement.isZero(0);
+    }
   contacts.project_out_of_solids(positions, m_time);
 
   std::vector<Approximate_point> to;
@@ -185,7 +197,8 @@ auto Incompressible_fluid<Complex, Solver>::move_interface(const Flow& flow,
     const auto found = number.find(vertices[k]->time_stamp());
     to.push_back(found != number.end() ? point(positions[found->second])
                                        : m_complex.position(vertices[k]));
-    is_constrained[k] = found != number.end() && contacts.touches(found->second);
+    is_constrained[k] =
+        found != number.end() && (contacts.touches(found->second) || returns[found->second]);
   }
   interface_.restore(
       m_liquids.volumes(), interface_.snapshot().positions(m_complex),

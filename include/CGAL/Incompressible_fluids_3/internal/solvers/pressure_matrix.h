@@ -24,9 +24,10 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // Returns the lower triangle of b P D^-1 P b^T + c, an approximation of the Schur complement of
-// pressures. D is the inertia of velocities, and bt is b^T. The rows of b determine the result
-// directly. A general product of sparse matrices would not use that the three columns of a vertex
-// have the same pattern, nor that the result is symmetric.
+// pressures. D is the inertia of velocities, and bt is b^T. The velocities of bodies are omitted:
+// each one would add a dense block of rank 1. The rows of b determine the result directly. A
+// general product of sparse matrices would not use that the three columns of a vertex have the same
+// pattern, nor that the result is symmetric.
 inline Eigen::SparseMatrix<double> pressure_matrix(const For_each_index& for_each,
                                                    const Saddle_point_system& system,
                                                    const Saddle_point_system::Matrix& bt) {
@@ -36,7 +37,8 @@ inline Eigen::SparseMatrix<double> pressure_matrix(const For_each_index& for_eac
   static constexpr std::size_t parts = 16; // each part has a vector of the size of all pressures
   using Row = Saddle_point_system::Matrix::InnerIterator;
   using Index = Eigen::SparseMatrix<double>::StorageIndex;
-  const Eigen::Index n = system.nodal.rows(), m = system.c.rows();
+  const Eigen::Index n = system.nodal.rows(), m = system.c.rows(),
+                     vertices = n - system.velocities_of_bodies;
   std::vector<const Eigen::Matrix3d*> projections(std::size_t(n), nullptr);
   for (const auto& h : system.constrained)
     projections[std::size_t(h.vertex)] = &h.projection;
@@ -65,6 +67,8 @@ inline Eigen::SparseMatrix<double> pressure_matrix(const For_each_index& for_eac
             Eigen::Vector3d gradient;
             for (int axis = 0; axis < 3; ++axis, ++k)
               gradient(axis) = k.value();
+            if (v >= vertices)
+              continue;
             if (projections[std::size_t(v)])
               gradient = (*projections[std::size_t(v)] * gradient).eval();
             gradient /= system.inertia(v);

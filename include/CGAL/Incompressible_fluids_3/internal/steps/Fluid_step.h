@@ -20,6 +20,7 @@
 #include <CGAL/Incompressible_fluids_3/internal/solvers/relative_residual.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_equations.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Roughness_damper.h>
+#include <CGAL/Incompressible_fluids_3/internal/walls/Body_equations.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Vertex_constraints.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Wall_contacts.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/no_slip_sides.h>
@@ -80,7 +81,8 @@ public:
         m_positions(flow.positions), m_before(flow.velocities), m_accelerations(flow.accelerations),
         m_sides(loads.sides), m_gases(loads.gases), m_source(loads.source),
         m_equations(m_for_each, m_mesh, m_properties, m_step, m_positions),
-        m_contacts(m_mesh, loads.solids, complex, m_positions, m_begin) {
+        m_contacts(m_mesh, loads.solids, complex, m_positions, m_begin), m_solids(loads.solids),
+        m_velocities_of_bodies(m_contacts.velocities_of_bodies()) {
     for (std::size_t v = 0; v < m_positions.size(); ++v)
       m_velocities.push_back(m_before[v] + m_step.theta * m_step.dt * m_accelerations[v]);
     m_pressures = Vector::Zero(Eigen::Index(m_mesh.vertex_of_pressure.size()));
@@ -220,6 +222,33 @@ public:
     return result;
   }
 
+  // Returns the energy that bodies lose in the step: the energy that they supply to liquids.
+  double work_of_bodies() const {
+    const Eigen::Vector3d gravity(m_properties.gravity().data());
+    double result = 0;
+    for (std::size_t k = 0; k < m_final_velocities_of_bodies.size(); ++k) {
+      const Body_inertia inertia = inertia_of_body(k);
+      const Body_velocity before = m_velocities_of_bodies[k];
+      const Body_place from = m_contacts.place_of_body(k, m_begin),
+                       to = m_contacts.place_of_body(k, m_end);
+      result += inertia.energy(from.rotation, before) -
+                inertia.energy(to.rotation, m_final_velocities_of_bodies[k]) +
+                inertia.mass() * gravity.dot(to.center - from.center);
+    }
+    return result;
+  }
+
+  // Returns the velocities of bodies at the end of the step. They are numbered in the order of
+  // solids. The result is empty if solids do not move.
+  const std::vector<Body_velocity>& final_velocities_of_bodies() const {
+    return m_final_velocities_of_bodies;
+  }
+
+  // Returns the mean force and torque of liquids on each solid in the step.
+  std::vector<typename Contacts::Load> loads_on_solids() const {
+    return m_contacts.loads(forces_on_vertices(), m_midpoint_positions);
+  }
+
   // Returns the mean forces of walls and of sides of the domain on vertices in the step.
   Vector forces_on_vertices() const {
     Vector result = m_reactions;
@@ -250,10 +279,7 @@ private:
   // solution.
   // \throws Convergence_error if the residual is above its bound
   void check_residual() {
-    System system = m_equations.system();
-    system.b = m_b;
-    system.constrained = m_constraints.constrained();
-    system.closed = m_closed;
+    const System system = constrained_system();
     const Solution& last = m_last_solution;
     m_residual = relative_residual(system, last.f, last.s, last.v, last.p);
     if (!(m_residual <= largest_residual))
@@ -269,10 +295,13 @@ private:
     for (std::size_t v = 0; v < m_before.size(); ++v)
       velocities.push_back(m_before[v] + (m_velocities[v] - m_before[v]) / m_step.theta);
     m_destinations = at_time(m_step.dt);
+    if (bodies_move())
+      m_final_velocities_of_bodies =
+          m_bodies.final_velocities(m_contacts.velocities_of_bodies(), m_step.dt);
     const Roughness_damper<Mesh> damper(m_mesh, m_destinations);
     m_unstopped_velocities = damper.damped(velocities, m_equations.masses(), m_step.dt);
     m_final_velocities = m_unstopped_velocities;
-    m_contacts.stop(m_final_velocities);
+    m_contacts.stop(m_final_velocities, m_destinations, m_end, m_final_velocities_of_bodies);
     stop_on_sides(m_mesh, m_sides, m_final_velocities);
     for (std::size_t v = 0; v < m_final_velocities.size(); ++v)
       m_final_accelerations.push_back((m_final_velocities[v] - m_before[v]) / m_step.dt);
@@ -343,15 +372,16 @@ private:
     const Vector f = m_equations.forces(m_before),
                  s = m_equations.stabilization(m_accelerations) + m_equations.sources(m_gains);
     Solution& last = m_last_solution;
-    last.f = f - system.multiply_a(known);
+    last.f = m_bodies.forces(f - system.multiply_a(known));
     last.s = s - m_b * known + m_slip_flux.of_walls;
     Vector v = flat(m_velocities);
     m_equations.slips().to_unknowns(v);
-    v -= known;
-    m_iterations += m_solver.solve(last.f, last.s, v, m_pressures, accuracy);
+    last.v = m_bodies.unknowns(v - known, m_contacts.velocities_of_bodies());
+    m_iterations += m_solver.solve(last.f, last.s, last.v, m_pressures, accuracy);
     ++m_solutions;
-    last.v = v;
     last.p = m_pressures;
+    if (bodies_move())
+      m_contacts.set_velocities_of_bodies(m_bodies.velocities_of_bodies(last.v));
     // The constant in the pressures of a closed set is arbitrary. With a least pressure of 0, it
     // causes no negative normal forces at walls.
     for (const auto& set : m_closed) {
@@ -360,7 +390,7 @@ private:
         least = (std::min)(least, m_pressures(p));
       set.add(-least, m_pressures);
     }
-    v += known;
+    v = known + m_bodies.velocities(last.v);
     m_reactions = system.multiply_a(v) - system.b.transpose() * m_pressures - f;
     // Clears the reactions of relative velocities: the forces between two liquids cancel.
     for (const auto& slip : m_mesh.slips)
@@ -387,18 +417,50 @@ private:
     m_contacts.constrain(m_constraints);
     constrain_slips();
     m_constraints.close();
-    System system = m_equations.system();
-    system.constrained = m_constraints.constrained();
-    m_slip_flux = slip_flux(m_mesh, m_contacts, system.constrained, m_midpoint_positions);
+    m_slip_flux = slip_flux(m_mesh, m_contacts, m_constraints.constrained(), m_midpoint_positions);
+    m_b = m_equations.system().b;
     if (m_slip_flux.matrix.nonZeros() > 0)
-      system.b += m_slip_flux.matrix;
-    m_b = system.b;
-    system.closed = m_closed = closed_sets(system);
+      m_b += m_slip_flux.matrix;
+    m_bodies = {moving_bodies(), m_step.theta * m_step.dt,
+                Eigen::Vector3d(m_properties.gravity().data()), m_positions.size(), m_constraints};
+    System system = constrained_system();
+    m_closed = system.closed;
     if (m_is_factorized)
       m_solver.update(std::move(system));
     else
       m_solver.factorize(std::move(system), m_number_of_threads);
     m_is_factorized = m_is_assembled = true;
+  }
+
+  // Returns the system with the constraints and the bodies.
+  System constrained_system() const {
+    System result = m_equations.system();
+    result.b = m_b;
+    result.constrained = m_constraints.constrained();
+    m_bodies.extend(result);
+    result.closed = closed_sets(result);
+    return result;
+  }
+
+  bool bodies_move() const { return m_end > m_begin && m_contacts.number_of_bodies() > 0; }
+
+  Body_inertia inertia_of_body(std::size_t k) const {
+    Rigid_body_3 body = *m_solids[m_contacts.solid_of_body(k)].body;
+    if (Mesh::dimension == 2) {
+      body.translates[2] = false;
+      body.rotates[0] = body.rotates[1] = false;
+    }
+    return Body_inertia(body);
+  }
+
+  // Returns the bodies that move in the step.
+  std::vector<Body_equations::Body> moving_bodies() const {
+    std::vector<Body_equations::Body> result;
+    for (std::size_t k = 0; bodies_move() && k < m_contacts.number_of_bodies(); ++k)
+      result.push_back({inertia_of_body(k), m_velocities_of_bodies[k],
+                        m_contacts.place_of_body(k, m_begin),
+                        m_contacts.place_of_body(k, (m_begin + m_end) / 2)});
+    return result;
   }
 
   std::optional<Eigen::Vector3d> velocity_of_side(std::size_t v) const {
@@ -457,7 +519,10 @@ private:
   Vector m_pressures, m_reactions;
   Equations m_equations;
   Contacts m_contacts;
+  const typename Contacts::Solids& m_solids;
+  std::vector<Body_velocity> m_velocities_of_bodies, m_final_velocities_of_bodies;
   Vertex_constraints m_constraints{0};
+  Body_equations m_bodies;
   std::vector<System::Closed_set> m_closed;
   Slip_flux m_slip_flux;
   System::Matrix m_b; // with the correction for slip

@@ -13,36 +13,55 @@
 #include <Eigen/Dense>
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The constraints on the velocities of vertices. A velocity is the sum of a prescribed vector and
-// of a vector v with P v = v, where P is the orthogonal projection onto the free directions.
+// The constraints on the velocities of vertices. A velocity is the sum of a prescribed vector, of
+// vectors that are linear in the unknown velocities of rigid bodies, and of a vector v with P v =
+// v, where P is the orthogonal projection onto the free directions.
 class Vertex_constraints
 {
 public:
-  // A prescribed velocity along a direction of unit length.
+  // The body to whose motion a constraint is attached.
+  struct Attached_body
+  {
+    std::size_t body;    // its number
+    Eigen::Vector3d arm; // the vector from its center to the vertex
+  };
+
+  // A prescribed velocity along a direction of unit length. If a body is given, it is prescribed
+  // relative to the body.
   struct Known
   {
     Eigen::Vector3d direction;
     double velocity;
+    std::optional<Attached_body> body = {};
+  };
+
+  // A part of the velocity of a vertex: a matrix times the velocity of a body at the vertex.
+  struct Attachment
+  {
+    std::size_t vertex;
+    Attached_body body;
+    Eigen::Matrix3d matrix;
   };
 
   explicit Vertex_constraints(std::size_t number_of_vertices) : m_known(number_of_vertices) {}
 
   void add(std::size_t v, const Known& known) { m_known[v].push_back(known); }
 
-  const std::vector<Known>& known(std::size_t v) const { return m_known[v]; }
-
-  // Computes the prescribed velocities and the projections. Call it after the last `add()`.
+  // Computes the prescribed velocities, the projections and the attachments. Call it after the last
+  // `add()`.
   void close() {
     // Two directions can be the same, for example where two walls touch.
     static constexpr double parallel = 1e-6;
     m_prescribed = Eigen::VectorXd::Zero(3 * Eigen::Index(m_known.size()));
     m_constrained.clear();
+    m_attachments.clear();
     for (std::size_t v = 0; v < m_known.size(); ++v) {
       if (m_known[v].empty())
         continue;
@@ -57,9 +76,16 @@ public:
       qr.compute(directions);
       const Eigen::Matrix3d base = qr.householderQ() * Eigen::Matrix3d::Identity();
       const Eigen::MatrixXd known = base.leftCols(qr.rank()), free = base.rightCols(3 - qr.rank());
-      m_prescribed.segment<3>(3 * Eigen::Index(v)) =
-          known * (directions.transpose() * known).colPivHouseholderQr().solve(velocities);
+      // The velocity with given components along the directions, by components.
+      const Eigen::MatrixXd of_components =
+          known *
+          (directions.transpose() * known).completeOrthogonalDecomposition().pseudoInverse();
+      m_prescribed.segment<3>(3 * Eigen::Index(v)) = of_components * velocities;
       m_constrained.push_back({Eigen::Index(v), free * free.transpose()});
+      for (std::size_t i = 0; i < m_known[v].size(); ++i)
+        if (const auto& body = m_known[v][i].body)
+          m_attachments.push_back(
+              {v, *body, of_components.col(Eigen::Index(i)) * m_known[v][i].direction.transpose()});
     }
   }
 
@@ -67,11 +93,13 @@ public:
   const std::vector<Saddle_point_system::Constrained_velocity>& constrained() const {
     return m_constrained;
   }
+  const std::vector<Attachment>& attachments() const { return m_attachments; }
 
 private:
   std::vector<std::vector<Known>> m_known;
   Eigen::VectorXd m_prescribed;
   std::vector<Saddle_point_system::Constrained_velocity> m_constrained;
+  std::vector<Attachment> m_attachments;
 };
 
 } // namespace internal

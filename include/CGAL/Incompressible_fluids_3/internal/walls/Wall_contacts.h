@@ -11,6 +11,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Incompressible_fluids_3/Solids_3.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
+#include <CGAL/Incompressible_fluids_3/internal/walls/Body_motion.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Vertex_constraints.h>
 
 #include <Eigen/Dense>
@@ -38,6 +39,9 @@ struct Any_solid_3
   double cosine;  // of the contact angle
   bool sticks;    // no-slip
   bool separates; // the liquid may leave the wall
+  // The body that liquids move. The solid is the body before any rotation, with its initial center.
+  std::optional<Rigid_body_3> body = {};
+  Rigid_body_3::Point initial_center = ORIGIN;
 };
 
 // The contacts of the surface of liquids with solids. A vertex must not enter a solid, and only
@@ -50,6 +54,9 @@ struct Any_solid_3
 // facets around the vertex that the wall wets. Then a constant pressure along the wall has no
 // effect on the motion. If other facets end at the vertex, the direction is the normal of the wall
 // at the midpoint. The length of the motion along this direction brings the vertex onto the wall.
+//
+// The walls of a rigid body are those of its present motion, see `set_velocities_of_bodies()`. The
+// constraints of its vertices are linear in its unknown velocities.
 template <class Complex> class Wall_contacts
 {
 public:
@@ -61,6 +68,13 @@ public:
                 const Vectors_3& positions, double time)
       : m_mesh(mesh), m_solids(solids), m_positions(positions), m_spacings(positions.size(), 0),
         m_touched(positions.size()) {
+    for (std::size_t solid = 0; solid < solids.size(); ++solid)
+      if (const auto& body = solids[solid].body) {
+        m_body_of_solid.push_back(m_bodies.size());
+        m_bodies.push_back({solid, place_of(*body), velocity_of(*body)});
+      } else
+        m_body_of_solid.push_back(no_body);
+    m_time_of_bodies = time;
     for (const auto& facet : mesh.facets)
       if (facet.is_free)
         for (auto v : facet.vertices) {
@@ -83,6 +97,26 @@ public:
         m_is_covered[v] = m_is_covered[v] && is_wetted;
       }
     }
+  }
+
+  // Return the places of bodies, which move with their present velocities, at a time. Bodies are
+  // numbered in the order of solids.
+  std::size_t number_of_bodies() const { return m_bodies.size(); }
+  Body_place place_of_body(std::size_t k, double time) const {
+    return m_bodies[k].place.moved(m_bodies[k].velocity, time - m_time_of_bodies);
+  }
+  std::size_t solid_of_body(std::size_t k) const { return m_bodies[k].solid; }
+
+  // Sets the velocities of bodies in the step. The initial ones are those of the solids.
+  void set_velocities_of_bodies(const std::vector<Body_velocity>& velocities) {
+    for (std::size_t k = 0; k < m_bodies.size(); ++k)
+      m_bodies[k].velocity = velocities[k];
+  }
+  std::vector<Body_velocity> velocities_of_bodies() const {
+    std::vector<Body_velocity> result;
+    for (const Moving_body& body : m_bodies)
+      result.push_back(body.velocity);
+    return result;
   }
 
   // Predicts the contacts of vertices that move to the expected positions in the time dt. Walls are
@@ -113,10 +147,17 @@ public:
             const Eigen::Vector3d direction =
                 touches ? direction_of(place, areas, middles[v], time_of_middle, normal) : normal;
             const double remaining = w.distance / direction.dot(normal);
-            m_contacts.push_back({v, solid, wall, normal, direction,
+            m_contacts.push_back({v,
+                                  solid,
+                                  wall,
+                                  normal,
+                                  direction,
                                   (direction.dot(expected[v] - m_positions[v]) - remaining) / dt,
                                   (walls_move ? 1. : 0.) * eigen_vector(w.velocity),
-                                  is_known ? known->is_active : touches || w.distance < 0});
+                                  is_known ? known->is_active : touches || w.distance < 0,
+                                  {}});
+            if (walls_move && is_body(solid))
+              attach(m_contacts.back(), middles[v], time_of_middle);
           });
   }
 
@@ -124,11 +165,11 @@ public:
   void constrain(Vertex_constraints& constraints) const {
     for (const Contact& c : m_contacts)
       if (c.is_active) {
-        constraints.add(c.vertex, {c.direction, c.least});
+        constraints.add(c.vertex, {c.direction, c.least, c.body});
         if (sticks(c.solid)) {
           const Eigen::Vector3d along = c.direction.unitOrthogonal();
           for (const Eigen::Vector3d& d : {along, Eigen::Vector3d(c.direction.cross(along))})
-            constraints.add(c.vertex, {d, d.dot(c.wall_velocity)});
+            constraints.add(c.vertex, {d, c.body ? 0 : d.dot(c.wall_velocity), c.body});
         }
       }
   }
@@ -159,7 +200,9 @@ public:
     std::vector<Contact*> revised;
     for (Contact& c : m_contacts) {
       const Eigen::Index row = 3 * Eigen::Index(c.vertex);
-      const double excess = c.direction.dot(velocities.segment<3>(row)) - c.least;
+      double excess = c.direction.dot(velocities.segment<3>(row)) - c.least;
+      if (c.body)
+        excess -= c.direction.dot(m_bodies[c.body->body].velocity.at(c.body->arm));
       if (!c.is_active ? excess < -slowest
                        : round < rounds_of_release && separates(c.solid) && !m_adheres[c.vertex] &&
                              push(c, reactions) < -weakest) {
@@ -171,14 +214,19 @@ public:
     return !revised.empty();
   }
 
-  // Sets the velocities of constrained vertices at the end of the step. With slip, the normal
-  // component is that of the wall. With no-slip, the velocity is that of the wall.
-  void stop(Vectors_3& velocities) const {
+  // Sets the velocities of constrained vertices at the end of the step, with the vertices at given
+  // positions. With slip, the normal component is that of the wall. With no-slip, the velocity is
+  // that of the wall. `of_bodies` are the velocities of bodies at this time.
+  void stop(Vectors_3& velocities, const Vectors_3& positions, double time,
+            const std::vector<Body_velocity>& of_bodies) const {
     for (const Contact& c : m_contacts)
       if (c.is_active) {
-        Eigen::Vector3d& v = velocities[c.vertex];
-        v = sticks(c.solid) ? c.wall_velocity
-                            : Eigen::Vector3d(v - c.normal * c.normal.dot(v - c.wall_velocity));
+        Eigen::Vector3d &v = velocities[c.vertex], of_wall = c.wall_velocity;
+        if (c.body) {
+          const std::size_t k = c.body->body;
+          of_wall = of_bodies[k].at(positions[c.vertex] - place_of_body(k, time).center);
+        }
+        v = sticks(c.solid) ? of_wall : Eigen::Vector3d(v - c.normal * c.normal.dot(v - of_wall));
       }
   }
 
@@ -215,6 +263,23 @@ public:
 
   bool touches(std::size_t v) const { return !m_touched[v].empty(); }
 
+  // Returns the displacement by which a vertex that touches no wall gets onto the nearest wall. The
+  // result is zero if the vertex touches a wall, or if no wall is near.
+  Eigen::Vector3d displacement_to_wall(std::size_t v, double time) const {
+    // In edge lengths. A chord of a circle has this distance if it is half as long as the diameter.
+    static constexpr double reach = .25;
+    Eigen::Vector3d result = Eigen::Vector3d::Zero();
+    double nearest = reach * m_spacings[v];
+    if (!touches(v))
+      for_each_wall(v, m_positions[v], time, [&](std::size_t solid, std::size_t, const Wall_3& w) {
+        if (!is_side(solid) && std::abs(w.distance) < nearest) {
+          nearest = std::abs(w.distance);
+          result = -w.distance * eigen_vector(w.normal);
+        }
+      });
+    return result;
+  }
+
   bool is_constrained(std::size_t v) const {
     const auto first =
         std::lower_bound(m_contacts.begin(), m_contacts.end(), v,
@@ -233,22 +298,31 @@ public:
     return result;
   }
 
-  // Returns the force of liquids on each solid: the opposite of the reactions, in the normal
-  // directions of walls, and with no-slip also along walls.
-  Vectors_3 forces(const Eigen::VectorXd& reactions) const {
-    Vectors_3 result(m_solids.size(), Eigen::Vector3d::Zero());
+  // A force and a torque about the origin.
+  struct Load
+  {
+    Eigen::Vector3d force = Eigen::Vector3d::Zero(), torque = Eigen::Vector3d::Zero();
+  };
+
+  // Returns the force and the torque of liquids on each solid, with the vertices at given
+  // positions: the opposite of the reactions, in the normal directions of walls, and with no-slip
+  // also along walls.
+  std::vector<Load> loads(const Eigen::VectorXd& reactions, const Vectors_3& positions) const {
+    std::vector<Load> result(m_solids.size());
     for_each_reaction(reactions, [&](const Contact& c, const Eigen::Vector3d& reaction) {
-      result[c.solid] -= reaction;
+      result[c.solid].force -= reaction;
+      result[c.solid].torque -= positions[c.vertex].cross(reaction);
     });
     return result;
   }
 
   // Returns an upper bound of the power that moving walls supply to liquids. Power that walls
-  // remove is not subtracted.
+  // remove is not subtracted. Bodies are omitted.
   double power(const Eigen::VectorXd& reactions) const {
     double result = 0;
     for_each_reaction(reactions, [&](const Contact& c, const Eigen::Vector3d& reaction) {
-      result += (std::max)(0., reaction.dot(c.wall_velocity));
+      if (!c.body)
+        result += (std::max)(0., reaction.dot(c.wall_velocity));
     });
     return result;
   }
@@ -270,12 +344,56 @@ private:
     std::size_t vertex, solid, wall;
     Eigen::Vector3d normal;    // of the wall, at the end of the step
     Eigen::Vector3d direction; // of the constraint and of its force
-    double least;              // least velocity along the direction
+    double least; // least velocity along the direction, relative to the body if there is one
     Eigen::Vector3d wall_velocity;
     bool is_active;
+    std::optional<Vertex_constraints::Attached_body> body; // a moving body
 
     Place place() const { return {vertex, solid, wall}; }
   };
+
+  struct Moving_body
+  {
+    std::size_t solid;
+    Body_place place; // at `m_time_of_bodies`
+    Body_velocity velocity;
+  };
+  static constexpr std::size_t no_body = std::size_t(-1);
+
+  bool is_body(std::size_t solid) const {
+    return !is_side(solid) && m_body_of_solid[solid] != no_body;
+  }
+
+  // Attaches a contact to the body of its solid.
+  void attach(Contact& contact, const Eigen::Vector3d& middle, double time_of_middle) const {
+    const std::size_t k = m_body_of_solid[contact.solid];
+    const Eigen::Vector3d arm = middle - place_of_body(k, time_of_middle).center;
+    contact.body = {k, arm};
+    contact.least -= contact.direction.dot(m_bodies[k].velocity.at(arm));
+  }
+
+  // Appends the walls of a solid at a point.
+  void append_walls(std::size_t solid, const Eigen::Vector3d& p, double time,
+                    std::vector<Wall_3>& walls) const {
+    using Point = Any_solid_3::Point;
+    const auto point = [](const Eigen::Vector3d& q) { return Point(q.x(), q.y(), q.z()); };
+    const Any_solid_3& any = m_solids[solid];
+    if (!is_body(solid)) {
+      any.walls(point(p), time, walls);
+      return;
+    }
+    const std::size_t k = m_body_of_solid[solid];
+    const Body_place place = place_of_body(k, time);
+    const Eigen::Matrix3d turn = place.rotation.toRotationMatrix();
+    const Eigen::Vector3d arm = p - place.center;
+    any.walls(point(eigen_vector(any.initial_center) + turn.transpose() * arm), time, walls);
+    for (Wall_3& wall : walls) {
+      const Eigen::Vector3d normal = turn * eigen_vector(wall.normal);
+      wall.normal = from_eigen<Wall_3::Vector>(normal);
+      wall.velocity =
+          from_eigen<Wall_3::Vector>(m_bodies[k].velocity.at(arm - wall.distance * normal));
+    }
+  }
 
   // Returns the wall that wets a facet: all its vertices touch this wall.
   std::optional<Wall> wall_of(const typename Mesh::Facet& facet) const {
@@ -363,7 +481,7 @@ private:
     std::vector<Wall_3> walls;
     for (std::size_t solid = 0; solid < m_solids.size(); ++solid) {
       walls.clear();
-      m_solids[solid].walls(Any_solid_3::Point(p.x(), p.y(), p.z()), time, walls);
+      append_walls(solid, p, time, walls);
       for (std::size_t wall = 0; wall < walls.size(); ++wall)
         if (Mesh::dimension == 3 || is_in_plane(walls[wall]))
           function(solid, wall, walls[wall]);
@@ -443,6 +561,9 @@ private:
   std::vector<std::optional<Wall>> m_wall_of_facet;
   std::vector<std::vector<Wall>> m_touched; // by vertex
   std::vector<Contact> m_contacts;          // by vertex, solid and wall
+  std::vector<std::size_t> m_body_of_solid; // or `no_body`
+  std::vector<Moving_body> m_bodies;
+  double m_time_of_bodies;
 };
 
 } // namespace internal
