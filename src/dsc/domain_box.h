@@ -7,6 +7,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Construction_options.h>
 
+#include <CGAL/Bbox_2.h>
 #include <CGAL/Bbox_3.h>
 
 #include <array>
@@ -17,6 +18,14 @@ namespace dsc {
 /// Returns the box with given least and greatest coordinates.
 inline CGAL::Bbox_3 box(const std::array<double, 6>& d) {
   return {d[0], d[1], d[2], d[3], d[4], d[5]};
+}
+
+/// Returns the box with given least and greatest coordinates; in the plane without those of z.
+template <int dimension> auto box_of_dimension(const std::array<double, 6>& d) {
+  if constexpr (dimension == 2)
+    return CGAL::Bbox_2(d[0], d[1], d[3], d[4]);
+  else
+    return box(d);
 }
 
 /// Returns the options of a complex with normalized coordinates, in a given or the default domain.

@@ -5,7 +5,7 @@
 #include "fluid_report.h"
 
 #include "errors.h"
-#include "legendre.h"
+#include "fluid_probes.h"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <vector>
+#include <utility>
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
@@ -28,11 +28,10 @@ double three_digits(double x) {
   return std::round(x / unit) * unit;
 }
 
-using Complex = Tracked_complex_3::Complex;
+/// Returns the coordinates of a point or vector; in the plane, the third one is 0.
+template <class Vector> Json vector_json(const Vector& v) { return coordinates_of(v); }
 
-template <class Vector> Json vector_json(const Vector& v) { return {v.x(), v.y(), v.z()}; }
-
-Json balance_json(const Fluid::Balance& balance) {
+Json balance_json(const DSC::Fluid_balance& balance) {
   return {{"volume", balance.volume},
           {"energy", balance.energy()},
           {"kinetic_energy", balance.kinetic_energy},
@@ -44,10 +43,10 @@ Json balance_json(const Fluid::Balance& balance) {
 }
 
 /// Returns the topology changes, with the state of the liquids before and after them.
-Json events_json(const Fluid::Report& report) {
+template <class Complex> Json events_json(const DSC::Fluid_report<Complex>& report) {
   Json result = Json::array();
   for (const auto& event : report.deformation.events) {
-    Json entry = event_json(event, {event.where.x(), event.where.y(), event.where.z()}, 3);
+    Json entry = event_json(event, coordinates_of(event.where), 3);
     entry.update({{"before", balance_json(report.moved)}, {"after", balance_json(report.after)}});
     result.push_back(std::move(entry));
   }
@@ -58,10 +57,10 @@ Json events_json(const Fluid::Report& report) {
 class Extent
 {
 public:
-  void add(const Complex::Approximate_point& p) {
-    for (int i = 0; i < 3; ++i) {
-      m_least[std::size_t(i)] = std::min(m_least[std::size_t(i)], p[i]);
-      m_largest[std::size_t(i)] = std::max(m_largest[std::size_t(i)], p[i]);
+  void add(const std::array<double, 3>& p) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      m_least[i] = std::min(m_least[i], p[i]);
+      m_largest[i] = std::max(m_largest[i], p[i]);
     }
   }
   Json json() const { return {m_least, m_largest}; }
@@ -73,94 +72,34 @@ private:
 };
 
 /// Returns the bounding box of the interface.
-Json extent_json(const Complex& complex) {
+template <class Complex> Json extent_json(const Complex& complex) {
   Extent result;
   for (const auto v : complex.interface_vertices())
-    result.add(complex.position(v));
+    result.add(coordinates_of(complex.position(v)));
   return result.json();
 }
 
-/// Returns the amplitude of a Legendre polynomial in the distance of the interface from a point,
-/// relative to the mean distance. The interface is weighted by solid angle.
-double amplitude(const Complex& complex, std::size_t degree, const std::array<double, 3>& center) {
-  const Complex::Approximate_point c(center[0], center[1], center[2]);
-  double sum = 0, squares = 0, mean = 0, angles = 0;
-  struct Sample
-  {
-    double weight, distance, value;
-  };
-  std::vector<Sample> samples;
-  for (const auto& f : complex.interface_facets()) {
-    const auto v = complex.facet_vertices(f);
-    const auto p = complex.position(v[0]), q = complex.position(v[1]), r = complex.position(v[2]);
-    const auto m = CGAL::centroid(p, q, r);
-    const double distance = std::sqrt((m - c).squared_length());
-    const double weight =
-        std::abs(CGAL::cross_product(q - p, r - p) * (m - c)) / (distance * distance * distance);
-    const double value = legendre(degree, (m.z() - c.z()) / distance);
-    samples.push_back({weight, distance, value});
-    mean += weight * distance;
-    angles += weight;
-  }
-  mean /= angles;
-  for (const Sample& s : samples) {
-    sum += s.weight * s.value * (s.distance / mean - 1);
-    squares += s.weight * s.value * s.value;
-  }
-  return sum / squares;
-}
+/// A connected component of a liquid.
+struct Measured_component
+{
+  int label = 0;
+  double volume = 0;
+  Extent extent;
+};
 
-/// Returns the largest z-coordinate of the interface at a point (x, y); null if there is none.
-Json height(const Complex& complex, const std::array<double, 2>& place) {
-  static constexpr double rounding = 1e-9;
-  Json result;
-  for (const auto& f : complex.interface_facets()) {
-    const auto v = complex.facet_vertices(f);
-    const auto p = complex.position(v[0]), q = complex.position(v[1]), r = complex.position(v[2]);
-    const auto twice_area = [](double ax, double ay, double bx, double by) {
-      return ax * by - ay * bx;
-    };
-    const double whole = twice_area(q.x() - p.x(), q.y() - p.y(), r.x() - p.x(), r.y() - p.y());
-    if (whole == 0)
-      continue;
-    const double x = place[0] - p.x(), y = place[1] - p.y(),
-                 b = twice_area(x, y, r.x() - p.x(), r.y() - p.y()) / whole,
-                 c = twice_area(q.x() - p.x(), q.y() - p.y(), x, y) / whole;
-    if (b < -rounding || c < -rounding || b + c > 1 + rounding)
-      continue;
-    const double z = p.z() + b * (q.z() - p.z()) + c * (r.z() - p.z());
-    if (result.is_null() || z > result.get<double>())
-      result = z;
-  }
-  return result;
-}
-
-Json probes_json(const Fluid_scene& scene, const Complex& complex) {
-  Json result = Json::object();
-  for (const Scene_probe& probe : scene.probes)
-    result[probe.name] = probe.mode ? Json(amplitude(complex, *probe.mode, probe.center))
-                                    : height(complex, *probe.place);
-  return result;
-}
-
-Json components_json(const Fluid& fluid) {
+template <class Complex> Json components_json(const Fluid<Complex>& fluid) {
   Json result = Json::array();
-  struct Component
-  {
-    int label = 0;
-    double volume = 0;
-    Extent extent;
-  };
-  std::map<std::uint32_t, Component> present;
-  for (const auto c : fluid.complex().cells()) {
-    Component& component = present[c->component()];
+  std::map<std::uint32_t, Measured_component> present;
+  const Complex& complex = fluid.complex();
+  for (const auto c : complex.cells()) {
+    Measured_component& component = present[c->component()];
     component.label = c->label();
-    component.volume += fluid.complex().measure(c);
-    for (int i = 0; i < 4; ++i)
-      component.extent.add(fluid.complex().position(c->vertex(i)));
+    component.volume += complex.measure(c);
+    for (int i = 0; i < Complex::corners; ++i)
+      component.extent.add(coordinates_of(complex.position(c->vertex(i))));
   }
   for (const auto& [number, volume] : fluid.volumes()) {
-    const Component& component = present[number];
+    const Measured_component& component = present[number];
     result.push_back({{"label", component.label},
                       {"volume", component.volume},
                       {"wanted_volume", volume},
@@ -169,7 +108,7 @@ Json components_json(const Fluid& fluid) {
   return result;
 }
 
-Json gases_json(const Fluid& fluid) {
+template <class Complex> Json gases_json(const Fluid<Complex>& fluid) {
   Json result = Json::array();
   for (const auto& gas : fluid.gases())
     result.push_back({{"label", gas.label}, {"volume", gas.volume}, {"pressure", gas.pressure}});
@@ -190,9 +129,9 @@ const char* name_of(CGAL::Deformable_simplicial_complexes::Fluid_failure cause) 
 }
 
 /// Returns the rejected attempts of a step.
-Json repetitions_json(const Fluid::Report& report) {
+Json repetitions_json(const std::vector<DSC::Fluid_repetition>& repetitions) {
   Json result = Json::array();
-  for (const auto& repetition : report.repetitions)
+  for (const auto& repetition : repetitions)
     result.push_back({{"cause", name_of(repetition.cause)},
                       {"time", repetition.time},
                       {"dt", repetition.dt},
@@ -203,18 +142,20 @@ Json repetitions_json(const Fluid::Report& report) {
 
 } // namespace
 
-Json step_json(const Fluid& fluid, const Fluid_scene& scene, unsigned step,
-               const std::optional<Fluid::Report>& report) {
+template <class Complex>
+Json step_json(const Fluid<Complex>& fluid, const Fluid_scene& scene, unsigned step,
+               const std::optional<DSC::Fluid_report<Complex>>& report) {
   const Complex& complex = fluid.complex();
   Json json = {{"step", step}, {"time", fluid.time()}};
   json.update(balance_json(report ? report->after : fluid.balance()));
   json["parts"] = components_json(fluid);
   json["gases"] = gases_json(fluid);
   json["extent"] = extent_json(complex);
-  json["probes"] = probes_json(scene, complex);
+  json["probes"] = probes_json(scene, fluid);
   json["vertices"] = complex.number_of_vertices();
-  json["tetrahedra"] = complex.number_of_cells();
-  json["interface_triangles"] = complex.interface_facets().size();
+  constexpr bool is_planar = Complex::dimension == 2;
+  json[is_planar ? "triangles" : "tetrahedra"] = complex.number_of_cells();
+  json[is_planar ? "interface_edges" : "interface_triangles"] = complex.interface_facets().size();
   if (!report)
     return json;
   Json forces = Json::array();
@@ -248,15 +189,20 @@ Json step_json(const Fluid& fluid, const Fluid_scene& scene, unsigned step,
                {"residual", three_digits(report->residual)},
                {"flat_cells", report->flat_cells},
                {"substeps", report->parts},
-               {"repetitions", repetitions_json(*report)},
+               {"repetitions", repetitions_json(report->repetitions)},
                {"seconds_of_solver", report->seconds_of_solver},
                {"seconds_of_mesh", report->seconds_of_mesh}});
   return json;
 }
 
-void Repetitions::add(const Fluid::Report& report) {
-  m_steps += !report.repetitions.empty();
-  for (const auto& repetition : report.repetitions)
+template Json step_json(const Fluid<Tracked_complex_2::Complex>&, const Fluid_scene&, unsigned,
+                        const std::optional<DSC::Fluid_report<Tracked_complex_2::Complex>>&);
+template Json step_json(const Fluid<Tracked_complex_3::Complex>&, const Fluid_scene&, unsigned,
+                        const std::optional<DSC::Fluid_report<Tracked_complex_3::Complex>>&);
+
+void Repetitions::add(const std::vector<DSC::Fluid_repetition>& repetitions) {
+  m_steps += !repetitions.empty();
+  for (const auto& repetition : repetitions)
     ++m_attempts[name_of(repetition.cause)];
 }
 

@@ -5,25 +5,29 @@
 #ifndef DSC_FLUID_REPORT_H
 #define DSC_FLUID_REPORT_H
 
+#include "fluid_of_dimension.h"
 #include "fluid_scene.h"
-#include "fluid_start.h"
 #include "report_json.h"
 
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace dsc {
 
 /// Returns the report of a state: after a step, or before the first step if there is no `report`.
-Json step_json(const Fluid& fluid, const Fluid_scene& scene, unsigned step,
-               const std::optional<Fluid::Report>& report);
+/// Points and vectors have three coordinates, also in the plane.
+template <class Complex>
+Json step_json(
+    const Fluid<Complex>& fluid, const Fluid_scene& scene, unsigned step,
+    const std::optional<CGAL::Deformable_simplicial_complexes::Fluid_report<Complex>>& report);
 
 /// A counter of repeated steps, and of rejected attempts by their cause.
 class Repetitions
 {
 public:
-  void add(const Fluid::Report& report);
+  void add(const std::vector<CGAL::Deformable_simplicial_complexes::Fluid_repetition>& repetitions);
   Json json() const { return {{"steps", m_steps}, {"attempts", m_attempts}}; }
   /// Returns the text for the summary; empty if no step was repeated.
   std::string text() const;

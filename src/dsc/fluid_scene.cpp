@@ -6,6 +6,7 @@
 
 #include "errors.h"
 #include "fluid_scene_checks.h"
+#include "fluid_scene_parts.h"
 #include "json_fields.h"
 #include "json_text.h"
 #include "nearest_name.h"
@@ -22,105 +23,21 @@
 namespace dsc {
 namespace {
 
-constexpr double most_amplitude = .5; // in radii
-constexpr std::size_t highest_mode = 100;
-
-double read_amplitude(const Json_fields& shape) {
-  const double result = shape.number("amplitude", 0);
-  if (!(std::abs(result) <= most_amplitude))
-    shape.refuse("amplitude", "must be from -0.5 to 0.5");
-  return result;
-}
-
-std::size_t read_mode(const Json_fields& json) {
-  const std::size_t result = json.count("mode", 0);
-  if (result > highest_mode)
-    json.refuse("mode", "must be at most 100");
-  return result;
-}
-
-/// Throws if only one of two fields is given that have an effect only together.
-void require_both_or_none(const Json_fields& shape, const char* a, const char* b) {
-  if (shape.has(a) != shape.has(b)) {
-    const bool has_a = shape.has(a);
-    shape.refuse(has_a ? a : b,
-                 std::string("has no effect without the field '") + (has_a ? b : a) + "'");
-  }
-}
-
-Ball_shape read_ball(const Json_fields& shape) {
-  shape.require_known({"type", "center", "radius", "mode", "amplitude", "triangles"});
-  require_both_or_none(shape, "mode", "amplitude");
-  return {shape.numbers<3>("center"), shape.positive("radius"), read_mode(shape),
-          read_amplitude(shape), shape.count("triangles", 0)};
-}
-
-Box_shape read_box(const Json_fields& shape) {
-  shape.require_known({"type", "from", "to"});
-  const Box_shape box{shape.numbers<3>("from"), shape.numbers<3>("to")};
-  for (std::size_t i = 0; i < 3; ++i)
-    if (!(box.to[i] > box.from[i]))
-      shape.refuse("to", "must be larger than 'from' in each coordinate: the box is empty");
-  return box;
-}
-
-Cylinder_shape read_cylinder(const Json_fields& shape) {
-  shape.require_known({"type", "from", "to", "radius", "amplitude", "wave_length"});
-  require_both_or_none(shape, "amplitude", "wave_length");
-  const Cylinder_shape column{shape.numbers<3>("from"), shape.numbers<3>("to"),
-                              shape.positive("radius"), read_amplitude(shape),
-                              shape.has("wave_length") ? shape.positive("wave_length") : 0};
-  if (column.from == column.to)
-    shape.refuse("to", "must differ from 'from': the cylinder has no length");
-  return column;
-}
-
-File_shape read_file(const Json_fields& shape) {
-  shape.require_known({"type", "file", "center", "radius", "triangles"});
-  return {shape.text("file"),
-          {shape.numbers<3>("center"), shape.positive("radius")},
-          shape.count("triangles", 0)};
-}
-
-Pool_shape read_pool(const Json_fields& shape) {
-  shape.require_known({"type", "level", "height"});
-  Pool_shape result{shape.number("level"), {}};
-  if (shape.has("height"))
-    result.height =
-        shape.expression("height", {"x", "y"}, 1, "an expression in x and y like '1+0.1*cos(x)'");
-  return result;
-}
-
-Fluid_shape read_shape(const Json_fields& shape) {
-  shape.require_known({"type", "center", "radius", "mode", "amplitude", "triangles", "from", "to",
-                       "wave_length", "file", "level", "height"}); // "type" may be misspelt
-  const std::string type =
-      shape.choice("type", {"ball", "box", "cylinder", "file", "pool", "surroundings"});
-  if (type == "ball")
-    return read_ball(shape);
-  if (type == "box")
-    return read_box(shape);
-  if (type == "cylinder")
-    return read_cylinder(shape);
-  if (type == "file")
-    return read_file(shape);
-  if (type == "pool")
-    return read_pool(shape);
-  shape.require_known({"type"});
-  return Surroundings();
-}
-
-/// Reads a vector of three numbers, or three expressions.
+/// Reads a vector of numbers, or expressions for its coordinates.
 std::optional<Expression> read_velocity(const Json_fields& liquid) {
-  static const std::string form = "three expressions in x, y and z like '-y,x,0'";
-  static const std::vector<std::string> variables = {"x", "y", "z"};
+  const bool is_planar = liquid.dimension() == 2;
+  const std::string form = is_planar ? "two expressions in x and y like '-y,x'"
+                                     : "three expressions in x, y and z like '-y,x,0'";
+  const std::vector<std::string> variables =
+      is_planar ? std::vector<std::string>{"x", "y"} : std::vector<std::string>{"x", "y", "z"};
   if (!liquid.has("velocity"))
     return std::nullopt;
   if (liquid.any("velocity").is_string())
-    return liquid.expression("velocity", variables, 3, form);
+    return liquid.expression("velocity", variables, liquid.dimension(), form);
+  const auto velocity = liquid.point("velocity");
   std::string text;
-  for (double v : liquid.numbers<3>("velocity"))
-    text += (text.empty() ? "" : ",") + Json(v).dump();
+  for (std::size_t i = 0; i < variables.size(); ++i)
+    text += (text.empty() ? "" : ",") + Json(velocity[i]).dump();
   return Expression(text, variables, "velocity of " + liquid.name(), form);
 }
 
@@ -158,78 +75,10 @@ Scene_gas read_gas(const Json_fields& gas, std::size_t index) {
 
 Scene_source read_source(const Json_fields& source) {
   source.require_known({"center", "radius", "rate"});
-  const Scene_source result = {source.numbers<3>("center"), source.positive("radius"),
+  const Scene_source result = {source.point("center"), source.positive("radius"),
                                source.number("rate")};
   if (result.rate == 0)
     source.refuse("rate", "must not be 0: the source has no effect; remove the source");
-  return result;
-}
-
-bool read_side(const Json_fields& solid) {
-  return solid.has("liquid") && solid.choice("liquid", {"inside", "outside"}) == "inside";
-}
-
-std::array<double, 3> read_direction(const Json_fields& solid, const char* field) {
-  const std::array<double, 3> result = solid.numbers<3>(field);
-  if (result == std::array<double, 3>())
-    solid.refuse(field, "must not be the zero vector");
-  return result;
-}
-
-/// Reads the fields of a solid that depend on its type.
-void read_body(const Json_fields& solid, Scene_solid& result) {
-  const auto require_known = [&](std::vector<std::string> fields) {
-    for (const char* field :
-         {"type", "contact_angle", "sticks", "separates", "velocity", "angular_velocity"})
-      fields.push_back(field);
-    solid.require_known(fields);
-  };
-  require_known({"point", "normal", "box", "open", "center", "radius", "axis", "file", "liquid"});
-  using Kind = Scene_solid::Kind;
-  const std::string type = solid.choice("type", {"plane", "tank", "ball", "cylinder", "mesh"});
-  if (type == "plane") {
-    require_known({"point", "normal"});
-    result.kind = Kind::plane;
-    result.point = solid.numbers<3>("point");
-    result.direction = read_direction(solid, "normal");
-  } else if (type == "tank") {
-    require_known({"box", "open"});
-    result.kind = Kind::tank;
-    result.box = solid.numbers<6>("box");
-    result.is_open = solid.flag("open", false);
-  } else if (type == "ball") {
-    require_known({"center", "radius", "liquid"});
-    result.kind = Kind::ball;
-    result.point = solid.numbers<3>("center");
-    result.radius = solid.positive("radius");
-    result.contains_liquid = read_side(solid);
-  } else if (type == "cylinder") {
-    require_known({"point", "axis", "radius", "liquid"});
-    result.kind = Kind::cylinder;
-    result.point = solid.numbers<3>("point");
-    result.direction = read_direction(solid, "axis");
-    result.radius = solid.positive("radius");
-    result.contains_liquid = read_side(solid);
-  } else {
-    require_known({"file", "liquid"});
-    result.kind = Kind::mesh;
-    result.file = solid.text("file");
-    result.contains_liquid = read_side(solid);
-  }
-}
-
-Scene_solid read_solid(const Json_fields& solid) {
-  Scene_solid result;
-  read_body(solid, result);
-  result.contact_angle = solid.number("contact_angle", 90);
-  if (!(result.contact_angle >= 0 && result.contact_angle <= 180))
-    solid.refuse("contact_angle", "must be from 0 to 180 degrees");
-  result.sticks = solid.flag("sticks", false);
-  result.separates = solid.flag("separates", true);
-  if (solid.has("velocity"))
-    result.velocity = solid.numbers<3>("velocity");
-  if (solid.has("angular_velocity"))
-    result.angular_velocity = solid.numbers<3>("angular_velocity");
   return result;
 }
 
@@ -252,35 +101,15 @@ std::vector<Fluid_scene::Tension> read_tensions(const Json_fields& scene) {
 }
 
 void read_sides(const Json_fields& sides, Fluid_scene& scene) {
-  sides.require_known({names_of_sides.begin(), names_of_sides.end()});
-  for (std::size_t side = 0; side < names_of_sides.size(); ++side)
+  const auto number = std::size_t(2 * scene.dimension);
+  sides.require_known({names_of_sides.begin(), names_of_sides.begin() + number});
+  for (std::size_t side = 0; side < number; ++side)
     if (sides.has(names_of_sides[side])) {
-      const auto velocity = sides.numbers<3>(names_of_sides[side]);
+      const auto velocity = sides.point(names_of_sides[side]);
       if (velocity[side / 2] != 0)
         sides.refuse(names_of_sides[side], "must be a velocity along the side");
       scene.sides[side] = velocity;
     }
-}
-
-Scene_probe read_probe(const Json_fields& probe) {
-  const bool has_mode = probe.has("mode");
-  if (has_mode && probe.has("height_at"))
-    probe.refuse("height_at", "a probe measures either a mode or a height; write two probes");
-  if (has_mode)
-    probe.require_known({"name", "mode", "center"});
-  else
-    probe.require_known({"name", "height_at", "mode", "center"});
-  Scene_probe result;
-  result.name = probe.text("name");
-  if (has_mode) {
-    result.mode = read_mode(probe);
-    result.center = probe.numbers<3>("center");
-  } else {
-    if (probe.has("center"))
-      probe.refuse("center", "has no effect without the field 'mode'");
-    result.place = probe.numbers<2>("height_at");
-  }
-  return result;
 }
 
 void read_relaxation(const Json_fields& scene, Fluid_scene& result) {
@@ -296,21 +125,27 @@ void read_relaxation(const Json_fields& scene, Fluid_scene& result) {
     relaxation.refuse("steps", "must not be 0: the relaxation has no effect; remove it");
 }
 
+/// Returns the dimension of a scene, from the number of coordinates of its domain.
+int read_dimension(const Json_fields& scene) {
+  const Json& domain = scene.any("domain");
+  if (!domain.is_array() || (domain.size() != 4 && domain.size() != 6))
+    scene.refuse("domain", "must be a list of 6 numbers, or of 4 numbers in the plane");
+  return domain.size() == 4 ? 2 : 3;
+}
+
 } // namespace
 
 Fluid_scene read_scene(const Json& json) {
-  const Json_fields scene(json, "the scene");
+  Json_fields scene(json, "the scene");
   scene.require_known({"title", "domain", "edge", "liquids", "gases", "sources", "surface_tension",
                        "gravity", "solids", "sides", "probes", "time_step", "cfl", "end",
                        "implicitness", "interface_tolerance", "adaptation_interval", "relaxation"});
   Fluid_scene result;
   result.json = json;
   result.title = scene.text("title", "");
-  result.domain = scene.numbers<6>("domain");
-  for (std::size_t i = 0; i < 3; ++i)
-    if (!(result.domain[i + 3] > result.domain[i]))
-      scene.refuse("domain",
-                   "must be three minimum coordinates and three larger maximum coordinates");
+  result.dimension = read_dimension(scene);
+  scene.set_dimension(result.dimension);
+  result.domain = scene.box("domain");
   result.edge = scene.positive("edge");
   std::size_t index = 0;
   for (const Json_fields& liquid : scene.objects("liquids"))
@@ -323,7 +158,7 @@ Fluid_scene read_scene(const Json& json) {
     result.sources.push_back(read_source(source));
   result.tensions = read_tensions(scene);
   if (scene.has("gravity"))
-    result.gravity = scene.numbers<3>("gravity");
+    result.gravity = scene.point("gravity");
   for (const Json_fields& solid : scene.objects("solids"))
     result.solids.push_back(read_solid(solid));
   if (scene.has("sides"))

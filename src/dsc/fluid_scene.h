@@ -18,8 +18,12 @@
 
 namespace dsc {
 
+// In the plane, points and vectors have the third coordinate 0, and so have boxes.
+
 /// A perturbed ball. In the direction of a unit vector with third coordinate z, its radius is
-/// `radius` (1 + amplitude P(z)), where P is the Legendre polynomial of degree `mode`.
+/// `radius` (1 + amplitude P(z)), where P is the Legendre polynomial of degree `mode`. In the
+/// plane, it is a disk: at an angle a to the x-axis, its radius is `radius` (1 + amplitude cos(mode
+/// a)).
 struct Ball_shape
 {
   std::array<double, 3> center;
@@ -34,15 +38,15 @@ struct Box_shape
   std::array<double, 3> from, to;
 };
 
-/// A cylinder between the centers of its two caps. At distance s from the first cap, its radius is
-/// `radius` (1 + amplitude cos(2 pi s / wave_length)).
+/// A cylinder in space between the centers of its two caps. At distance s from the first cap, its
+/// radius is `radius` (1 + amplitude cos(2 pi s / wave_length)).
 struct Cylinder_shape
 {
   std::array<double, 3> from, to;
   double radius, amplitude, wave_length;
 };
 
-/// A closed surface of a file, fitted into a ball.
+/// A closed surface of a file, in the plane closed curves, fitted into a ball.
 struct File_shape
 {
   std::string file;
@@ -50,8 +54,8 @@ struct File_shape
   std::size_t triangles; ///< 0 keeps the triangles of the file
 };
 
-/// The part of the domain below a height. The height is an expression in x and y whose values are
-/// near `level`.
+/// The part of the domain below a height. The height is an expression in x and y, in the plane in
+/// x, whose values are near `level`.
 struct Pool_shape
 {
   double level;
@@ -71,7 +75,8 @@ struct Scene_liquid
   int label;
   Fluid_shape shape;
   double density, viscosity;
-  std::optional<Expression> velocity; ///< three expressions in x, y and z; zero velocity if not set
+  /// Three expressions in x, y and z, or two expressions in x and y; zero velocity if not set.
+  std::optional<Expression> velocity;
 };
 
 /// A gas, see `Gas`.
@@ -91,28 +96,38 @@ struct Scene_source
 
 struct Scene_solid
 {
-  enum class Kind { plane, tank, ball, cylinder, mesh };
+  enum class Kind { plane, tank, box, ball, cylinder, mesh };
 
   Kind kind;
   std::array<double, 3> point = {}, direction = {}; ///< of plane and cylinder; center of a ball
   double radius = 0;
-  std::array<double, 6> box = {};
+  std::array<double, 6> box = {}; ///< of a tank or box
   bool is_open = false;
   bool contains_liquid = false; ///< of a ball, cylinder or mesh
   std::string file;
   double contact_angle = 90;
   bool sticks = false, separates = true;
+  /// In the plane, only the third coordinate of the angular velocity is not 0.
   std::array<double, 3> velocity = {}, angular_velocity = {};
 };
 
-/// A quantity to be measured in each step: the amplitude of a Legendre polynomial in the shape of
-/// the interface, or the height of the interface at a point (x, y).
+/// A quantity to be measured in each step.
 struct Scene_probe
 {
+  enum class Kind {
+    mode,        ///< amplitude of a mode of `Ball_shape` in the distance of the interface
+    height,      ///< largest last coordinate of the interface above a place
+    circularity, ///< of a label; surface of the ball of equal volume over the surface of the label
+    centroid,    ///< of a label
+    velocity     ///< mean velocity of a label
+  };
+
   std::string name;
-  std::optional<std::size_t> mode;            ///< degree of a Legendre polynomial, or
-  std::optional<std::array<double, 2>> place; ///< x and y of a height
-  std::array<double, 3> center = {};
+  Kind kind;
+  std::size_t mode = 0;
+  std::array<double, 3> center = {}; ///< of a mode
+  std::array<double, 2> place = {};  ///< of a height: x and, in space, y
+  int label = 0;
 };
 
 /// The input of `dsc fluid`.
@@ -120,8 +135,9 @@ struct Fluid_scene
 {
   Json json; ///< the source of the scene
   std::string title;
+  int dimension; ///< 2 or 3
   std::array<double, 6> domain;
-  double edge; ///< target edge length of surfaces
+  double edge; ///< target edge length of surfaces or curves
   std::vector<Scene_liquid> liquids;
   std::vector<Scene_gas> gases;
   std::vector<Scene_source> sources;
@@ -146,7 +162,8 @@ struct Fluid_scene
   std::size_t relaxation_steps;
 };
 
-/// The names of the sides of the domain, in the order of `Fluid_scene::sides`.
+/// The names of the sides of the domain, in the order of `Fluid_scene::sides`. A domain in the
+/// plane has the first four sides.
 inline constexpr std::array<const char*, 6> names_of_sides = {"x-", "x+", "y-", "y+", "z-", "z+"};
 
 /// Returns the labels and shapes, liquids first.

@@ -61,14 +61,36 @@ void require_pairs_of_labels(const Fluid_scene& scene, const Json_fields& json) 
   }
 }
 
+bool measures_label(Scene_probe::Kind kind) {
+  using Kind = Scene_probe::Kind;
+  return kind == Kind::circularity || kind == Kind::centroid || kind == Kind::velocity;
+}
+
+/// Throws unless the label of a probe belongs to a liquid or, if no velocity is measured, to a gas.
+void require_label(const Scene_probe& probe, const Fluid_scene& scene, const Json_fields& json) {
+  const bool is_liquid =
+      std::any_of(scene.liquids.begin(), scene.liquids.end(),
+                  [&](const Scene_liquid& liquid) { return liquid.label == probe.label; });
+  const bool is_gas = std::any_of(scene.gases.begin(), scene.gases.end(),
+                                  [&](const Scene_gas& gas) { return gas.label == probe.label; });
+  const bool has_velocity = probe.kind == Scene_probe::Kind::velocity;
+  if (!is_liquid && (has_velocity || !is_gas))
+    json.refuse("probes", "no liquid " + std::string(has_velocity ? "" : "or gas ") +
+                              "has the label " + std::to_string(probe.label) + " of the probe '" +
+                              probe.name + "'; correct the label");
+}
+
 void require_probes(const Fluid_scene& scene, const Json_fields& json) {
   std::set<std::string> names;
   for (const Scene_probe& probe : scene.probes) {
     if (!names.insert(probe.name).second)
       json.refuse("probes", "two probes have the name '" + probe.name + "'; rename one of them");
-    for (std::size_t i = 0; probe.place && i < 2; ++i)
-      if (!(scene.domain[i] <= (*probe.place)[i] && (*probe.place)[i] <= scene.domain[i + 3]))
-        json.refuse("probes", "the probe '" + probe.name + "' is outside the domain; move it");
+    if (probe.kind == Scene_probe::Kind::height)
+      for (std::size_t i = 0; i + 1 < std::size_t(scene.dimension); ++i)
+        if (!(scene.domain[i] <= probe.place[i] && probe.place[i] <= scene.domain[i + 3]))
+          json.refuse("probes", "the probe '" + probe.name + "' is outside the domain; move it");
+    if (measures_label(probe.kind))
+      require_label(probe, scene, json);
   }
 }
 
@@ -94,25 +116,38 @@ bool is_in_front(const Scene_solid& plane, const std::array<double, 6>& box) {
   return least > 0;
 }
 
-/// Returns whether all walls of a tank are outside the domain.
-bool is_around(const Scene_solid& tank, const std::array<double, 6>& box) {
-  for (std::size_t i = 0; i < 3; ++i)
-    if (box[i] <= tank.box[i] || (box[i + 3] >= tank.box[i + 3] && !(i == 2 && tank.is_open)))
+/// Returns whether all walls of a tank are outside the domain of a scene. An open tank has no wall
+/// at its largest last coordinate.
+bool is_around(const Scene_solid& tank, const Fluid_scene& scene) {
+  const auto d = std::size_t(scene.dimension);
+  for (std::size_t i = 0; i < d; ++i)
+    if (scene.domain[i] <= tank.box[i] ||
+        (scene.domain[i + 3] >= tank.box[i + 3] && !(i + 1 == d && tank.is_open)))
       return false;
   return true;
 }
 
+/// Returns whether a solid box is outside the domain of a scene.
+bool is_outside(const Scene_solid& box, const Fluid_scene& scene) {
+  for (std::size_t i = 0; i < std::size_t(scene.dimension); ++i)
+    if (box.box[i] > scene.domain[i + 3] || box.box[i + 3] < scene.domain[i])
+      return true;
+  return false;
+}
+
 /// Returns whether no liquid inside the domain can touch a solid. Returns false for moving solids,
 /// which may enter the domain, and for cylinders and meshes, which are not tested.
-bool is_out_of_reach(const Scene_solid& solid, const std::array<double, 6>& domain) {
+bool is_out_of_reach(const Scene_solid& solid, const Fluid_scene& scene) {
   if (solid.velocity != Vector() || solid.angular_velocity != Vector())
     return false;
-  const auto [least, largest] = distances(solid.point, domain);
+  const auto [least, largest] = distances(solid.point, scene.domain);
   switch (solid.kind) {
   case Scene_solid::Kind::plane:
-    return is_in_front(solid, domain);
+    return is_in_front(solid, scene.domain);
   case Scene_solid::Kind::tank:
-    return is_around(solid, domain);
+    return is_around(solid, scene);
+  case Scene_solid::Kind::box:
+    return is_outside(solid, scene);
   case Scene_solid::Kind::ball:
     return solid.contains_liquid ? largest < solid.radius : least > solid.radius;
   case Scene_solid::Kind::cylinder:
@@ -126,7 +161,7 @@ void require_effect_of_solids(const Fluid_scene& scene, const Json_fields& json)
   const bool has_tension = std::any_of(scene.tensions.begin(), scene.tensions.end(),
                                        [](const auto& tension) { return tension.value > 0; });
   for (std::size_t i = 0; i < scene.solids.size(); ++i) {
-    if (is_out_of_reach(scene.solids[i], scene.domain))
+    if (is_out_of_reach(scene.solids[i], scene))
       json.refuse("solids", numbered("solids", i) +
                                 " has no effect because it is outside the domain; remove it");
     static constexpr double usual = 90;

@@ -11,7 +11,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <vector>
 
 namespace dsc {
@@ -37,50 +36,6 @@ Surface surface_of(const Ball_shape& ball, double edge) {
     for (Surface_point& p : surface.points)
       p = center + (1 + ball.amplitude * legendre(ball.mode, (p.z() - center.z()) / ball.radius)) *
                        (p - center);
-  return surface;
-}
-
-Surface surface_of(const Box_shape& shape, double edge) {
-  std::array<int, 3> n;
-  for (std::size_t i = 0; i < 3; ++i)
-    n[i] = int(number_of_parts((shape.to[i] - shape.from[i]) / edge));
-  number_of_parts(double(n[0]) * n[1] + double(n[1]) * n[2] + double(n[2]) * n[0]);
-  Surface surface;
-  std::map<std::array<int, 3>, std::size_t> known;
-  const auto point = [&](const std::array<int, 3>& at) {
-    const auto [place, is_new] = known.emplace(at, surface.points.size());
-    if (is_new) {
-      std::array<double, 3> p;
-      for (std::size_t i = 0; i < 3; ++i)
-        p[i] = at[i] == n[i] ? shape.to[i]
-                             : shape.from[i] + (shape.to[i] - shape.from[i]) * at[i] / n[i];
-      surface.points.emplace_back(p[0], p[1], p[2]);
-    }
-    return place->second;
-  };
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
-    for (int side : {0, n[axis]})
-      for (int i = 0; i < n[u]; ++i)
-        for (int j = 0; j < n[v]; ++j) {
-          const auto corner = [&](int a, int b) {
-            std::array<int, 3> at;
-            at[axis] = side;
-            at[u] = i + a;
-            at[v] = j + b;
-            return point(at);
-          };
-          const std::size_t a = corner(0, 0), b = corner(1, 0), c = corner(1, 1), d = corner(0, 1);
-          // Alternating diagonals, so that no direction is preferred.
-          if ((i + j) % 2 == 0) {
-            surface.triangles.push_back({a, b, c});
-            surface.triangles.push_back({a, c, d});
-          } else {
-            surface.triangles.push_back({a, b, d});
-            surface.triangles.push_back({b, c, d});
-          }
-        }
-  }
   return surface;
 }
 
@@ -240,18 +195,21 @@ bool is_about(const Cylinder_shape& column, const std::array<double, 3>& place) 
 
 } // namespace
 
-bool is_about(const Fluid_shape& shape, const std::array<double, 3>& p) {
+bool is_about(const Fluid_shape& shape, const std::array<double, 3>& p, int dimension) {
   if (const auto* ball = std::get_if<Ball_shape>(&shape))
     return distance(p, ball->center) < ball->radius * (1 + std::abs(ball->amplitude));
   if (const auto* file = std::get_if<File_shape>(&shape))
     return distance(p, file->ball.center) < file->ball.radius;
-  if (const auto* block = std::get_if<Box_shape>(&shape))
-    return p[0] > block->from[0] && p[0] < block->to[0] && p[1] > block->from[1] &&
-           p[1] < block->to[1] && p[2] > block->from[2] && p[2] < block->to[2];
+  if (const auto* block = std::get_if<Box_shape>(&shape)) {
+    for (std::size_t i = 0; i < std::size_t(dimension); ++i)
+      if (!(p[i] >= block->from[i] && p[i] <= block->to[i])) // touching boxes have no gap
+        return false;
+    return true;
+  }
   if (const auto* column = std::get_if<Cylinder_shape>(&shape))
     return is_about(*column, p);
   if (const auto* pool = std::get_if<Pool_shape>(&shape))
-    return p[2] < pool->level;
+    return p[std::size_t(dimension - 1)] < pool->level;
   return true;
 }
 

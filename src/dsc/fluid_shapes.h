@@ -21,11 +21,10 @@ std::size_t number_of_parts(double parts);
 /// the number of triangles.
 /// \throws Input_error if there would be too many triangles
 Surface surface_of(const Ball_shape& ball, double edge);
-Surface surface_of(const Box_shape& shape, double edge);
 Surface surface_of(const Cylinder_shape& shape, double edge);
 
 /// Returns whether a point is in a shape, or may be in it.
-bool is_about(const Fluid_shape& shape, const std::array<double, 3>& p);
+bool is_about(const Fluid_shape& shape, const std::array<double, 3>& p, int dimension);
 
 } // namespace dsc
 

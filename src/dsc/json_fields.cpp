@@ -13,8 +13,8 @@
 
 namespace dsc {
 
-Json_fields::Json_fields(const Json& json, std::string name)
-    : m_json(&json), m_name(std::move(name)) {
+Json_fields::Json_fields(const Json& json, std::string name, int dimension)
+    : m_json(&json), m_name(std::move(name)), m_dimension(dimension) {
   if (!json.is_object())
     throw Usage_error(m_name + " must be an object in braces");
 }
@@ -109,7 +109,8 @@ Expression Json_fields::expression(const std::string& field,
   return result;
 }
 
-void Json_fields::read_numbers(const std::string& field, std::size_t n, double* result) const {
+void Json_fields::read_numbers(const std::string& field, std::size_t n, double* result,
+                               const std::string& reason) const {
   const Json& json = any(field);
   bool fits = json.is_array() && json.size() == n;
   for (std::size_t i = 0; fits && i < n; ++i) {
@@ -118,7 +119,35 @@ void Json_fields::read_numbers(const std::string& field, std::size_t n, double* 
       result[i] = json[i].get<double>();
   }
   if (!fits)
-    refuse(field, "must be a list of " + std::to_string(n) + " numbers");
+    refuse(field, "must be a list of " + std::to_string(n) + " numbers" + reason);
+}
+
+/// Reads numbers whose count depends on the dimension.
+void Json_fields::read_coordinates(const std::string& field, std::size_t n, double* result) const {
+  read_numbers(field, n, result,
+               m_dimension == 2 ? " because the scene is in the plane: its 'domain' has 4 numbers"
+                                : " because the scene is in space: its 'domain' has 6 numbers");
+}
+
+std::array<double, 3> Json_fields::point(const std::string& field) const {
+  std::array<double, 3> result = {};
+  read_coordinates(field, std::size_t(m_dimension), result.data());
+  return result;
+}
+
+std::array<double, 6> Json_fields::box(const std::string& field) const {
+  const auto d = std::size_t(m_dimension);
+  std::array<double, 6> numbers = {}, result = {};
+  read_coordinates(field, 2 * d, numbers.data());
+  for (std::size_t i = 0; i < d; ++i) {
+    result[i] = numbers[i];
+    result[i + 3] = numbers[i + d];
+    if (!(result[i + 3] > result[i]))
+      refuse(field, std::string("must be ") + (d == 2 ? "two" : "three") +
+                        " minimum coordinates and " + (d == 2 ? "two" : "three") +
+                        " larger maximum coordinates");
+  }
+  return result;
 }
 
 std::vector<Json_fields> Json_fields::objects(const std::string& field) const {
@@ -129,12 +158,12 @@ std::vector<Json_fields> Json_fields::objects(const std::string& field) const {
   if (!json.is_array())
     refuse(field, "must be a list in brackets");
   for (std::size_t i = 0; i < json.size(); ++i)
-    result.emplace_back(json[i], field + "[" + std::to_string(i) + "] of " + m_name);
+    result.emplace_back(json[i], field + "[" + std::to_string(i) + "] of " + m_name, m_dimension);
   return result;
 }
 
 Json_fields Json_fields::object(const std::string& field) const {
-  return {any(field), field + " of " + m_name};
+  return {any(field), field + " of " + m_name, m_dimension};
 }
 
 } // namespace dsc

@@ -16,13 +16,17 @@
 namespace dsc {
 
 /// The fields of an object of a JSON file. Checks that each field is known, of the correct type and
-/// in its range.
+/// in its range. Points and vectors have the dimension of the scene, and so do those of all objects
+/// in it.
 class Json_fields
 {
 public:
   /// \param name name of the object, for messages
   /// \throws Usage_error if `json` is not an object
-  Json_fields(const Json& json, std::string name);
+  Json_fields(const Json& json, std::string name, int dimension = 3);
+
+  int dimension() const { return m_dimension; }
+  void set_dimension(int dimension) { m_dimension = dimension; }
 
   /// Checks that all fields are in the list. Must be called before fields are read, so that a
   /// misspelt field is reported before the missing field with the correct name.
@@ -54,6 +58,11 @@ public:
     read_numbers(field, n, result.data());
     return result;
   }
+  /// Returns a point or a vector; in the plane, its third coordinate is 0.
+  std::array<double, 3> point(const std::string& field) const;
+  /// Returns the least and then the largest coordinates of a box; in the plane, those of z are 0.
+  /// \throws Usage_error if the box is empty
+  std::array<double, 6> box(const std::string& field) const;
   /// Returns the objects of a list; none if the list is missing.
   std::vector<Json_fields> objects(const std::string& field) const;
   Json_fields object(const std::string& field) const;
@@ -63,10 +72,13 @@ public:
   [[noreturn]] void refuse(const std::string& field, const std::string& why) const;
 
 private:
-  void read_numbers(const std::string& field, std::size_t n, double* result) const;
+  void read_numbers(const std::string& field, std::size_t n, double* result,
+                    const std::string& reason = "") const;
+  void read_coordinates(const std::string& field, std::size_t n, double* result) const;
 
   const Json* m_json;
   std::string m_name;
+  int m_dimension;
 };
 
 } // namespace dsc

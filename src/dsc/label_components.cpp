@@ -121,11 +121,14 @@ private:
 
 /// Returns the numbers of samples along the axes for a spacing, all odd or all even. Odd numbers of
 /// samples hit a thin sheet in the middle of the box. Even numbers of samples hit it only if it is
-/// thick enough.
+/// thick enough. A box without extent along an axis, as in the plane, has one sample there.
 Counts samples(const std::array<double, 6>& box, double spacing, bool odd) {
   Counts result;
   for (std::size_t i = 0; i < 3; ++i)
-    result[i] = 2 * std::size_t(std::ceil((box[i + 3] - box[i]) / spacing / 2)) + (odd ? 1 : 0);
+    if (box[i + 3] > box[i])
+      result[i] = 2 * std::size_t(std::ceil((box[i + 3] - box[i]) / spacing / 2)) + (odd ? 1 : 0);
+    else
+      result[i] = 1;
   return result;
 }
 

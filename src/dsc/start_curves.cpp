@@ -22,8 +22,6 @@ namespace DSC = CGAL::Deformable_simplicial_complexes;
 namespace dsc {
 namespace {
 
-using Curve = DSC::Labelled_curve_2<Curve_point>;
-
 constexpr std::size_t segments_of_figures = 200;
 
 Curve_point on_circle(const Curve_point& center, double radius, double angle) {
@@ -64,24 +62,6 @@ Curve slotted_disk(std::size_t segments) {
   Curve curve;
   curve.add_polyline(points);
   return curve;
-}
-
-/// Divides segments so that none is longer than a bound.
-template <class Segments> void divide(double longest, Segments& curve) {
-  std::vector<std::array<std::size_t, 2>> parts;
-  for (const auto& [a, b] : curve.segments) {
-    const Curve_point p = curve.points[a], q = curve.points[b];
-    const double length = std::sqrt(CGAL::squared_distance(p, q));
-    const auto n = std::max<std::size_t>(1, std::size_t(std::ceil(length / longest)));
-    std::size_t last = a;
-    for (std::size_t i = 1; i < n; ++i) {
-      curve.points.push_back(p + double(i) / double(n) * (q - p));
-      parts.push_back({last, curve.points.size() - 1});
-      last = curve.points.size() - 1;
-    }
-    parts.push_back({last, b});
-  }
-  curve.segments = parts;
 }
 
 } // namespace

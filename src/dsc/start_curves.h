@@ -12,6 +12,10 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,11 +25,12 @@ namespace DSC = CGAL::Deformable_simplicial_complexes;
 namespace dsc {
 
 using Curve_point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
+using Curve = DSC::Labelled_curve_2<Curve_point>;
 
 /// The initial division of the plane: closed curves, or segments with seeds.
 struct Curves
 {
-  std::vector<DSC::Labelled_curve_2<Curve_point>> closed;
+  std::vector<Curve> closed;
   std::vector<std::string> names; ///< names of the curves, for messages
   std::optional<DSC::Seeded_segments_2<Curve_point>> seeded;
 };
@@ -43,6 +48,24 @@ template <class Function> void for_each_segment(const Curves& curves, const Func
   if (curves.seeded)
     for (const auto& [a, b] : curves.seeded->segments)
       f(curves.seeded->points[a], curves.seeded->points[b]);
+}
+
+/// Divides segments so that none is longer than a bound.
+template <class Segments> void divide(double longest, Segments& curve) {
+  std::vector<std::array<std::size_t, 2>> parts;
+  for (const auto& [a, b] : curve.segments) {
+    const Curve_point p = curve.points[a], q = curve.points[b];
+    const double length = std::sqrt(CGAL::squared_distance(p, q));
+    const auto n = std::max<std::size_t>(1, std::size_t(std::ceil(length / longest)));
+    std::size_t last = a;
+    for (std::size_t i = 1; i < n; ++i) {
+      curve.points.push_back(p + double(i) / double(n) * (q - p));
+      parts.push_back({last, curve.points.size() - 1});
+      last = curve.points.size() - 1;
+    }
+    parts.push_back({last, b});
+  }
+  curve.segments = parts;
 }
 
 } // namespace dsc

@@ -4,6 +4,7 @@
 
 #include "tracked_complex_2.h"
 
+#include "domain_box.h"
 #include "errors.h"
 #include "files.h"
 #include "option_values.h"
@@ -68,7 +69,7 @@ void add_angles(const Complex& complex, Statistics& statistics) {
 std::optional<CGAL::Bbox_2> box_of(const std::optional<std::array<double, 6>>& domain) {
   if (!domain)
     return std::nullopt;
-  return CGAL::Bbox_2((*domain)[0], (*domain)[1], (*domain)[3], (*domain)[4]);
+  return box_of_dimension<2>(*domain);
 }
 
 std::unique_ptr<Tracked_complex> track_image_2(const Run_start& start, const std::string& format,
@@ -218,7 +219,10 @@ void Tracked_complex_2::write_interface_vtu(const std::string& path) const {
 }
 
 void Tracked_complex_2::write_volume_vtu(const std::string& path) const {
-  CGAL::IO::write_VTU(path, complex);
+  if (flow.is_set())
+    CGAL::IO::write_VTU(path, complex, flow.arrays(complex));
+  else
+    CGAL::IO::write_VTU(path, complex);
 }
 
 void Tracked_complex_2::write_picture(const std::string& stem) const {

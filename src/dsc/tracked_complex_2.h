@@ -6,6 +6,7 @@
 #define DSC_TRACKED_COMPLEX_2_H
 
 #include "tracked_complex.h"
+#include "vertex_flow.h"
 
 #include <CGAL/Deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complexes/State.h>
@@ -49,6 +50,7 @@ public:
   void write_checkpoint(const std::string& path, const std::string& metadata) const override;
 
   Complex complex;
+  Vertex_flow<Complex> flow; ///< written by `write_volume_vtu()` if it is set
 
 private:
   std::optional<DSC::State<2>> m_kept;

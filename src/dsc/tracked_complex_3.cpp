@@ -164,19 +164,10 @@ void Tracked_complex_3::write_interface_vtu(const std::string& path) const {
 }
 
 void Tracked_complex_3::write_volume_vtu(const std::string& path) const {
-  if (!velocity_at) {
+  if (flow.is_set())
+    CGAL::IO::write_VTU(path, complex, flow.arrays(complex));
+  else
     CGAL::IO::write_VTU(path, complex);
-    return;
-  }
-  CGAL::Deformable_simplicial_complexes::Mesh_arrays arrays;
-  arrays.points = {{"velocity", "Float64", 3, {}}, {"pressure", "Float64", 1, {}}};
-  for (const auto v : complex.vertices()) {
-    const auto velocity = velocity_at(v);
-    for (int axis = 0; axis < 3; ++axis)
-      arrays.points[0].values.push_back(velocity[axis]);
-    arrays.points[1].values.push_back(pressure_at(v));
-  }
-  CGAL::IO::write_VTU(path, complex, arrays);
 }
 
 void Tracked_complex_3::write_checkpoint(const std::string& path,

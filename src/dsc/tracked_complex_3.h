@@ -8,12 +8,12 @@
 #include "mesh_content.h"
 #include "threads_option.h"
 #include "tracked_complex.h"
+#include "vertex_flow.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/State.h>
 #include <CGAL/Deformable_simplicial_complexes/compiled_3.h>
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -74,9 +74,7 @@ public:
   void write(const std::string& path, const Mesh_content& content) const;
 
   Complex complex;
-  /// The values that `write_volume_vtu()` writes for vertices. Both functions are set or none.
-  std::function<CGAL::Simple_cartesian<double>::Vector_3(Complex::Vertex_handle)> velocity_at;
-  std::function<double(Complex::Vertex_handle)> pressure_at;
+  Vertex_flow<Complex> flow; ///< written by `write_volume_vtu()` if it is set
 
 private:
   std::optional<DSC::State<3>> m_kept;

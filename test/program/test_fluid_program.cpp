@@ -1,5 +1,5 @@
 // Fluids by the program.
-#include "program.h"
+#include "fluid_program.h"
 
 #include <gtest/gtest.h>
 
@@ -34,20 +34,8 @@ Json scene() {
   })json");
 }
 
-class Fluids : public program::Program_test
+class Fluids : public program::Fluid_program_test
 {
-protected:
-  std::string write_scene(const Json& json) {
-    write("scene.json", json.dump());
-    return path("scene.json").string();
-  }
-  void expect_refusal(const Json& json, const std::string& text) {
-    const Outcome outcome = run("fluid " + write_scene(json));
-    EXPECT_NE(outcome.exit_code, 0) << text;
-    EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
-    EXPECT_EQ(outcome.err.substr(0, 5), "dsc: ");
-    EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err; // one line
-  }
 };
 
 } // namespace
@@ -55,8 +43,9 @@ protected:
 TEST_F(Fluids, scenes_are_listed_and_printed) {
   const Outcome list = run("fluid --list");
   EXPECT_EQ(list.exit_code, 0);
-  for (const char* name : {"droplet", "bunny", "collision", "bowl", "dam-break", "crown",
-                           "capillary-wave", "bubble", "sessile", "jet", "breathing", "tap"}) {
+  for (const char* name :
+       {"droplet", "bunny", "collision", "bowl", "dam-break", "crown", "capillary-wave", "bubble",
+        "sessile", "jet", "breathing", "tap", "rising-bubble", "u-tube"}) {
     EXPECT_NE(list.out.find(name), std::string::npos) << name;
     const Outcome scene = run("fluid --print " + std::string(name));
     EXPECT_EQ(scene.exit_code, 0) << scene.err;
@@ -125,6 +114,28 @@ TEST_F(Fluids, run_that_is_killed_is_resumed_to_the_same_bits) {
           .exit_code,
       0);
   EXPECT_EQ(contents(checkpoint), contents(whole + "/checkpoint.dsc"));
+}
+
+// Boxes of one label that touch form one component.
+TEST_F(Fluids, touching_boxes_are_one_component) {
+  Json json = scene();
+  json["liquids"] = Json::parse(R"json([
+    {"shape": {"type": "box", "from": [-1, -0.5, -1], "to": [1, 0.5, 0]}, "label": 1, "density": 1},
+    {"shape": {"type": "box", "from": [-1, -0.5, 0], "to": [0, 0.5, 1]}, "label": 1, "density": 1}
+  ])json");
+  json["probes"] = Json::parse(R"json([{"name": "shape", "circularity_of": 1},
+    {"name": "center", "centroid_of": 1}, {"name": "velocity", "velocity_of": 1}])json");
+  const Outcome outcome =
+      run("fluid " + write_scene(json) + " --steps 1 --report " + path("report.json").string());
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json steps = report("report.json").at("steps"), &start = steps[0];
+  ASSERT_EQ(start.at("parts").size(), 1u);
+  EXPECT_NEAR(start.at("volume").get<double>(), 3, 1e-12);
+  EXPECT_NEAR(start.at("probes").at("shape").get<double>(), std::cbrt(36 * M_PI * 9) / 14, 1e-12);
+  EXPECT_NEAR(start.at("probes").at("center")[0].get<double>(), -.5 / 3, 1e-12);
+  EXPECT_NEAR(start.at("probes").at("center")[2].get<double>(), -.5 / 3, 1e-12);
+  EXPECT_NEAR(steps[1].at("probes").at("velocity")[2].get<double>(),
+              steps[1].at("momentum")[2].get<double>() / 3, 1e-9);
 }
 
 TEST_F(Fluids, cylinder_stands_between_plates) {
@@ -377,6 +388,8 @@ TEST_F(Fluids, what_has_no_effect_is_refused) {
          "the name 'a'");
   expect(R"({"probes": [{"name": "a", "height_at": [9, 0]}]})", "outside the domain");
   expect(R"({"probes": [{"name": "a", "height_at": [0, 0], "center": [0, 0, 0]}]})", "'center'");
+  expect(R"({"probes": [{"name": "a", "centroid_of": 2}]})", "the label 2");
+  expect(R"({"probes": [{"name": "a", "centroid_of": 1, "mode": 2}]})", "'mode'");
   expect(R"({"surface_tension": [{"labels": [0, 3], "value": 1}]})", "the label 3");
   expect(R"({"surface_tension": [{"labels": [1, 1], "value": 1}]})", "two different labels");
   expect(R"({"surface_tension": [{"labels": [0, 1], "value": 1}, {"labels": [1, 0], "value": 1}]})",

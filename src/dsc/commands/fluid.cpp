@@ -6,8 +6,8 @@
 #include "errors.h"
 #include "files.h"
 #include "fluid_report.h"
+#include "fluid_run.h"
 #include "fluid_scene.h"
-#include "fluid_start.h"
 #include "interrupt.h"
 #include "option_values.h"
 #include "output_folder.h"
@@ -16,7 +16,7 @@
 #include "threads_option.h"
 #include "unused.h"
 
-#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_2.h>
 
 #include <CLI/CLI.hpp>
 
@@ -53,109 +53,27 @@ struct Fluid_options
   bool quiet = false;
 };
 
-using Complex = Tracked_complex_3::Complex;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
-
-Json state_json(const Fluid::State& state) {
-  return {{"time", state.time},
-          {"steps", state.steps},
-          {"damped_steps", state.damped_steps},
-          {"knows_accelerations", state.knows_accelerations},
-          {"motion", state.motion},
-          {"deviations", state.deviations},
-          {"volumes", state.volumes},
-          {"pressures_and_volumes_of_gases", state.gases}};
-}
-
-Fluid::State state_of(const Json& json) {
-  Fluid::State state;
-  state.time = json.at("time");
-  state.steps = json.at("steps");
-  state.damped_steps = json.at("damped_steps");
-  state.knows_accelerations = json.at("knows_accelerations");
-  state.motion = json.at("motion").get<decltype(state.motion)>();
-  if (json.contains("deviations")) // version 1 of checkpoints has none
-    state.deviations = json.at("deviations").get<decltype(state.deviations)>();
-  state.volumes = json.at("volumes").get<std::vector<std::pair<std::uint32_t, double>>>();
-  state.gases = json.at("pressures_and_volumes_of_gases").get<decltype(state.gases)>();
-  return state;
-}
-
-std::string metadata(const Fluid_scene& scene, const Fluid& fluid) {
-  return Json{{"scene", scene.json}, {"fluid", state_json(fluid.state())}}.dump(
-      -1, ' ', false, Json::error_handler_t::replace);
-}
-
-/// A run of a scene: its complex and its fluid.
-struct Run
-{
-  Fluid_scene scene;
-  std::unique_ptr<Tracked_complex_3> complex;
-  std::unique_ptr<Fluid> fluid;
-};
-
-Run start(const Fluid_options& options) {
-  Run run;
-  run.scene = find_scene(options.scene);
-  require_files(run.scene, options.data);
-  run.complex = std::make_unique<Tracked_complex_3>(start_of_scene(run.scene, options.data));
-  require_effect(run.scene, run.complex->complex);
-  run.fluid = fluid_of_scene(run.scene, options.data, run.complex->complex);
-  require_outside_of_solids(run.scene, *run.fluid);
-  if (run.scene.relaxation_steps > 0) {
-    const double velocity =
-        run.fluid->relax(run.scene.relaxation_step, unsigned(run.scene.relaxation_steps),
-                         parameters::number_of_threads(options.threads));
-    if (!options.quiet)
-      std::printf("dsc: the relaxation ended with the largest velocity %.3g\n", velocity);
-  }
-  set_velocities(run.scene, *run.fluid);
-  return run;
-}
-
-Run resume(const Fluid_options& options) {
-  const CGAL::IO::Checkpoint_3 checkpoint = CGAL::IO::read_checkpoint(options.resume);
-  Run run;
-  try {
-    const Json json = Json::parse(checkpoint.metadata);
-    run.scene = read_scene(json.at("scene"));
-    run.complex = std::make_unique<Tracked_complex_3>();
-    run.complex->complex.restore(checkpoint.state);
-    run.fluid = fluid_of_scene(run.scene, options.data, run.complex->complex);
-    run.fluid->restore(state_of(json.at("fluid")));
-  } catch (const Json::exception&) {
-    throw Input_error(options.resume +
-                      " contains a complex, but no fluid to resume; give a checkpoint "
-                      "of dsc fluid");
-  }
-  return run;
-}
-
-double next_step(const Run& run, double end) {
-  const double time = run.fluid->time(), left = end - time;
-  double dt = run.scene.time_step;
-  if (run.scene.cfl > 0)
-    dt = std::min(dt, run.fluid->largest_step(run.scene.cfl));
-  // Avoids a tiny last step.
-  static constexpr double almost = 1e-9;
-  return dt * (1 + almost) >= left ? left : dt * 2 <= left ? dt : left / 2;
-}
-
-void print_summary(const Run& run, unsigned steps, const Repetitions& repetitions, double seconds) {
-  const Fluid::Balance balance = run.fluid->balance();
+template <int dimension>
+void print_summary(const Fluid_run<dimension>& run, unsigned steps, const Repetitions& repetitions,
+                   double seconds) {
+  const auto balance = run.fluid->balance();
   std::printf(
-      "dsc: %s; %u %s, time %g: %zu vertices, %zu interface triangles, volume %.10g, energy "
-      "%.6g%s; %.3g s\n",
+      "dsc: %s; %u %s, time %g: %zu vertices, %zu interface %s, %s %.10g, energy %.6g%s; %.3g s\n",
       run.scene.title.c_str(), steps, noun(steps, "step", "steps"), run.fluid->time(),
       run.complex->complex.number_of_vertices(), run.complex->complex.interface_facets().size(),
-      balance.volume, balance.energy(), repetitions.text().c_str(), seconds);
+      dimension == 2 ? "edges" : "triangles", dimension == 2 ? "area" : "volume", balance.volume,
+      balance.energy(), repetitions.text().c_str(), seconds);
 }
 
 /// A run with its output files and messages.
-class Reported_run
+template <int dimension> class Reported_run
 {
 public:
-  explicit Reported_run(const Fluid_options& options) : m_options(options) {}
+  using Complex = typename Fluid_run<dimension>::Complex;
+
+  /// \param scene the scene, unless the run is resumed
+  Reported_run(const Fluid_options& options, std::optional<Fluid_scene> scene)
+      : m_options(options), m_scene(std::move(scene)) {}
 
   /// Checks whether the output files can be written.
   /// \throws Usage_error, Input_error
@@ -179,16 +97,21 @@ private:
   std::string checkpoint(const char* name);
 
   const Fluid_options& m_options;
+  std::optional<Fluid_scene> m_scene; // empty if the run is resumed
   std::optional<Output_folder> m_folder;
   const Clock::time_point m_begin = Clock::now();
-  Run m_run;
+  Fluid_run<dimension> m_run;
   double m_end = 0; // time
   Json m_steps = Json::array();
   Repetitions m_repetitions;
   unsigned m_first = 0, m_done = 0; // numbers of steps
 };
 
-void Reported_run::check_places() {
+template <int dimension> void Reported_run<dimension>::check_places() {
+  if (dimension == 2 && m_options.subdivisions > 0)
+    throw Usage_error("--subdivide applies only in space; leave it out");
+  if (!m_options.picture.empty())
+    require_extension(m_options.picture, {dimension == 2 ? "svg" : "png"});
   if (!m_options.output.empty())
     m_folder.emplace(m_options.output, m_options.resume, m_options.subdivisions);
   require_place("--report", m_options.report, {m_options.resume, m_options.scene});
@@ -196,12 +119,15 @@ void Reported_run::check_places() {
                 {m_options.resume, m_options.scene, m_options.report});
 }
 
-void Reported_run::begin() {
+template <int dimension> void Reported_run<dimension>::begin() {
   const Interruptible interruptible(m_options.quiet);
-  m_run = m_options.resume.empty() ? start(m_options) : resume(m_options);
-  Fluid& fluid = *m_run.fluid;
-  m_run.complex->velocity_at = [&fluid](Complex::Vertex_handle v) { return fluid.velocity(v); };
-  m_run.complex->pressure_at = [&fluid](Complex::Vertex_handle v) { return fluid.pressure(v); };
+  m_run = m_scene
+              ? start_fluid<dimension>(*m_scene, m_options.data, m_options.threads, m_options.quiet)
+              : resume_fluid<dimension>(m_options.resume, m_options.data);
+  Fluid<Complex>& fluid = *m_run.fluid;
+  using Vertex_handle = typename Complex::Vertex_handle;
+  m_run.complex->flow = {[&fluid](Vertex_handle v) { return fluid.velocity(v); },
+                         [&fluid](Vertex_handle v) { return fluid.pressure(v); }};
   m_end = m_options.end > 0 ? m_options.end : m_run.scene.end;
   if (!(m_end > fluid.time()))
     throw Usage_error("the final time " + Json(m_end).dump() + " is not after the time " +
@@ -209,61 +135,61 @@ void Reported_run::begin() {
   if (m_folder && !m_options.resume.empty())
     m_folder->keep_until(fluid.time());
   m_first = unsigned(fluid.state().steps);
-  m_steps.push_back(step_json(fluid, m_run.scene, m_first, std::nullopt));
+  m_steps.push_back(step_json<Complex>(fluid, m_run.scene, m_first, std::nullopt));
   write_files();
 }
 
-void Reported_run::write_files() {
+template <int dimension> void Reported_run<dimension>::write_files() {
   if (m_folder) {
     Run_position position;
     position.step = step();
     position.time = m_run.fluid->time();
-    m_folder->write(*m_run.complex, position, metadata(m_run.scene, *m_run.fluid));
+    m_folder->write(*m_run.complex, position, m_run.metadata());
   }
 }
 
 /// Returns the name of the last checkpoint in the output folder. Without such a folder, writes a
 /// checkpoint first.
-std::string Reported_run::checkpoint(const char* name) {
+template <int dimension> std::string Reported_run<dimension>::checkpoint(const char* name) {
   if (m_folder)
     return m_folder->checkpoint();
   const std::string result = unused_name(name, ".dsc");
-  m_run.complex->write_checkpoint(result, metadata(m_run.scene, *m_run.fluid));
+  m_run.complex->write_checkpoint(result, m_run.metadata());
   return result;
 }
 
-void Reported_run::write_report() const {
+template <int dimension> void Reported_run<dimension>::write_report() const {
   if (!m_options.report.empty())
     write_json(
         m_options.report,
         {{"scene", m_run.scene.json}, {"repeated", m_repetitions.json()}, {"steps", m_steps}});
 }
 
-bool Reported_run::is_over() const {
+template <int dimension> bool Reported_run<dimension>::is_over() const {
   return m_run.fluid->time() >= m_end || (m_options.steps > 0 && m_done >= m_options.steps) ||
          interrupted();
 }
 
-void Reported_run::advance() {
-  Fluid& fluid = *m_run.fluid;
-  Fluid::Options options;
+template <int dimension> void Reported_run<dimension>::advance() {
+  Fluid<Complex>& fluid = *m_run.fluid;
+  typename Fluid<Complex>::Options options;
   options.deformation.number_of_threads = m_options.threads;
   options.implicitness = m_run.scene.implicitness;
   options.interface_tolerance = m_run.scene.interface_tolerance;
   options.adaptation_interval = unsigned(m_run.scene.adaptation_interval);
-  const Fluid::Report report = fluid.advance(next_step(m_run, m_end), options); // all or nothing
+  const auto report = fluid.advance(m_run.next_step(m_end), options); // all or nothing
   ++m_done;
-  m_steps.push_back(step_json(fluid, m_run.scene, step(), report));
-  m_repetitions.add(report);
+  m_steps.push_back(step_json<Complex>(fluid, m_run.scene, step(), report));
+  m_repetitions.add(report.repetitions);
   if (fluid.volumes().empty())
     throw std::runtime_error("no liquid remains after step " + std::to_string(step()) +
                              "; choose a smaller edge length or time step");
 }
 
-void Reported_run::do_steps() {
+template <int dimension> void Reported_run<dimension>::do_steps() {
   static constexpr unsigned parts = 100; // of the simulated time
   Progress_line progress(parts, m_options.quiet, "progress");
-  const Fluid& fluid = *m_run.fluid;
+  const Fluid<Complex>& fluid = *m_run.fluid;
   const double start_time = fluid.time();
   const auto write_all = [&] {
     progress.clear();
@@ -290,7 +216,7 @@ void Reported_run::do_steps() {
   write_all();
 }
 
-int Reported_run::finish() {
+template <int dimension> int Reported_run<dimension>::finish() {
   if (!m_options.picture.empty())
     m_run.complex->write(m_options.picture);
   if (interrupted())
@@ -299,6 +225,16 @@ int Reported_run::finish() {
   if (!m_options.quiet)
     print_summary(m_run, m_done, m_repetitions, seconds_since(m_begin));
   return interrupted() ? exit_code_of_interrupt : 0;
+}
+
+/// Runs a scene or, without a scene, resumes a checkpoint. Returns the exit code.
+template <int dimension>
+int run_fluid(const Fluid_options& options, std::optional<Fluid_scene> scene) {
+  Reported_run<dimension> run(options, std::move(scene));
+  run.check_places(); // fails before the computation starts
+  run.begin();
+  run.do_steps();
+  return run.finish();
 }
 
 int execute(const Fluid_options& options) {
@@ -313,11 +249,12 @@ int execute(const Fluid_options& options) {
     std::printf("%s\n", find_scene(options.scene).json.dump(2).c_str());
     return 0;
   }
-  Reported_run run(options);
-  run.check_places(); // fails before the computation starts
-  run.begin();
-  run.do_steps();
-  return run.finish();
+  std::optional<Fluid_scene> scene;
+  if (options.resume.empty())
+    scene = find_scene(options.scene);
+  const int dimension = scene ? scene->dimension : CGAL::IO::checkpoint_dimension(options.resume);
+  return dimension == 2 ? run_fluid<2>(options, std::move(scene))
+                        : run_fluid<3>(options, std::move(scene));
 }
 
 /// Throws if other options are given: scenes are listed or printed without any.
@@ -335,7 +272,7 @@ void read(const CLI::App& command, Fluid_options& options) {
   if (options.prints)
     require_alone(command, {"--print", "SCENE"});
   if (!options.picture.empty())
-    require_extension(options.picture, {"png"});
+    require_extension(options.picture, {"png", "svg"});
   if (command.count("--end") > 0)
     options.end = parse_positive(options.written_end, "--end");
   if (!options.lists && options.scene.empty() == options.resume.empty())
@@ -378,7 +315,8 @@ void add_fluid(CLI::App& app, int& exit_code) {
                       "Continue from a checkpoint; the result is bitwise identical");
   command->add_option("--report", options->report,
                       "JSON file with energies, momenta, volumes and contacts of each step");
-  command->add_option("--picture", options->picture, "Picture of the liquids at the end (.png)");
+  command->add_option("--picture", options->picture,
+                      "Picture of the liquids at the end (.png in space, .svg in the plane)");
   command->add_flag("--quiet", options->quiet, "Print only errors");
   command->callback([command, options, &exit_code] {
     read(*command, *options);

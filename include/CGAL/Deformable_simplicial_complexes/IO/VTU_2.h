@@ -12,6 +12,7 @@
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <CGAL/Deformable_simplicial_complex_2.h>
+#include <CGAL/Deformable_simplicial_complexes/Mesh_arrays.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/grids/write_vtu.h>
 
 #include <string>
@@ -36,6 +37,25 @@ template <class Traits, class Tds, class Domain>
 void write_VTU(const std::string& path,
                const Deformable_simplicial_complex_2<Traits, Tds, Domain>& dsc) {
   Deformable_simplicial_complexes::internal::write_cells_vtu(path, dsc);
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Writes all triangles as above, with additional arrays. The function is the same as `write_VTU()`
+with arrays in 3D.
+
+\param path, dsc as above
+\param arrays arrays with a row for each vertex, in the order of `dsc.vertices()`, or for each cell,
+       in the order of `dsc.cells()`
+
+\throws Deformable_simplicial_complexes::File_error as above
+*/
+template <class Traits, class Tds, class Domain>
+void write_VTU(const std::string& path,
+               const Deformable_simplicial_complex_2<Traits, Tds, Domain>& dsc,
+               const Deformable_simplicial_complexes::Mesh_arrays& arrays) {
+  Deformable_simplicial_complexes::internal::write_cells_vtu(path, dsc, arrays);
 }
 
 /*!

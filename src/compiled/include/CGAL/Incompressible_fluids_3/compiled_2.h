@@ -1,0 +1,27 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_COMPILED_2_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_COMPILED_2_H
+
+/// \file
+/// Declares the contents of the component `Compiled` for fluids in the plane:
+/// `CGAL::Incompressible_fluid_2` with the default complex, and the declarations of
+/// `<CGAL/Deformable_simplicial_complexes/compiled_2.h>`. A source file that includes this header
+/// uses the compiled code and does not instantiate these templates again.
+/// \pre The program links with `Deformable_simplicial_complex::Compiled_fluids`.
+
+#include <CGAL/Deformable_simplicial_complexes/compiled_2.h>
+#include <CGAL/Incompressible_fluid_2.h>
+
+#ifndef CGAL_DSC_FLUID_INSTANTIATION // defined where the component instantiates the class
+#define CGAL_DSC_FLUID_INSTANTIATION extern
+#endif
+
+namespace CGAL {
+CGAL_DSC_FLUID_INSTANTIATION template class Deformable_simplicial_complexes::Incompressible_fluid<
+    Deformable_simplicial_complex_2<>>;
+} // namespace CGAL
+
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_COMPILED_2_H

@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DSC_FLUID_SOLIDS_H
+#define DSC_FLUID_SOLIDS_H
+
+#include "fluid_of_dimension.h"
+#include "fluid_scene.h"
+
+#include <string>
+
+namespace dsc {
+
+/// Adds the solids of a scene to a fluid. Files of the scene are searched in `folder`.
+/// \throws Input_error if a file cannot be read
+template <class Complex>
+void add_solids(const Fluid_scene& scene, const std::string& folder, Fluid<Complex>& fluid);
+
+} // namespace dsc
+
+#endif // DSC_FLUID_SOLIDS_H
