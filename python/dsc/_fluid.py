@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal, Union
+from typing import Any, Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -26,12 +26,9 @@ from ._errors import Error
 from ._report import Points, Report
 
 Side = Literal["x-", "x+", "y-", "y+", "z-", "z+"]
-"""A side of the domain: the axis perpendicular to it, and - for the smaller coordinate or + for the larger."""
+"""A side of the domain: the axis perpendicular to it, - for the smaller coordinate, + for the larger."""
 
 _SIDES = ("x-", "x+", "y-", "y+", "z-", "z+")
-
-Velocities = Union[npt.ArrayLike, Callable[[Points], Any]]
-"""Velocities of vertices, of shape (n, d), or a function that returns them for points of shape (n, d)."""
 
 
 @dataclass(frozen=True)
@@ -256,7 +253,9 @@ class Fluid:
             [(self._coordinates(s.center, "a center"), s.radius, s.rate) for s in sources]
         )
 
-    def set_velocities(self, velocities: Velocities, *, label: int | None = None) -> None:
+    def set_velocities(
+        self, velocities: npt.ArrayLike | Callable[[Points], Any], *, label: int | None = None
+    ) -> None:
         """Sets the velocities of all vertices, or of one liquid.
 
         velocities: shape (n, d), in the order of `complex.cells().points`; or a function that returns
