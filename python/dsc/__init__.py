@@ -33,7 +33,7 @@ from ._errors import (
     TetrahedralizationError,
 )
 from ._film import Film
-from ._fluid import Balance, Fluid, FluidReport, Gas, Liquid, Source
+from ._fluid import Balance, Fluid, FluidReport, Gas, Liquid, Side, Source
 from ._progress import ProgressLine
 from ._report import Cells, Changes, Interface, LabelChange, Report, TopologyEvent
 from ._surfaces import CutLocus, Reconstruction, cut_locus, reconstruct
@@ -70,6 +70,7 @@ __all__ = [
     "Reconstruction",
     "Report",
     "Scheme",
+    "Side",
     "Source",
     "TetrahedralizationError",
     "Topology",

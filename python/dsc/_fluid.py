@@ -2,16 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _dsc
-from ._complex import Complex3, Progress, Topology, _box, _given, _integer, _number, _report
+from ._complex import (
+    Complex2,
+    Complex3,
+    Progress,
+    Topology,
+    _box,
+    _given,
+    _integer,
+    _number,
+    _numbers,
+    _report,
+)
+from ._errors import Error
 from ._report import Points, Report
+
+Side = Literal["x-", "x+", "y-", "y+", "z-", "z+"]
+"""A side of the domain: the axis perpendicular to it, - for the smaller coordinate, + for the larger."""
+
+_SIDES = ("x-", "x+", "y-", "y+", "z-", "z+")
 
 
 @dataclass(frozen=True)
@@ -19,7 +36,7 @@ class Liquid:
     """A liquid."""
 
     density: float
-    """Mass of a unit of volume, greater than 0."""
+    """Mass of a unit of volume (in the plane, of area), greater than 0."""
     viscosity: float = 0
     """Dynamic viscosity, 0 or more."""
 
@@ -36,17 +53,17 @@ class Gas:
 
 @dataclass(frozen=True)
 class Source:
-    """A ball in which liquid appears, or vanishes."""
+    """A ball (in the plane, a disk) in which liquid appears, or vanishes."""
 
-    center: tuple[float, float, float]
+    center: Sequence[float]
     radius: float
     rate: float
-    """Volume in a unit of time, if the ball is full of liquid; negative for a drain."""
+    """Volume (in the plane, area) in a unit of time, if the ball is full of liquid; negative for a drain."""
 
 
 @dataclass(frozen=True)
 class Balance:
-    """Sums over all liquids."""
+    """Sums over all liquids. In the plane, they are those of a layer of thickness 1."""
 
     volume: float
     mass: float
@@ -56,7 +73,9 @@ class Balance:
     gas_energy: float
     energy: float
     momentum: Points
-    angular_momentum: Points
+    """Momentum, shape (d,)."""
+    angular_momentum: Points | float
+    """Angular momentum about the origin: shape (3,) in space, a number in the plane."""
 
 
 @dataclass(frozen=True)
@@ -81,7 +100,7 @@ class FluidReport:
     depth_in_solids: float
     """Depth of the deepest vertex in a solid."""
     forces_on_solids: Points
-    """Force on each solid, shape (k, 3)."""
+    """Force on each solid, shape (k, d)."""
     repetitions: int
     """Number of attempts that failed before the step succeeded."""
     deformation: Report
@@ -89,138 +108,174 @@ class FluidReport:
 
 
 class Fluid:
-    """Liquids, gases and void: the labels of a complex in space.
+    """Liquids, gases and void: the labels of a complex in space or in the plane.
 
     complex: the initial state; the fluid works on a copy
     liquids, gases: media by label; all other labels are void
     tensions: surface tension between two labels
-    gravity: acceleration
+    gravity: acceleration, by default 0
+
+    Points and vectors have d coordinates: 3 in space, 2 in the plane. Two liquids slip along their
+    interface. If both are viscous, friction resists the slip.
+
+    The functions that add solids have three options for the wall of the solid:
+
+    contact_angle: in the liquid between solid and surface, degrees in [0, 180], by default 90
+    no_slip: whether liquid in contact moves with the solid, by default False
+    separates: whether liquid may leave the solid, by default True
     """
 
     def __init__(
         self,
-        complex: Complex3,
+        complex: Complex2 | Complex3,
         liquids: Mapping[int, Liquid],
         *,
         gases: Mapping[int, Gas] = {},
         tensions: Mapping[tuple[int, int], float] = {},
-        gravity: tuple[float, float, float] = (0, 0, 0),
+        gravity: Sequence[float] | None = None,
     ) -> None:
-        if not isinstance(complex, Complex3):
-            raise TypeError(f"complex must be a Complex3, not {complex!r}")
+        if not isinstance(complex, (Complex2, Complex3)):
+            raise TypeError(f"complex must be a Complex2 or a Complex3, not {complex!r}")
         if not all(isinstance(liquid, Liquid) for liquid in liquids.values()):
             raise TypeError("liquids must be values of dsc.Liquid")
         if not all(isinstance(gas, Gas) for gas in gases.values()):
             raise TypeError("gases must be values of dsc.Gas")
-        self._compiled = _dsc.Fluid(
+        self._dimension = complex.dimension
+        compiled = _dsc.Fluid2 if self._dimension == 2 else _dsc.Fluid3
+        self._compiled: Any = compiled(
             complex._compiled,
             {label: (liquid.density, liquid.viscosity) for label, liquid in liquids.items()},
             {label: (gas.pressure, gas.exponent) for label, gas in gases.items()},
             dict(tensions),
-            gravity,
+            self._coordinates([0] * self._dimension if gravity is None else gravity, "gravity"),
         )
+
+    def _coordinates(self, values: Sequence[float], name: str) -> list[float]:
+        return _numbers(values, self._dimension, name)
+
+    def _require_space(self, solid: str) -> None:
+        if self._dimension == 2:
+            raise Error(f"{solid} is a solid in space: use a plane, a tank or a ball in the plane")
 
     # Set-up
 
-    def add_plane(
-        self,
-        point: tuple[float, float, float],
-        normal: tuple[float, float, float],
-        *,
-        contact_angle: float = 90,
-        no_slip: bool = False,
-        separates: bool = True,
-    ) -> None:
-        """Adds a solid half space. Liquids are on the side that the normal points to.
+    def add_plane(self, point: Sequence[float], normal: Sequence[float], **wall: Any) -> None:
+        """Adds a solid half space (in the plane, a half plane).
 
-        contact_angle: in the liquid between solid and surface, degrees in [0, 180]
-        no_slip: whether liquid in contact moves with the solid
-        separates: whether liquid may leave the solid
+        point, normal: a point of its boundary, and the direction to the side of the liquids
+        wall: the options of walls, see `Fluid`
         """
-        self._compiled.add_plane(point, normal, contact_angle, no_slip, separates)
+        self._compiled.add_plane(
+            self._coordinates(point, "point"), self._coordinates(normal, "normal"), _given(**wall)
+        )
 
-    def add_tank(
-        self,
-        box: npt.ArrayLike,
-        *,
-        is_open: bool = False,
-        contact_angle: float = 90,
-        no_slip: bool = False,
-        separates: bool = True,
-    ) -> None:
+    def add_tank(self, box: npt.ArrayLike, *, is_open: bool = False, **wall: Any) -> None:
         """Adds the walls of a tank around liquids. An open tank has no wall at the top.
 
-        box: two opposite corners, shape (2, 3). Other parameters: see `add_plane()`.
+        box: two opposite corners, shape (2, d); the top has the largest z, in the plane the largest y
+        wall: the options of walls, see `Fluid`
         """
-        self._compiled.add_tank(_box(box, 3), is_open, contact_angle, no_slip, separates)
+        self._compiled.add_tank(_box(box, self._dimension), is_open, _given(**wall))
 
     def add_ball(
-        self,
-        center: tuple[float, float, float],
-        radius: float,
-        *,
-        outside: bool = False,
-        contact_angle: float = 90,
-        no_slip: bool = False,
-        separates: bool = True,
+        self, center: Sequence[float], radius: float, *, outside: bool = False, **wall: Any
     ) -> None:
-        """Adds a solid ball, or the solid outside of a ball. Other parameters: see `add_plane()`."""
-        self._compiled.add_ball(center, radius, outside, contact_angle, no_slip, separates)
+        """Adds a solid ball (in the plane, a disk), or the solid outside of a ball.
+
+        wall: the options of walls, see `Fluid`
+        """
+        self._compiled.add_ball(
+            self._coordinates(center, "center"), _number(radius, "radius"), outside, _given(**wall)
+        )
 
     def add_cylinder(
         self,
-        point: tuple[float, float, float],
-        axis: tuple[float, float, float],
+        point: Sequence[float],
+        axis: Sequence[float],
         radius: float,
         *,
         outside: bool = False,
-        contact_angle: float = 90,
-        no_slip: bool = False,
-        separates: bool = True,
+        **wall: Any,
     ) -> None:
-        """Adds an infinite solid cylinder, or its outside. Other parameters: see `add_plane()`."""
-        self._compiled.add_cylinder(point, axis, radius, outside, contact_angle, no_slip, separates)
+        """Adds an infinite solid cylinder, or its outside. Raises `Error` in the plane.
+
+        wall: the options of walls, see `Fluid`
+        """
+        self._require_space("a cylinder")
+        self._compiled.add_cylinder(
+            self._coordinates(point, "point"),
+            self._coordinates(axis, "axis"),
+            _number(radius, "radius"),
+            outside,
+            _given(**wall),
+        )
 
     def add_mesh(
-        self,
-        points: npt.ArrayLike,
-        triangles: npt.ArrayLike,
-        *,
-        outside: bool = False,
-        contact_angle: float = 90,
-        no_slip: bool = False,
-        separates: bool = True,
+        self, points: npt.ArrayLike, triangles: npt.ArrayLike, *, outside: bool = False, **wall: Any
     ) -> None:
-        """Adds a solid bounded by a closed surface, (n, 3) and (m, 3), or its outside.
+        """Adds a solid bounded by a closed surface, or its outside. Raises `Error` in the plane.
 
-        Other parameters: see `add_plane()`.
+        points, triangles: shapes (n, 3) and (m, 3)
+        wall: the options of walls, see `Fluid`
         """
+        self._require_space("a closed surface")
         self._compiled.add_mesh(
-            np.asarray(points, dtype=float),
-            np.asarray(triangles),
-            outside,
-            contact_angle,
-            no_slip,
-            separates,
+            np.asarray(points, dtype=float), np.asarray(triangles), outside, _given(**wall)
+        )
+
+    def set_side(
+        self, side: Side, *, slip: bool = False, velocity: Sequence[float] | None = None
+    ) -> None:
+        """Sets the boundary condition at a side of the domain: no-slip, or slip as initially.
+
+        side: 'x-' for the side with the smallest x, 'x+' for the largest x, and so on
+        slip: whether liquid slips along the side
+        velocity: velocity of a no-slip side, by default 0; the component perpendicular to the side has
+            no effect
+
+        The condition applies to liquids that are on the side at the beginning. It has no effect if the
+        domain is not a box.
+        """
+        sides = _SIDES[: 2 * self._dimension]
+        if side not in sides:
+            raise ValueError(f"side must be one of {', '.join(sides)}, not {side!r}")
+        if slip and velocity is not None:
+            raise ValueError("a slip side has no velocity")
+        given = [0] * self._dimension if velocity is None else velocity
+        axis, is_upper = divmod(sides.index(side), 2)
+        self._compiled.set_side(
+            axis, bool(is_upper), None if slip else self._coordinates(given, "velocity")
         )
 
     def set_sources(self, sources: Iterable[Source]) -> None:
         """Replaces the sources."""
-        self._compiled.set_sources([(s.center, s.radius, s.rate) for s in sources])
+        self._compiled.set_sources(
+            [(self._coordinates(s.center, "a center"), s.radius, s.rate) for s in sources]
+        )
 
-    def set_velocities(self, velocities: npt.ArrayLike) -> None:
-        """Sets the velocities of all vertices, shape (n, 3), in the order of `complex.cells().points`.
+    def set_velocities(
+        self, velocities: npt.ArrayLike | Callable[[Points], Any], *, label: int | None = None
+    ) -> None:
+        """Sets the velocities of all vertices, or of one liquid.
+
+        velocities: shape (n, d), in the order of `complex.cells().points`; or a function that returns
+            such an array for these points
+        label: a liquid, whose velocities are set; other liquids keep theirs, and slip along it
 
         The next step begins with the nearest velocities that preserve volumes and enter no wall.
         """
-        self._compiled.set_velocities(np.asarray(velocities, dtype=float))
+        given = velocities(self.complex.cells().points) if callable(velocities) else velocities
+        self._compiled.set_velocities(
+            np.asarray(given, dtype=float), None if label is None else _integer(label, "label")
+        )
 
     # Access
 
     @property
-    def complex(self) -> Complex3:
+    def complex(self) -> Complex2 | Complex3:
         """A copy of the present state of the complex."""
-        return Complex3(self._compiled.complex())
+        copy = self._compiled.complex()
+        return Complex2(copy) if self._dimension == 2 else Complex3(copy)
 
     @property
     def time(self) -> float:
@@ -229,14 +284,36 @@ class Fluid:
 
     @property
     def velocities(self) -> Points:
-        """Velocities of the vertices, shape (n, 3), in the order of `complex.cells().points`."""
-        velocities: Points = self._compiled.velocities()
+        """Velocities of the vertices, shape (n, d), in the order of `complex.cells().points`.
+
+        Vertices off liquids have the velocity 0.
+        """
+        velocities: Points = self._compiled.velocities(None)
         return velocities
 
     @property
     def pressures(self) -> npt.NDArray[np.float64]:
-        """Pressures at the vertices in the last step, shape (n,)."""
-        pressures: npt.NDArray[np.float64] = self._compiled.pressures()
+        """Pressures at the vertices in the last step, shape (n,).
+
+        At the interface of two liquids, they are the means of the pressures of both liquids.
+        """
+        pressures: npt.NDArray[np.float64] = self._compiled.pressures(None)
+        return pressures
+
+    def velocities_of(self, label: int) -> Points:
+        """Returns the velocities of a liquid, shape (n, d). Vertices off the liquid have the velocity 0.
+
+        Two liquids with a common vertex may have different velocities there, because they slip.
+        """
+        velocities: Points = self._compiled.velocities(_integer(label, "label"))
+        return velocities
+
+    def pressures_of(self, label: int) -> npt.NDArray[np.float64]:
+        """Returns the pressures of a liquid in the last step, shape (n,).
+
+        Vertices off the liquid have the pressure 0.
+        """
+        pressures: npt.NDArray[np.float64] = self._compiled.pressures(_integer(label, "label"))
         return pressures
 
     @property
@@ -267,7 +344,7 @@ class Fluid:
         implicitness: .5 preserves energy, 1 damps fast oscillations
         interface_tolerance: largest distance of edges from a smooth surface, in mean edges
         adaptation_interval: number of steps between adaptations of the mesh
-        topology, threads, deformation: as for `Complex3.deform()`
+        topology, threads, deformation: as for `Complex.deform()`
 
         Raises `FluidStepError` if no attempt succeeds. The fluid is then as before.
         """

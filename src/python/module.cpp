@@ -17,5 +17,5 @@ PYBIND11_MODULE(_dsc, module) {
   dsc_python::bind_reconstruction_3(module);
   dsc_python::bind_cut_loci(module);
   dsc_python::bind_film(module);
-  dsc_python::bind_fluid(module);
+  dsc_python::bind_fluids(module);
 }

@@ -642,6 +642,7 @@ TEST(Fluid_solids, tell_distances_with_their_gradients) {
       walls_of(dsc::Plane_solid_3(Point(1, 2, 3), Vector(1, 1, 0))),
       walls_of(dsc::Plane_solid_3(Point(1, 2, 3), Vector(1e200, 1e200, 0))),
       walls_of(dsc::Tank_solid_3(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1))),
+      walls_of(dsc::Tank_solid_3(CGAL::Bbox_2(-1, -1, 1, 1), true)),
       walls_of(ball),
       walls_of(dsc::Ball_solid_3(Point(.1, .2, .3), .5, dsc::Solid_side::outside)),
       walls_of(dsc::Cylinder_solid_3(Point(0, 1, 0), Vector(0, 1, 1), .7, dsc::Solid_side::inside)),

@@ -212,9 +212,22 @@ TEST(Fluid_2, has_the_velocity_of_no_slip_sides) {
   }
 }
 
+TEST(Fluid_2, tanks_have_walls_in_the_plane) {
+  for (const bool is_open : {false, true}) {
+    std::vector<dsc::Wall_3> walls;
+    dsc::Tank_solid_3(square, is_open).walls({0, .25, 0}, 0, walls);
+    ASSERT_EQ(walls.size(), is_open ? 3u : 4u);
+    for (const dsc::Wall_3& wall : walls) {
+      EXPECT_EQ(wall.normal.z(), 0);
+      EXPECT_EQ(wall.distance, 1 + wall.normal.y() * .25);
+    }
+  }
+}
+
 TEST(Fluid_2, refuses_what_makes_no_sense) {
   Complex complex = disk(16, square);
   Fluid fluid(complex, two_liquids(1, 0));
+  EXPECT_THROW(dsc::Tank_solid_3(CGAL::Bbox_2(0, 0, 1, 0)), dsc::Error);
   EXPECT_THROW(fluid.set_side(2, true, {}), dsc::Error);
   EXPECT_THROW(fluid.set_side(0, true, {{{NAN, 0, 0}}}), dsc::Error);
   EXPECT_THROW(fluid.set_velocities([](Vertex_handle) { return Vector(NAN, 0); }), dsc::Error);

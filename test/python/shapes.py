@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import dsc
 import numpy as np
 import numpy.typing as npt
@@ -27,6 +29,31 @@ def disk(edge: float = 0.1) -> dsc.Complex2:
     return dsc.Complex2.from_function(
         lambda points: is_in_balls(points, ([0, 0], 0.5)), box=[(-1, -1), (1, 1)], edge=edge
     )
+
+
+def polygon(corners: int, box: npt.ArrayLike, radius: Callable[[float], float]) -> dsc.Complex2:
+    """Returns a polygon around the origin in a box. The radius is a function of the angle."""
+    angles = 2 * np.pi * np.arange(corners) / corners
+    radii = np.array([radius(angle) for angle in angles])
+    ring = np.c_[radii * np.cos(angles), radii * np.sin(angles)]
+    return dsc.Complex2.from_polygons([[ring]], box=box)
+
+
+def rectangle(
+    columns: int,
+    rows: int,
+    corner: tuple[float, float],
+    labels: Callable[[npt.NDArray[np.float64]], npt.NDArray[np.int64]],
+) -> dsc.Complex2:
+    """Returns the rectangle from (0, 0) to a corner. Labels are those of the barycenters of triangles."""
+    x, y = np.meshgrid(
+        np.linspace(0, corner[0], columns + 1), np.linspace(0, corner[1], rows + 1), indexing="ij"
+    )
+    points = np.c_[x.ravel(), y.ravel()]
+    first = ((rows + 1) * np.arange(columns)[:, None] + np.arange(rows)).ravel()
+    right = first + rows + 1
+    triangles = np.r_[np.c_[first, right, right + 1], np.c_[first, right + 1, first + 1]]
+    return dsc.Complex2.from_triangles(points, triangles, labels(points[triangles].mean(axis=1)))
 
 
 CUBE_POINTS = np.array([[x, y, z] for x in (0.0, 1.0) for y in (0.0, 1.0) for z in (0.0, 1.0)])

@@ -160,7 +160,7 @@ def test_a_wrong_edge(make, edge):
         lambda: dsc.Complex2.from_function(3, [(0, 0), (1, 1)], 0.1),
         lambda: dsc.Complex2.from_polygons([[[(0, 0), (1, 0), (1, 1)]]], [1.5]),
         lambda: dsc.Complex2.from_image(np.eye(4, dtype=int), (1, 1)),
-        lambda: dsc.Fluid(disk(), {1: dsc.Liquid(1.0)}),
+        lambda: dsc.Fluid(3, {1: dsc.Liquid(1.0)}),
         lambda: dsc.Fluid(ball(), {1: 1000}),
         lambda: dsc.Film(hidden=["a"]),
     ],

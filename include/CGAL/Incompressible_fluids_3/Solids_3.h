@@ -15,6 +15,7 @@
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_tree.h>
+#include <CGAL/Bbox_2.h>
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
@@ -126,8 +127,8 @@ private:
 };
 
 /// \ingroup PkgIncompressibleFluids3Ref
-/// A tank: the outside of a box, with six walls, or five if it is open.
-/// \cgalModels `Solid_3`
+/// A tank: the outside of a box, with six walls, or five if it is open. In the plane, a tank has
+/// four walls, or three if it is open. \cgalModels `Solid_3`
 class Tank_solid_3
 {
 public:
@@ -138,7 +139,28 @@ public:
   /// \param box the box that contains the liquids
   /// \param is_open whether the wall at the largest z coordinate is missing
   /// \throws Error if the box is empty or not finite
-  explicit Tank_solid_3(const Bbox_3& box, bool is_open = false) : m_box(box), m_is_open(is_open) {
+  explicit Tank_solid_3(const Bbox_3& box, bool is_open = false) : Tank_solid_3(box, is_open, 3) {}
+
+  /// Constructs a tank in the plane.
+  /// \param box the rectangle that contains the liquids
+  /// \param is_open whether the wall at the largest y coordinate is missing
+  /// \throws Error if the rectangle is empty or not finite
+  explicit Tank_solid_3(const Bbox_2& box, bool is_open = false)
+      : Tank_solid_3(Bbox_3(box.xmin(), box.ymin(), -1, box.xmax(), box.ymax(), 1), is_open, 2) {}
+
+  /// Appends the walls. Takes constant time.
+  void walls(const Point& p, double /*t*/, std::vector<Wall_3>& result) const {
+    for (int axis = 0; axis < m_dimension; ++axis) {
+      const Vector along(axis == 0, axis == 1, axis == 2);
+      result.push_back({p[axis] - m_box.min(axis), along});
+      if (axis < m_dimension - 1 || !m_is_open)
+        result.push_back({m_box.max(axis) - p[axis], -along});
+    }
+  }
+
+private:
+  Tank_solid_3(const Bbox_3& box, bool is_open, int dimension)
+      : m_box(box), m_is_open(is_open), m_dimension(dimension) {
     for (int axis = 0; axis < 3; ++axis)
       if (!(box.max(axis) > box.min(axis)) || !std::isfinite(box.min(axis)) ||
           !std::isfinite(box.max(axis)))
@@ -146,19 +168,9 @@ public:
             "the box of a tank is empty or not finite: use a finite box with positive sides");
   }
 
-  /// Appends the walls. Takes constant time.
-  void walls(const Point& p, double /*t*/, std::vector<Wall_3>& result) const {
-    for (int axis = 0; axis < 3; ++axis) {
-      const Vector along(axis == 0, axis == 1, axis == 2);
-      result.push_back({p[axis] - m_box.min(axis), along});
-      if (axis < 2 || !m_is_open)
-        result.push_back({m_box.max(axis) - p[axis], -along});
-    }
-  }
-
-private:
   Bbox_3 m_box;
   bool m_is_open;
+  int m_dimension;
 };
 
 /// \ingroup PkgIncompressibleFluids3Ref

@@ -1,0 +1,228 @@
+"""Fluids in the plane, with sides, and two liquids that slip: exact values, with few vertices."""
+
+from __future__ import annotations
+
+import dsc
+import numpy as np
+import pytest
+from shapes import CUBE_POINTS, CUBE_TRIANGLES, ball, disk, polygon, rectangle
+
+
+def droplet(**options):
+    return dsc.Fluid(disk(0.15), {1: dsc.Liquid(1.0, 0.05)}, tensions={(0, 1): 0.1}, **options)
+
+
+def pool(density=2.0, gravity=5.0):
+    c = rectangle(6, 6, (1, 1), lambda p: np.where(p[:, 1] < 0.5, 1, 0))
+    return dsc.Fluid(c, {1: dsc.Liquid(density)}, gravity=(0, -gravity))
+
+
+def two_liquids(viscosity=0.0, tension=0.0):
+    """Returns a disk of liquid 1 in liquid 0."""
+    c = polygon(24, [(-1, -1), (1, 1)], lambda angle: 0.5)
+    liquid = dsc.Liquid(1.0, viscosity)
+    return dsc.Fluid(c, {0: liquid, 1: liquid}, tensions={(0, 1): tension})
+
+
+def vertices_of(fluid, label):
+    cells = fluid.complex.cells()
+    return np.unique(cells.cells[cells.labels == label])
+
+
+def rotation(points):
+    return np.c_[-points[:, 1], points[:, 0]]
+
+
+def test_a_droplet_oscillates():
+    """The square of the frequency of mode 2 is 6 for unit density, tension and radius (Rayleigh)."""
+    amplitude, steps = 0.02, 20
+    c = polygon(32, [(-2, -2), (2, 2)], lambda angle: 1 + amplitude * np.cos(2 * angle))
+    fluid = dsc.Fluid(c, {1: dsc.Liquid(1.0)}, tensions={(0, 1): 1})
+    area = fluid.balance.volume
+    for _ in range(steps):
+        report = fluid.step(np.pi / np.sqrt(6) / steps)
+        assert report.volume_error < 1e-12
+    assert fluid.balance.volume == pytest.approx(area, rel=1e-12)
+    points = fluid.complex.interface().points
+    right, top = points.max(axis=0)
+    assert (right - top) / 2 == pytest.approx(-amplitude, rel=0.1)
+    assert fluid.complex.is_valid()
+
+
+def test_free_fall_in_the_plane():
+    fluid = droplet(gravity=(0, -1))
+    assert isinstance(fluid.complex, dsc.Complex2)
+    for _ in range(3):
+        report = fluid.step(0.05)
+    balance = fluid.balance
+    assert balance.mass == pytest.approx(np.pi / 4, rel=0.05)
+    assert balance.momentum == pytest.approx([0, -0.15 * balance.mass], abs=1e-9)
+    assert isinstance(balance.angular_momentum, float)
+    assert report.forces_on_solids.shape == (0, 2)
+    assert fluid.velocities.shape == fluid.complex.cells().points.shape
+
+
+def test_a_pool_rests():
+    fluid = pool()
+    before = fluid.complex.interface().points
+    for _ in range(3):
+        report = fluid.step(0.05)
+    assert report.greatest_velocity < 1e-9
+    assert np.sort(fluid.complex.interface().points[:, 1]) == pytest.approx(np.full(len(before), 0.5))
+
+
+def test_hydrostatic_pressure():
+    fluid = pool(density=2.0, gravity=5.0)
+    fluid.step(0.05, adaptation_interval=0)
+    height = fluid.complex.cells().points[:, 1]
+    exact = np.where(height < 0.5, 10 * (0.5 - height), 0)
+    assert fluid.pressures == pytest.approx(exact, abs=1e-6)
+    assert fluid.pressures_of(1) == pytest.approx(exact, abs=1e-6)
+
+
+def test_a_moving_side_drags_a_viscous_liquid():
+    """In the middle of a long closed box, the flow is parallel, and no liquid passes in total."""
+    c = rectangle(24, 6, (4, 1), lambda p: np.where(p[:, 0] < 3.5, 1, 2))
+    fluid = dsc.Fluid(c, {1: dsc.Liquid(1.0, 10.0), 2: dsc.Liquid(1.0, 10.0)})
+    fluid.set_side("y-")
+    fluid.set_side("y+", velocity=(1, 7))  # across the side: no effect
+    for _ in range(8):
+        fluid.step(0.01, implicitness=1)
+    x, y = fluid.complex.cells().points.T
+    velocities = fluid.velocities_of(1)
+    inner = (x > 0.5) & (x < 3)
+    assert velocities[inner & (y == 1)] == pytest.approx(np.tile([1, 0], (np.sum(inner & (y == 1)), 1)))
+    assert velocities[inner & (y == 0)] == pytest.approx(0)
+    middle = (x > 1) & (x < 2.5)
+    assert velocities[middle, 0] == pytest.approx(3 * y[middle] ** 2 - 2 * y[middle], abs=0.1)
+
+
+def test_a_slip_side_drags_nothing():
+    c = rectangle(6, 6, (1, 1), lambda p: np.where(p[:, 1] < 0.5, 1, 2))
+    fluid = dsc.Fluid(c, {1: dsc.Liquid(1.0, 1.0), 2: dsc.Liquid(1.0, 1.0)})
+    fluid.set_side("y+", velocity=(1, 0))
+    fluid.set_side("y+", slip=True)
+    assert fluid.step(0.05).greatest_velocity < 1e-9
+
+
+def test_liquids_slip_along_each_other():
+    fluid = two_liquids()
+    points = fluid.complex.cells().points
+    inner = vertices_of(fluid, 1)
+    fluid.set_velocities(rotation, label=1)
+    assert fluid.velocities_of(1)[inner] == pytest.approx(rotation(points)[inner])
+    assert fluid.velocities_of(0) == pytest.approx(0)
+    off = np.setdiff1d(np.arange(len(points)), inner)
+    assert np.all(fluid.velocities_of(1)[off] == 0)
+    for _ in range(3):
+        fluid.step(0.02)
+    both = np.intersect1d(vertices_of(fluid, 0), vertices_of(fluid, 1))
+    slip = fluid.velocities_of(1)[both] - fluid.velocities_of(0)[both]
+    assert np.linalg.norm(slip, axis=1).min() > 0.3
+    assert np.linalg.norm(fluid.velocities_of(0), axis=1).max() < 0.1
+
+
+def test_velocities_of_the_other_liquid_are_kept():
+    fluid = two_liquids()
+    points = fluid.complex.cells().points
+    fluid.set_velocities(np.tile([0.1, 0.2], (len(points), 1)))
+    before = fluid.velocities_of(0)
+    fluid.set_velocities(rotation(points), label=1)
+    assert fluid.velocities_of(0) == pytest.approx(before)
+    fluid.set_velocities(0 * points, label=0)
+    inner = vertices_of(fluid, 1)
+    assert fluid.velocities_of(1)[inner] == pytest.approx(rotation(points)[inner])
+
+
+def test_pressures_of_two_liquids():
+    """The law of Laplace: the pressures differ by sigma / r."""
+    fluid = two_liquids(viscosity=0.1, tension=0.1)
+    fluid.step(0.01)
+    both = np.intersect1d(vertices_of(fluid, 0), vertices_of(fluid, 1))
+    inside, outside = fluid.pressures_of(1)[both], fluid.pressures_of(0)[both]
+    assert np.mean(inside - outside) == pytest.approx(0.1 / 0.5, rel=0.1)
+    assert fluid.pressures[both] == pytest.approx((inside + outside) / 2)
+
+
+@pytest.mark.parametrize(
+    "add",
+    [
+        lambda f: f.add_plane((0, -0.55), (0, 1), no_slip=True),
+        lambda f: f.add_ball((0, -1), 0.45, contact_angle=120),
+        lambda f: f.add_tank([(-0.9, -0.55), (0.9, 0.5)], is_open=True, separates=False),
+    ],
+)
+def test_a_drop_lands_on_solids_in_the_plane(add):
+    fluid = droplet(gravity=(0, -2))
+    add(fluid)
+    for _ in range(5):
+        report = fluid.step(0.1)
+    assert report.forces_on_solids.shape == (1, 2)
+    assert report.contacts > 0 and report.depth_in_solids < 0.05
+
+
+def test_a_source_in_the_plane():
+    fluid = droplet()
+    before = fluid.balance.volume
+    fluid.set_sources([dsc.Source((0, 0), 0.3, 0.02)])
+    fluid.step(0.1)
+    assert fluid.balance.volume - before == pytest.approx(0.002, rel=0.6)  # few cells are in the disk
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda: dsc.Fluid(disk(0.3), {1: dsc.Liquid(1.0)}, gravity=(0, 0, -1)),
+        lambda: dsc.Fluid(ball(0.4), {1: dsc.Liquid(1.0)}, gravity=(0, -1)),
+        lambda: droplet().add_plane((0, 0, 0), (0, 0, 1)),
+        lambda: droplet().add_ball((0, 0, 0), 1),
+        lambda: droplet().add_tank([(0, 0, 0), (1, 1, 1)]),
+        lambda: droplet().set_sources([dsc.Source((0, 0, 0), 0.3, 0.02)]),
+        lambda: droplet().set_velocities(np.zeros((3, 2))),
+        lambda: droplet().set_velocities(lambda p: np.zeros((len(p), 3))),
+        lambda: droplet().set_velocities(lambda p: 0 * p, label=0),
+        lambda: droplet().velocities_of(7),
+        lambda: droplet().pressures_of(0),
+        lambda: droplet().set_side("z-"),
+        lambda: droplet().set_side("y"),
+        lambda: droplet().set_side("y-", velocity=(0, 0, 1)),
+        lambda: droplet().set_side("y-", velocity=(1, 0), slip=True),
+    ],
+)
+def test_values_that_do_not_fit(call):
+    with pytest.raises(ValueError):
+        call()
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda: droplet().add_cylinder((0, 0), (1, 0), 1),
+        lambda: droplet().add_mesh(CUBE_POINTS, CUBE_TRIANGLES),
+        lambda: droplet().add_plane((0, 0), (0, 0)),
+        lambda: droplet().add_ball((0, 0), 1, contact_angle=200),
+        lambda: droplet().add_tank([(0, 0), (1, 0)]),
+        lambda: droplet().set_side("y-", velocity=(np.nan, 0)),
+        lambda: droplet().set_velocities(lambda p: np.nan * p),
+    ],
+)
+def test_errors_in_the_plane(call):
+    with pytest.raises(dsc.Error):
+        call()
+
+
+def test_unknown_options_of_walls():
+    with pytest.raises(TypeError, match="unknown option 'angle'"):
+        droplet().add_plane((0, -1), (0, 1), angle=90)
+    with pytest.raises(TypeError, match="contact_angle"):
+        droplet().add_plane((0, -1), (0, 1), contact_angle="flat")
+
+
+def test_sides_in_space():
+    fluid = dsc.Fluid(ball(0.4), {0: dsc.Liquid(1.0, 1.0), 1: dsc.Liquid(1.0, 1.0)})
+    fluid.set_side("z+", velocity=(1, 0, 0))
+    fluid.step(0.01)
+    points = fluid.complex.cells().points
+    on_side = (points[:, 2] == 1) & (np.abs(points[:, :2]).max(axis=1) < 1)
+    assert np.any(on_side)
+    assert fluid.velocities_of(0)[on_side] == pytest.approx(np.tile([1, 0, 0], (np.sum(on_side), 1)))
