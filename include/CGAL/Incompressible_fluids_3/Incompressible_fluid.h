@@ -25,6 +25,7 @@
 #include <CGAL/Incompressible_fluids_3/Fluid_report.h>
 #include <CGAL/Incompressible_fluids_3/Fluid_state.h>
 #include <CGAL/Incompressible_fluids_3/Fluid_step_options.h>
+#include <CGAL/Incompressible_fluids_3/Moving_solid_3.h>
 #include <CGAL/Incompressible_fluids_3/Rigid_body_3.h>
 #include <CGAL/Incompressible_fluids_3/Saddle_point_solver.h>
 #include <CGAL/Incompressible_fluids_3/Side_behavior.h>
@@ -40,6 +41,7 @@
 #include <CGAL/Incompressible_fluids_3/internal/fluid/Step_plan.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Component_momenta.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Liquid_flow.h>
+#include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_sources.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_step.h>
 
 #include <algorithm>
@@ -206,10 +208,29 @@ public:
   /// sources. `state()` does not contain them, so set them again after `restore()` into a new
   /// fluid.
   template <class DivergenceAt> void set_sources(const DivergenceAt& divergence_at) {
-    m_source = [divergence_at](const Eigen::Vector3d& p, double time) {
+    m_sources.divergence = [divergence_at](const Eigen::Vector3d& p, double time) {
       return divergence_at(internal::from_eigen<Point>(p), time);
     };
   }
+
+  /// Adds a source with a given flux. The cells of liquids whose barycenters are in a region gain
+  /// together the volume `flux_at(time)` in a unit of time, evaluated at the midpoint of the step.
+  /// Each unit of their volume gains the same volume. The flux is negative for a drain. If no cell
+  /// is in the region, the source has no effect, and `Report::gained_volume` is 0.
+  ///
+  /// New liquid, exceptions, `relax()` and `state()` are as for `set_sources()`, and the divergence
+  /// has the same bound. Both kinds of sources are added.
+  /// \param is_in a function that returns whether a `Point` is in the region
+  /// \param flux_at a function that returns the flux at a time, a `double`
+  template <class IsIn, class FluxAt> void add_source(const IsIn& is_in, const FluxAt& flux_at) {
+    m_sources.fluxes.push_back(
+        {[is_in](const Eigen::Vector3d& p) { return is_in(internal::from_eigen<Point>(p)); },
+         flux_at});
+  }
+
+  /// Sets the acceleration of gravity for the next steps.
+  /// \throws Error if a coordinate is not finite
+  void set_gravity(const std::array<double, 3>& gravity) { m_properties.set_gravity(gravity); }
 
   /// Sets the velocities of all vertices of liquids. The function `velocity_at(v)` or
   /// `velocity_at(v, label)` returns a `Vector`, the velocity at the vertex `v` of the liquid with
@@ -613,7 +634,7 @@ private:
   typename Contacts::Solids m_solids;
   internal::Side_behaviors m_sides;
   internal::Fluid_motion m_motion;
-  typename Step::Source m_source;
+  internal::Fluid_sources m_sources;
   Liquid_bookkeeping m_liquids; // the volumes and momenta of connected components
   Gas_bookkeeping m_gases;
   double m_time = 0;

@@ -26,6 +26,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -72,6 +73,16 @@ inline Wall_3::Vector unit_vector(const Wall_3::Vector& v, const char* name) {
 template <class Coordinates> void require_place(const Coordinates& c, const char* name) {
   if (!std::isfinite(c.x()) || !std::isfinite(c.y()) || !std::isfinite(c.z()))
     throw Error("the " + std::string(name) + " of a solid is not finite: give finite coordinates");
+}
+
+// Checks a box.
+// \throws Error if the box is empty or not finite
+inline void require_box(const Bbox_3& box, const char* name) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(box.max(axis) > box.min(axis)) || !std::isfinite(box.min(axis)) ||
+        !std::isfinite(box.max(axis)))
+      throw Error(std::string(name) +
+                  " is empty or not finite: use a finite box with positive sides");
 }
 
 // The set of points nearer to a center or an axis than a radius, or the complement of this set.
@@ -161,16 +172,88 @@ public:
 private:
   Tank_solid_3(const Bbox_3& box, bool is_open, int dimension)
       : m_box(box), m_is_open(is_open), m_dimension(dimension) {
-    for (int axis = 0; axis < 3; ++axis)
-      if (!(box.max(axis) > box.min(axis)) || !std::isfinite(box.min(axis)) ||
-          !std::isfinite(box.max(axis)))
-        throw Error(
-            "the box of a tank is empty or not finite: use a finite box with positive sides");
+    internal::require_box(box, "the box of a tank");
   }
 
   Bbox_3 m_box;
   bool m_is_open;
   int m_dimension;
+};
+
+/// \ingroup PkgIncompressibleFluids3Ref
+/// A box, or a rectangle in the plane. Liquids are outside.
+///
+/// Vertices at an edge of the box touch both of its sides, so that they stay on the edge. Vertices
+/// that slide along a side stop at its edges.
+/// \cgalModels `Solid_3`
+class Box_solid_3
+{
+public:
+  using Point = Simple_cartesian<double>::Point_3;   ///< a point in space
+  using Vector = Simple_cartesian<double>::Vector_3; ///< a vector in space
+
+  /// Constructs a box.
+  /// \throws Error if the box is empty or not finite
+  explicit Box_solid_3(const Bbox_3& box) : Box_solid_3(box, 3) {}
+
+  /// Constructs a rectangle in the plane.
+  /// \throws Error if the rectangle is empty or not finite
+  explicit Box_solid_3(const Bbox_2& box)
+      : Box_solid_3(Bbox_3(box.xmin(), box.ymin(), -1, box.xmax(), box.ymax(), 1), 2) {}
+
+  /// Appends the walls. Takes constant time.
+  void walls(const Point& p, double /*t*/, std::vector<Wall_3>& result) const {
+    double outermost = -std::numeric_limits<double>::infinity();
+    for (int side = 0; side < 2 * m_dimension; ++side)
+      outermost = (std::max)(outermost, distance_of_plane(p, side));
+    for (int side = 0; side < 2 * m_dimension; ++side) {
+      const double distance = distance_of_plane(p, side);
+      if (outermost > m_width_of_edges)
+        result.push_back(wall_from_outside(p, side));
+      else if (distance == outermost || std::abs(distance) <= m_width_of_edges)
+        result.push_back({distance, outward(side)});
+      else // the edge of the side limits motions along other sides
+        result.push_back({-distance, -outward(side)});
+    }
+  }
+
+private:
+  Box_solid_3(const Bbox_3& box, int dimension) : m_box(box), m_dimension(dimension) {
+    internal::require_box(box, "the box of a solid");
+    double shortest = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < dimension; ++axis)
+      shortest = (std::min)(shortest, box.max(axis) - box.min(axis));
+    // Changes of the mesh move vertices off an edge by less than this distance.
+    static constexpr double width = 1e-3;
+    m_width_of_edges = width * shortest;
+  }
+
+  // Sides are numbered in the order x minimum, x maximum, y minimum, and so on.
+  static Vector outward(int side) {
+    const double sign = side % 2 == 0 ? -1 : 1;
+    return sign * Vector(side / 2 == 0, side / 2 == 1, side / 2 == 2);
+  }
+  double distance_of_plane(const Point& p, int side) const {
+    const int axis = side / 2;
+    return side % 2 == 0 ? m_box.min(axis) - p[axis] : p[axis] - m_box.max(axis);
+  }
+
+  // Returns a side of the box as the wall of a point outside.
+  Wall_3 wall_from_outside(const Point& p, int side) const {
+    Vector offset(0, 0, 0); // from the nearest point of the side
+    for (int axis = 0; axis < m_dimension; ++axis) {
+      const double least = side == 2 * axis + 1 ? m_box.max(axis) : m_box.min(axis),
+                   largest = side == 2 * axis ? m_box.min(axis) : m_box.max(axis);
+      const double d = p[axis] - std::clamp(p[axis], least, largest);
+      offset = offset + Vector(axis == 0 ? d : 0, axis == 1 ? d : 0, axis == 2 ? d : 0);
+    }
+    const double distance = std::sqrt(offset.squared_length());
+    return {distance, offset / distance};
+  }
+
+  Bbox_3 m_box;
+  int m_dimension;
+  double m_width_of_edges;
 };
 
 /// \ingroup PkgIncompressibleFluids3Ref
@@ -296,61 +379,6 @@ private:
 
   std::shared_ptr<const Data> m_data;
   double m_sign;
-};
-
-/// \ingroup PkgIncompressibleFluids3Ref
-/// A solid with a constant velocity and a constant angular velocity.
-/// \cgalModels `Solid_3`
-/// \tparam Solid a model of `Solid_3`
-template <class Solid> class Moving_solid_3
-{
-public:
-  using Point = Simple_cartesian<double>::Point_3;   ///< a point in space
-  using Vector = Simple_cartesian<double>::Vector_3; ///< a vector in space
-
-  /// Constructs a moving solid.
-  /// \param solid the solid at time 0
-  /// \param velocity the velocity of `center`
-  /// \param center the center of rotation at time 0
-  /// \param angular_velocity the direction of the axis times the angular velocity, in radians per
-  /// unit of time. Zero means no rotation.
-  /// \throws Error if an argument other than the solid is not finite
-  Moving_solid_3(const Solid& solid, const Vector& velocity, const Point& center = Point(0, 0, 0),
-                 const Vector& angular_velocity = Vector(0, 0, 0))
-      : m_solid(solid), m_velocity(velocity), m_center(center), m_turn(angular_velocity) {
-    internal::require_place(velocity, "velocity");
-    internal::require_place(center, "center");
-    internal::require_place(angular_velocity, "angular velocity");
-  }
-
-  /// Appends the walls at time `t`.
-  void walls(const Point& p, double t, std::vector<Wall_3>& result) const {
-    const std::size_t first = result.size();
-    const Vector from_center = p - (m_center + t * m_velocity);
-    m_solid.walls(m_center + turned(from_center, -t), t, result);
-    for (std::size_t i = first; i < result.size(); ++i) {
-      Wall_3& wall = result[i];
-      wall.normal = turned(wall.normal, t);
-      wall.velocity = turned(wall.velocity, t) + m_velocity +
-                      cross_product(m_turn, from_center - wall.distance * wall.normal);
-    }
-  }
-
-private:
-  // Returns a vector rotated by the angle of a time, by Rodrigues' formula.
-  Vector turned(const Vector& v, double t) const {
-    const double rate = std::sqrt(m_turn.squared_length()), angle = rate * t;
-    if (!(rate > 0))
-      return v;
-    const Vector axis = m_turn / rate;
-    return std::cos(angle) * v + std::sin(angle) * cross_product(axis, v) +
-           (1 - std::cos(angle)) * (axis * v) * axis;
-  }
-
-  Solid m_solid;
-  Vector m_velocity;
-  Point m_center;
-  Vector m_turn;
 };
 
 } // namespace Deformable_simplicial_complexes

@@ -103,7 +103,7 @@ void Incompressible_fluid<Complex, Solver>::step(double dt, double end, const Op
   const auto begin_of_solver = Clock::now();
   Step step(m_complex, flow,
             {m_properties, m_solids, m_sides, m_gases.components_of(flow.mesh),
-             end > m_time ? m_source : typename Step::Source()},
+             end > m_time ? m_sources : internal::Fluid_sources()},
             {m_time, end, {dt, chosen.implicitness}}, m_solver,
             chosen.deformation.number_of_threads);
   step.solve(m_knows_accelerations);

@@ -19,6 +19,7 @@
 #include <CGAL/Incompressible_fluids_3/internal/solvers/closed_sets.h>
 #include <CGAL/Incompressible_fluids_3/internal/solvers/relative_residual.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_equations.h>
+#include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_sources.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Roughness_damper.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Body_equations.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Vertex_constraints.h>
@@ -52,8 +53,6 @@ public:
   using System = Saddle_point_system;
   using Vector = Eigen::VectorXd;
 
-  using Source = std::function<double(const Eigen::Vector3d&, double)>;
-
   // The loads on the liquids, and their boundary conditions.
   struct Loads
   {
@@ -61,7 +60,7 @@ public:
     const typename Contacts::Solids& solids;
     const Side_behaviors& sides;
     std::vector<Gas_component> gases; // at the beginning of the step
-    Source source;                    // empty without sources
+    Fluid_sources sources;
   };
 
   // The time step. Its length can differ from end - begin: solids do not move if these are equal.
@@ -79,7 +78,7 @@ public:
         m_number_of_threads(number_of_threads), m_for_each(number_of_threads),
         m_step(interval.step), m_begin(interval.begin), m_end(interval.end),
         m_positions(flow.positions), m_before(flow.velocities), m_accelerations(flow.accelerations),
-        m_sides(loads.sides), m_gases(loads.gases), m_source(loads.source),
+        m_sides(loads.sides), m_gases(loads.gases), m_sources(loads.sources),
         m_equations(m_for_each, m_mesh, m_properties, m_step, m_positions),
         m_contacts(m_mesh, loads.solids, complex, m_positions, m_begin), m_solids(loads.solids),
         m_velocities_of_bodies(m_contacts.velocities_of_bodies()) {
@@ -337,16 +336,8 @@ private:
       pressures.push_back(m_gases[k].pressure(volumes[k]));
     m_equations.assemble(
         m_midpoint_positions, [&](std::size_t f) { return m_contacts.tension(f); }, pressures);
-    m_gains.clear();
-    if (m_source)
-      for (std::size_t k = 0; k < m_mesh.cells.size(); ++k) {
-        const Eigen::Vector3d middle = m_mesh.middle(k, m_midpoint_positions);
-        const double divergence = m_source(middle, (m_begin + m_end) / 2);
-        if (!(std::abs(divergence) * m_step.dt < 1))
-          throw Error("the divergence of a source is not finite, or the absolute value of its "
-                      "product with the time step is 1 or more: use a shorter time step");
-        m_gains.push_back(divergence * volume(m_mesh.cells[k].vertices, m_midpoint_positions));
-      }
+    m_gains =
+        gains_of_cells(m_sources, m_mesh, m_midpoint_positions, (m_begin + m_end) / 2, m_step.dt);
     m_is_assembled = false;
   }
 
@@ -512,7 +503,7 @@ private:
       m_final_velocities, m_final_accelerations;
   const Side_behaviors& m_sides;
   std::vector<Gas_component> m_gases;
-  Source m_source;
+  Fluid_sources m_sources;
   Vectors_3 m_destinations;
   Vectors_3 m_midpoint_positions; // positions at which the equations were assembled
   std::vector<double> m_gains;    // volume per unit of time, by cell
