@@ -4,13 +4,18 @@
 
 #include "fluid_probes.h"
 
+#include "fluid_fields.h"
 #include "legendre.h"
+
+#include <CGAL/Deformable_simplicial_complexes/Linear_element.h>
 
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace dsc {
@@ -144,6 +149,52 @@ Json mean_of_label(const Complex& complex, int label, const VectorAt& vector_at)
   return sum;
 }
 
+/// Returns the barycentric coordinates of a point in a cell.
+template <class Complex>
+std::array<double, std::size_t(Complex::corners)>
+coordinates_in_cell(const Complex& complex, typename Complex::Cell_handle c,
+                    const typename Complex::Approximate_point& p) {
+  const CGAL::Deformable_simplicial_complexes::Linear_element<Complex> element(complex, c);
+  std::array<double, std::size_t(Complex::corners)> result;
+  for (int i = 0; i < Complex::corners; ++i)
+    result[std::size_t(i)] = 1 + element.gradient(i) * (p - complex.position(c->vertex(i)));
+  return result;
+}
+
+/// Returns the label, the pressure and the velocity at a point, interpolated in the cell that
+/// contains the point. The pressure is null in the void, and the velocity outside of liquids.
+template <class Complex>
+Json values_at(const Fluid<Complex>& fluid, const std::array<double, 3>& point) {
+  const Complex& complex = fluid.complex();
+  const auto p = from_coordinates<typename Complex::Approximate_point>(point);
+  typename Complex::Cell_handle cell;
+  std::array<double, std::size_t(Complex::corners)> weights = {};
+  double greatest = -std::numeric_limits<double>::infinity(); // least coordinate in a cell
+  for (const auto c : complex.cells()) {
+    const auto coordinates = coordinates_in_cell(complex, c, p);
+    const double least = *std::min_element(coordinates.begin(), coordinates.end());
+    if (least > greatest) {
+      greatest = least;
+      cell = c;
+      weights = coordinates;
+    }
+  }
+  const Fluid_fields<Complex> fields(fluid);
+  double pressure = 0;
+  std::array<double, 3> velocity = {};
+  for (int i = 0; i < Complex::corners; ++i) {
+    const double weight = weights[std::size_t(i)];
+    pressure += weight * fields.pressure(cell->vertex(i), cell);
+    const std::array<double, 3> u = fields.velocity(cell->vertex(i), cell);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      velocity[axis] += weight * u[axis];
+  }
+  const bool is_liquid = fields.is_liquid(cell);
+  return {{"label", cell->label()},
+          {"pressure", is_liquid || fields.is_gas(cell) ? Json(pressure) : Json()},
+          {"velocity", is_liquid ? Json(velocity) : Json()}};
+}
+
 template <class Complex> Json probe_json(const Scene_probe& probe, const Fluid<Complex>& fluid) {
   using Vertex_handle = typename Complex::Vertex_handle;
   const Complex& complex = fluid.complex();
@@ -157,6 +208,8 @@ template <class Complex> Json probe_json(const Scene_probe& probe, const Fluid<C
   case Scene_probe::Kind::centroid:
     return mean_of_label(complex, probe.label,
                          [&](Vertex_handle v) { return coordinates_of(complex.position(v)); });
+  case Scene_probe::Kind::point:
+    return values_at(fluid, probe.point);
   case Scene_probe::Kind::velocity:
     break;
   }

@@ -119,14 +119,16 @@ struct Scene_probe
     height,      ///< largest last coordinate of the interface above a place
     circularity, ///< of a label; surface of the ball of equal volume over the surface of the label
     centroid,    ///< of a label
-    velocity     ///< mean velocity of a label
+    velocity,    ///< mean velocity of a label
+    point        ///< label, pressure and velocity at a point
   };
 
   std::string name;
   Kind kind;
   std::size_t mode = 0;
   std::array<double, 3> center = {}; ///< of a mode
-  std::array<double, 2> place = {};  ///< of a height: x and, in space, y
+  std::array<double, 3> point = {};
+  std::array<double, 2> place = {}; ///< of a height: x and, in space, y
   int label = 0;
 };
 

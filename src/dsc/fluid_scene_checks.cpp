@@ -80,15 +80,25 @@ void require_label(const Scene_probe& probe, const Fluid_scene& scene, const Jso
                               probe.name + "'; correct the label");
 }
 
+/// Throws unless the place or point of a probe is in the domain.
+void require_in_domain(const Scene_probe& probe, const Fluid_scene& scene,
+                       const Json_fields& json) {
+  const bool has_point = probe.kind == Scene_probe::Kind::point;
+  const auto d = std::size_t(scene.dimension);
+  for (std::size_t i = 0; i < (has_point ? d : d - 1); ++i) {
+    const double x = has_point ? probe.point[i] : probe.place[i];
+    if (!(scene.domain[i] <= x && x <= scene.domain[i + 3]))
+      json.refuse("probes", "the probe '" + probe.name + "' is outside the domain; move it");
+  }
+}
+
 void require_probes(const Fluid_scene& scene, const Json_fields& json) {
   std::set<std::string> names;
   for (const Scene_probe& probe : scene.probes) {
     if (!names.insert(probe.name).second)
       json.refuse("probes", "two probes have the name '" + probe.name + "'; rename one of them");
-    if (probe.kind == Scene_probe::Kind::height)
-      for (std::size_t i = 0; i + 1 < std::size_t(scene.dimension); ++i)
-        if (!(scene.domain[i] <= probe.place[i] && probe.place[i] <= scene.domain[i + 3]))
-          json.refuse("probes", "the probe '" + probe.name + "' is outside the domain; move it");
+    if (probe.kind == Scene_probe::Kind::height || probe.kind == Scene_probe::Kind::point)
+      require_in_domain(probe, scene, json);
     if (measures_label(probe.kind))
       require_label(probe, scene, json);
   }

@@ -152,11 +152,18 @@ Scene_probe read_probe(const Json_fields& probe) {
     return probe_of_label(probe, "velocity_of", Kind::velocity);
   if (has_mode)
     probe.require_known({"name", "mode", "center"});
+  else if (probe.has("at"))
+    probe.require_known({"name", "at"});
   else
-    probe.require_known(
-        {"name", "height_at", "mode", "center", "circularity_of", "centroid_of", "velocity_of"});
+    probe.require_known({"name", "at", "height_at", "mode", "center", "circularity_of",
+                         "centroid_of", "velocity_of"});
   Scene_probe result;
   result.name = probe.text("name");
+  if (probe.has("at")) {
+    result.kind = Kind::point;
+    result.point = probe.point("at");
+    return result;
+  }
   if (has_mode) {
     result.kind = Kind::mode;
     result.mode = read_mode(probe);

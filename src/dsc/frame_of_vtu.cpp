@@ -54,12 +54,17 @@ bool is_known_array(const std::string& name) {
          name == "interface";
 }
 
-/// Adds the arrays of numbers that are scalars or vectors.
+/// Adds the arrays of numbers that are scalars or vectors. An array of cells is left out if points
+/// have an array of the same name, because a frame has one field of each name.
+/// \pre arrays of points are added before arrays of cells
 void add_fields(const Vtu_reader& reader, bool on_points, Read_frame& read) {
   const std::string section = on_points ? "PointData" : "CellData";
   const std::size_t rows = on_points ? read.frame.points.size() : read.frame.simplices.size();
   for (const DSC::Mesh_array& array : reader.announced_arrays(section)) {
-    if (is_known_array(array.name) || (array.components != 1 && array.components != 3))
+    const bool is_added =
+        std::any_of(read.frame.fields.begin(), read.frame.fields.end(),
+                    [&](const Film_field& field) { return field.name == array.name; });
+    if (is_added || is_known_array(array.name) || (array.components != 1 && array.components != 3))
       continue;
     Film_field field{
         array.name, on_points, array.components == 1 ? 1 : std::size_t(read.dimension), {}};

@@ -139,6 +139,15 @@ double parse_positive(const std::string& text, const std::string& option) {
   return number;
 }
 
+Cut parse_cut(const std::string& text) {
+  static const std::string axes = "xyz", form = "x=0.5";
+  const std::size_t axis = text.empty() ? std::string::npos : axes.find(text[0]);
+  if (axis == std::string::npos || text.size() < 2 || text[1] != '=')
+    throw Usage_error("--cut needs an axis and a coordinate, not '" + text + "'; write it like " +
+                      form);
+  return {axis, parse_number(text.substr(2), "--cut", form)};
+}
+
 double parse_tolerance(const std::string& text) {
   const double number = parse_number(text, "--tolerance", "0.04");
   if (!(number >= 0))

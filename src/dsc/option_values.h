@@ -10,6 +10,7 @@
 #include <CGAL/Interface_flows/Integration_scheme.h>
 
 #include <array>
+#include <cstddef>
 #include <initializer_list>
 #include <map>
 #include <string>
@@ -48,6 +49,16 @@ Distance parse_distance(const std::string& text);
 Distance parse_length(const std::string& text, const std::string& option);
 
 double parse_positive(const std::string& text, const std::string& option);
+
+/// A plane perpendicular to an axis.
+struct Cut
+{
+  std::size_t axis; ///< 0 for x, 1 for y, 2 for z
+  double value;     ///< coordinate of the plane on the axis
+};
+
+/// Parses a plane like x=0.5.
+Cut parse_cut(const std::string& text);
 
 /// Parses a number that is at least 0.
 double parse_tolerance(const std::string& text);

@@ -109,32 +109,72 @@ private:
   std::vector<Vector> m_colors;
 };
 
+/// Maps the plane of a picture to samples. The points that were added are visible.
+class Fit
+{
+public:
+  void add(double x, double y) {
+    const std::array<double, 2> p = {x, y};
+    for (std::size_t i = 0; i < 2; ++i) {
+      m_least[i] = std::min(m_least[i], p[i]);
+      m_most[i] = std::max(m_most[i], p[i]);
+    }
+  }
+
+  /// Returns the coordinates of a sample, and the depth in the same unit.
+  Vector operator()(const Vector& p) const {
+    static constexpr double margin = .05; // relative to the side
+    const double extent = std::max({m_most[0] - m_least[0], m_most[1] - m_least[1], 1e-300}),
+                 scale = (1 - 2 * margin) * points / extent;
+    return {points / 2. + scale * (p[0] - (m_least[0] + m_most[0]) / 2),
+            points / 2. + scale * (p[1] - (m_least[1] + m_most[1]) / 2), scale * p[2]};
+  }
+
+private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<double, 2> m_least = {infinity, infinity}, m_most = {-infinity, -infinity};
+};
+
+void write_png(const std::string& path, const Canvas& canvas) {
+  const std::vector<png_byte> pixels = canvas.pixels();
+  png_image image = {};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = image.height = side;
+  image.format = PNG_FORMAT_RGB;
+  CGAL::Deformable_simplicial_complexes::replace_file(path, [&](const std::string& name) {
+    return png_image_write_to_file(&image, name.c_str(), 0, pixels.data(), 0, nullptr) != 0;
+  });
+}
+
+/// Draws a black line in front of the plane with depth 0. The ends have sample coordinates.
+void draw_line(Canvas& canvas, const Vector& a, const Vector& b) {
+  static constexpr double half_width = 1.5; // in samples
+  const double dx = b[0] - a[0], dy = b[1] - a[1], length = std::hypot(dx, dy);
+  if (!(length > 0))
+    return;
+  const double x = -half_width * dy / length, y = half_width * dx / length;
+  const Vector p = {a[0] - x, a[1] - y, 1}, q = {b[0] - x, b[1] - y, 1},
+               r = {b[0] + x, b[1] + y, 1}, s = {a[0] + x, a[1] + y, 1};
+  canvas.draw({p, q, r}, {0, 0, 0});
+  canvas.draw({p, r, s}, {0, 0, 0});
+}
+
 } // namespace
 
 void write_picture(const std::string& path, const std::vector<Picture_triangle>& triangles) {
   const View view;
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-  Vector least = {infinity, infinity, infinity}, most = {-infinity, -infinity, -infinity};
+  Fit fit;
   for (const Picture_triangle& t : triangles)
     for (const Vector& p : t.corners) {
       const Vector q = view.seen(p);
-      for (std::size_t i = 0; i < 3; ++i) {
-        least[i] = std::min(least[i], q[i]);
-        most[i] = std::max(most[i], q[i]);
-      }
+      fit.add(q[0], q[1]);
     }
-  static constexpr double margin = .05; // relative to the side
-  const double extent = std::max({most[0] - least[0], most[1] - least[1], 1e-300}),
-               scale = (1 - 2 * margin) * points / extent;
   Canvas canvas;
   const Vector light = unit({-.4, .5, 1}); // in the axes of the picture
   for (const Picture_triangle& t : triangles) {
     std::array<Vector, 3> corners;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vector q = view.seen(t.corners[i]);
-      corners[i] = {points / 2. + scale * (q[0] - (least[0] + most[0]) / 2),
-                    points / 2. + scale * (q[1] - (least[1] + most[1]) / 2), scale * q[2]};
-    }
+    for (std::size_t i = 0; i < 3; ++i)
+      corners[i] = fit(view.seen(t.corners[i]));
     Vector a, b;
     for (std::size_t i = 0; i < 3; ++i) {
       a[i] = corners[1][i] - corners[0][i];
@@ -153,14 +193,42 @@ void write_picture(const std::string& path, const std::vector<Picture_triangle>&
       c *= shade;
     canvas.draw(corners, shaded);
   }
-  const std::vector<png_byte> pixels = canvas.pixels();
-  png_image image = {};
-  image.version = PNG_IMAGE_VERSION;
-  image.width = image.height = side;
-  image.format = PNG_FORMAT_RGB;
-  CGAL::Deformable_simplicial_complexes::replace_file(path, [&](const std::string& name) {
-    return png_image_write_to_file(&image, name.c_str(), 0, pixels.data(), 0, nullptr) != 0;
-  });
+  write_png(path, canvas);
+}
+
+void write_picture(const std::string& path, const Plane_picture& picture) {
+  Fit fit;
+  for (const Picture_polygon& polygon : picture.polygons)
+    for (const Picture_point& p : polygon.corners)
+      fit.add(p[0], p[1]);
+  const auto sample = [&](const Picture_point& p) { return fit({p[0], p[1], 0}); };
+  Canvas canvas;
+  for (const Picture_polygon& polygon : picture.polygons)
+    for (std::size_t i = 2; i < polygon.corners.size(); ++i)
+      canvas.draw(
+          {sample(polygon.corners[0]), sample(polygon.corners[i - 1]), sample(polygon.corners[i])},
+          polygon.color);
+  for (const auto& [a, b] : picture.lines)
+    draw_line(canvas, sample(a), sample(b));
+  write_png(path, canvas);
+}
+
+Picture_color picture_color(int label) { return label == 0 ? Vector{1, 1, 1} : color(label); }
+
+Picture_color color_of_number(double number) {
+  // The colors of the map "viridis" at equal distances.
+  static constexpr std::array<Picture_color, 5> colors = {{{.267, .005, .329},
+                                                           {.230, .322, .546},
+                                                           {.128, .567, .551},
+                                                           {.369, .789, .383},
+                                                           {.993, .906, .144}}};
+  const double place = std::clamp(number, 0., 1.) * double(colors.size() - 1);
+  const std::size_t i = std::min(std::size_t(place), colors.size() - 2);
+  Picture_color result;
+  for (std::size_t channel = 0; channel < 3; ++channel)
+    result[channel] =
+        colors[i][channel] + (place - double(i)) * (colors[i + 1][channel] - colors[i][channel]);
+  return result;
 }
 
 } // namespace dsc

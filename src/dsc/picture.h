@@ -23,6 +23,33 @@ struct Picture_triangle
 /// \throws Input_error if the file cannot be written
 void write_picture(const std::string& path, const std::vector<Picture_triangle>& triangles);
 
+using Picture_color = std::array<double, 3>; ///< red, green and blue, from 0 to 1
+using Picture_point = std::array<double, 2>; ///< to the right and upwards
+
+/// A convex polygon of a plane picture.
+struct Picture_polygon
+{
+  std::vector<Picture_point> corners; ///< in any orientation
+  Picture_color color;
+};
+
+/// A plane picture: polygons that do not overlap, and black lines in front of them.
+struct Plane_picture
+{
+  std::vector<Picture_polygon> polygons;
+  std::vector<std::array<Picture_point, 2>> lines;
+};
+
+/// Draws polygons and lines into a PNG file. All polygons are visible.
+/// \throws Input_error if the file cannot be written
+void write_picture(const std::string& path, const Plane_picture& picture);
+
+/// Returns the color of a label: white for 0, and light colors for all others.
+Picture_color picture_color(int label);
+
+/// Returns the color of a number from 0, dark blue, to 1, yellow.
+Picture_color color_of_number(double number);
+
 } // namespace dsc
 
 #endif // DSC_PICTURE_H

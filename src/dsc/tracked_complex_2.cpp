@@ -215,14 +215,11 @@ void Tracked_complex_2::write_subdivided(const std::string&, int) const {
 }
 
 void Tracked_complex_2::write_interface_vtu(const std::string& path) const {
-  CGAL::IO::write_interface_VTU(path, complex);
+  CGAL::IO::write_interface_VTU(path, complex, arrays.of_interface());
 }
 
 void Tracked_complex_2::write_volume_vtu(const std::string& path) const {
-  if (flow.is_set())
-    CGAL::IO::write_VTU(path, complex, flow.arrays(complex));
-  else
-    CGAL::IO::write_VTU(path, complex);
+  CGAL::IO::write_VTU(path, complex, arrays.of_cells());
 }
 
 void Tracked_complex_2::write_picture(const std::string& stem) const {

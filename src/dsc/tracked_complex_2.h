@@ -5,8 +5,8 @@
 #ifndef DSC_TRACKED_COMPLEX_2_H
 #define DSC_TRACKED_COMPLEX_2_H
 
+#include "output_arrays.h"
 #include "tracked_complex.h"
-#include "vertex_flow.h"
 
 #include <CGAL/Deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complexes/State.h>
@@ -50,7 +50,7 @@ public:
   void write_checkpoint(const std::string& path, const std::string& metadata) const override;
 
   Complex complex;
-  Vertex_flow<Complex> flow; ///< written by `write_volume_vtu()` if it is set
+  Output_arrays arrays; ///< of the output files
 
 private:
   std::optional<DSC::State<2>> m_kept;

@@ -139,6 +139,24 @@ void write_picture_png(const std::string& path, const Tracked_complex_3::Complex
   write_picture(path, triangles);
 }
 
+/// Returns the velocities at the points of a subdivided surface, as the arrays vx, vy and vz.
+/// The subdivision is linear in the points, and its weights depend on the connectivity only. So the
+/// velocities are subdivided like points.
+/// \param velocities three coordinates for each point of the surface
+std::vector<DSC::Mesh_array>
+subdivided_velocities(DSC::Interface_surface_3<Tracked_complex_3::Complex> surface,
+                      const std::vector<double>& velocities, int subdivisions) {
+  for (std::size_t i = 0; i < surface.points.size(); ++i)
+    surface.points[i] = {velocities[3 * i], velocities[3 * i + 1], velocities[3 * i + 2]};
+  surface = DSC::subdivide_interface(std::move(surface), subdivisions);
+  std::vector<DSC::Mesh_array> result = {
+      {"vx", "Float32", 1, {}}, {"vy", "Float32", 1, {}}, {"vz", "Float32", 1, {}}};
+  for (const auto& velocity : surface.points)
+    for (int axis = 0; axis < 3; ++axis)
+      result[std::size_t(axis)].values.push_back(velocity[axis]);
+  return result;
+}
+
 } // namespace
 
 void Tracked_complex_3::write(const std::string& path) const {
@@ -155,19 +173,22 @@ void Tracked_complex_3::write(const std::string& path) const {
 }
 
 void Tracked_complex_3::write_subdivided(const std::string& path, int subdivisions) const {
-  CGAL::IO::write_interface(
-      path, DSC::subdivide_interface(DSC::extract_interface(complex), subdivisions));
+  const auto surface = DSC::extract_interface(complex);
+  const auto smooth = DSC::subdivide_interface(surface, subdivisions);
+  const DSC::Mesh_arrays values = arrays.of_interface();
+  if (values.points.empty())
+    CGAL::IO::write_interface(path, smooth);
+  else
+    CGAL::IO::write_interface(
+        path, smooth, subdivided_velocities(surface, values.points[0].values, subdivisions));
 }
 
 void Tracked_complex_3::write_interface_vtu(const std::string& path) const {
-  CGAL::IO::write_interface_VTU(path, complex);
+  CGAL::IO::write_interface_VTU(path, complex, arrays.of_interface());
 }
 
 void Tracked_complex_3::write_volume_vtu(const std::string& path) const {
-  if (flow.is_set())
-    CGAL::IO::write_VTU(path, complex, flow.arrays(complex));
-  else
-    CGAL::IO::write_VTU(path, complex);
+  CGAL::IO::write_VTU(path, complex, arrays.of_cells());
 }
 
 void Tracked_complex_3::write_checkpoint(const std::string& path,

@@ -6,9 +6,9 @@
 #define DSC_TRACKED_COMPLEX_3_H
 
 #include "mesh_content.h"
+#include "output_arrays.h"
 #include "threads_option.h"
 #include "tracked_complex.h"
-#include "vertex_flow.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/State.h>
@@ -74,7 +74,7 @@ public:
   void write(const std::string& path, const Mesh_content& content) const;
 
   Complex complex;
-  Vertex_flow<Complex> flow; ///< written by `write_volume_vtu()` if it is set
+  Output_arrays arrays; ///< of the output files
 
 private:
   std::optional<DSC::State<3>> m_kept;

@@ -368,6 +368,17 @@ TEST(Fluid, with_two_liquids_rests) {
   EXPECT_LT(greatest_velocity(fluid), 1e-10);
 }
 
+TEST(Fluid, that_rotates_has_twice_its_angular_velocity_as_vorticity) {
+  Complex complex = sphere(8, .5);
+  Fluid fluid(complex, liquid(1));
+  const Vector omega(1, -2, 3);
+  fluid.set_velocities([&](Complex::Vertex_handle v) {
+    return Vector(CGAL::cross_product(omega, vector(complex.position(v))));
+  });
+  for (auto c : complex.cells())
+    EXPECT_LT(length(fluid.vorticity(c) - (c->label() == 1 ? 2 * omega : Vector(0, 0, 0))), 1e-10);
+}
+
 // A ball of liquid rotates in another liquid at rest. The state can be saved.
 TEST(Fluid, slips_along_another_liquid) {
   Complex complex = sphere(8, .5);

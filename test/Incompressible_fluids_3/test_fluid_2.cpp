@@ -109,6 +109,22 @@ TEST(Fluid_2, droplet_oscillates) {
   EXPECT_TRUE(complex.is_valid());
 }
 
+TEST(Fluid_2, that_rotates_has_twice_its_angular_velocity_as_vorticity) {
+  Complex complex = disk(16, square);
+  Fluid fluid(complex, two_liquids(1, 0));
+  fluid.set_velocities([&](Vertex_handle v, int label) {
+    return (label == 1 ? 1. : -3.) * rotation(complex.position(v));
+  });
+  for (auto c : complex.cells()) {
+    bool is_at_interface = false;
+    for (int i = 0; i < 3; ++i)
+      is_at_interface = is_at_interface || complex.is_interface(c->vertex(i));
+    // At the interface, the normal velocities of both liquids are equal.
+    EXPECT_TRUE(is_at_interface ||
+                std::abs(fluid.vorticity(c) - (c->label() == 1 ? 2 : -6)) < 1e-10);
+  }
+}
+
 // All vertices follow the flow, also those far from the interface. The energy of Taylor-Green
 // vortices is constant without viscosity.
 TEST(Fluid_2, vortices_keep_their_energy) {

@@ -13,6 +13,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Carried_vertex_values.h>
 #include <CGAL/Deformable_simplicial_complexes/Curvature_sizing_field.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_adaptation.h>
+#include <CGAL/Deformable_simplicial_complexes/Linear_element.h>
 #include <CGAL/Deformable_simplicial_complexes/control_detail.h>
 #include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
@@ -111,6 +112,8 @@ public:
   /// A vector: `Simple_cartesian<double>::Vector_2` or `Simple_cartesian<double>::Vector_3`.
   using Vector = std::conditional_t<dimension == 2, Simple_cartesian<double>::Vector_2,
                                     Simple_cartesian<double>::Vector_3>;
+  /// A vorticity: a number in the plane, a `Vector` in space.
+  using Vorticity = std::conditional_t<dimension == 2, double, Vector>;
   using Vertex_handle = typename Complex::Vertex_handle; ///< a vertex of the complex
   using Properties = Fluid_properties;                   ///< the media of the labels
   using Balance = Fluid_balance;                         ///< the balance of all liquids
@@ -279,6 +282,22 @@ public:
   double pressure(Vertex_handle v) const { return m_motion.pressure(v); }
   /// Returns the pressure of the liquid with a label at a vertex in the last step.
   double pressure(Vertex_handle v, int label) const { return m_motion.pressure(v, label); }
+  /// Returns the vorticity of the liquid in a cell: the curl of its velocity, which is linear in
+  /// the cell. It is 0 if the label of the cell is not a liquid.
+  /// \pre The cell is finite, and its measure is not 0.
+  Vorticity vorticity(typename Complex::Cell_handle c) const {
+    Eigen::Vector3d result = Eigen::Vector3d::Zero();
+    if (m_properties.liquids().count(c->label()) > 0) {
+      const Linear_element<Complex> element(m_complex, c);
+      for (int i = 0; i <= dimension; ++i)
+        result += internal::eigen_vector(element.gradient(i))
+                      .cross(m_motion.velocity(c->vertex(i), c->label()));
+    }
+    if constexpr (dimension == 2)
+      return result.z();
+    else
+      return vector(result);
+  }
   /// Returns the present balance of all liquids. Takes O(n log n) time.
   Balance balance() const {
     const Flow flow(*this, m_properties);

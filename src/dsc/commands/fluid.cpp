@@ -5,6 +5,8 @@
 #include "commands/commands.h"
 #include "errors.h"
 #include "files.h"
+#include "fluid_fields.h"
+#include "fluid_picture.h"
 #include "fluid_report.h"
 #include "fluid_run.h"
 #include "fluid_scene.h"
@@ -49,20 +51,31 @@ struct Fluid_options
   int subdivisions = 0; ///< of the smooth surfaces in the output, by Loop's scheme; 0 for none
   std::string resume;   ///< checkpoint file
   std::string report;   ///< file; empty for none
-  std::string picture;  ///< file; empty for none
+  Fluid_picture picture;
+  std::string written_cut; ///< as written
   bool quiet = false;
 };
 
 template <int dimension>
 void print_summary(const Fluid_run<dimension>& run, unsigned steps, const Repetitions& repetitions,
-                   double seconds) {
+                   const std::string& range, double seconds) {
   const auto balance = run.fluid->balance();
-  std::printf(
-      "dsc: %s; %u %s, time %g: %zu vertices, %zu interface %s, %s %.10g, energy %.6g%s; %.3g s\n",
-      run.scene.title.c_str(), steps, noun(steps, "step", "steps"), run.fluid->time(),
-      run.complex->complex.number_of_vertices(), run.complex->complex.interface_facets().size(),
-      dimension == 2 ? "edges" : "triangles", dimension == 2 ? "area" : "volume", balance.volume,
-      balance.energy(), repetitions.text().c_str(), seconds);
+  std::printf("dsc: %s; %u %s, time %g: %zu vertices, %zu interface %s, %s %.10g, energy %.6g%s%s; "
+              "%.3g s\n",
+              run.scene.title.c_str(), steps, noun(steps, "step", "steps"), run.fluid->time(),
+              run.complex->complex.number_of_vertices(),
+              run.complex->complex.interface_facets().size(),
+              dimension == 2 ? "edges" : "triangles", dimension == 2 ? "area" : "volume",
+              balance.volume, balance.energy(), range.c_str(), repetitions.text().c_str(), seconds);
+}
+
+/// Checks that a cut intersects cells in the domain of a scene.
+/// \throws Usage_error
+void require_cut_of_domain(const Cut& cut, const Fluid_scene& scene) {
+  if (!(scene.domain[cut.axis] < cut.value && cut.value <= scene.domain[cut.axis + 3]))
+    throw Usage_error("--cut is outside the domain; choose a coordinate greater than " +
+                      Json(scene.domain[cut.axis]).dump() + " and at most " +
+                      Json(scene.domain[cut.axis + 3]).dump());
 }
 
 /// A run with its output files and messages.
@@ -110,12 +123,16 @@ private:
 template <int dimension> void Reported_run<dimension>::check_places() {
   if (dimension == 2 && m_options.subdivisions > 0)
     throw Usage_error("--subdivide applies only in space; leave it out");
-  if (!m_options.picture.empty())
-    require_extension(m_options.picture, {dimension == 2 ? "svg" : "png"});
+  if (dimension == 2 && m_options.picture.cut)
+    throw Usage_error("--cut applies only in space; leave it out");
+  if (dimension == 3 && !m_options.picture.cut && !m_options.picture.quantity.empty())
+    throw Usage_error("--color needs a --cut in space, like --cut x=0.5");
+  if (!m_options.picture.path.empty())
+    require_extension(m_options.picture.path, {dimension == 2 ? "svg" : "png"});
   if (!m_options.output.empty())
     m_folder.emplace(m_options.output, m_options.resume, m_options.subdivisions);
   require_place("--report", m_options.report, {m_options.resume, m_options.scene});
-  require_place("--picture", m_options.picture,
+  require_place("--picture", m_options.picture.path,
                 {m_options.resume, m_options.scene, m_options.report});
 }
 
@@ -125,9 +142,10 @@ template <int dimension> void Reported_run<dimension>::begin() {
               ? start_fluid<dimension>(*m_scene, m_options.data, m_options.threads, m_options.quiet)
               : resume_fluid<dimension>(m_options.resume, m_options.data);
   Fluid<Complex>& fluid = *m_run.fluid;
-  using Vertex_handle = typename Complex::Vertex_handle;
-  m_run.complex->flow = {[&fluid](Vertex_handle v) { return fluid.velocity(v); },
-                         [&fluid](Vertex_handle v) { return fluid.pressure(v); }};
+  m_run.complex->arrays = {[&fluid] { return cell_arrays<Complex>(fluid); },
+                           [&fluid] { return interface_arrays<Complex>(fluid); }};
+  if (m_options.picture.cut)
+    require_cut_of_domain(*m_options.picture.cut, m_run.scene);
   m_end = m_options.end > 0 ? m_options.end : m_run.scene.end;
   if (!(m_end > fluid.time()))
     throw Usage_error("the final time " + Json(m_end).dump() + " is not after the time " +
@@ -217,13 +235,14 @@ template <int dimension> void Reported_run<dimension>::do_steps() {
 }
 
 template <int dimension> int Reported_run<dimension>::finish() {
-  if (!m_options.picture.empty())
-    m_run.complex->write(m_options.picture);
+  std::string range; // of the colors
+  if (!m_options.picture.path.empty())
+    range = draw_fluid<dimension>(m_options.picture, *m_run.complex, *m_run.fluid);
   if (interrupted())
     std::cerr << "dsc: interrupted after step " << step() << "; continue with dsc fluid --resume "
               << checkpoint("dsc_interrupted") << '\n';
   if (!m_options.quiet)
-    print_summary(m_run, m_done, m_repetitions, seconds_since(m_begin));
+    print_summary(m_run, m_done, m_repetitions, range, seconds_since(m_begin));
   return interrupted() ? exit_code_of_interrupt : 0;
 }
 
@@ -271,8 +290,10 @@ void read(const CLI::App& command, Fluid_options& options) {
     require_alone(command, {"--list"});
   if (options.prints)
     require_alone(command, {"--print", "SCENE"});
-  if (!options.picture.empty())
-    require_extension(options.picture, {"png", "svg"});
+  if (!options.picture.path.empty())
+    require_extension(options.picture.path, {"png", "svg"});
+  if (command.count("--cut") > 0)
+    options.picture.cut = parse_cut(options.written_cut);
   if (command.count("--end") > 0)
     options.end = parse_positive(options.written_end, "--end");
   if (!options.lists && options.scene.empty() == options.resume.empty())
@@ -315,8 +336,19 @@ void add_fluid(CLI::App& app, int& exit_code) {
                       "Continue from a checkpoint; the result is bitwise identical");
   command->add_option("--report", options->report,
                       "JSON file with energies, momenta, volumes and contacts of each step");
-  command->add_option("--picture", options->picture,
-                      "Picture of the liquids at the end (.png in space, .svg in the plane)");
+  CLI::Option* picture =
+      command->add_option("--picture", options->picture.path,
+                          "Picture of the liquids at the end (.png in space, .svg in the plane)");
+  command
+      ->add_option("--cut", options->written_cut,
+                   "Draw the section by a plane perpendicular to an axis, like x=0.5 (space only)")
+      ->needs(picture);
+  command
+      ->add_option("--color", options->picture.quantity,
+                   "Color the liquids in the plane or in the section by this quantity (default: by "
+                   "label)")
+      ->check(CLI::IsMember(quantities_of_pictures()))
+      ->needs(picture);
   command->add_flag("--quiet", options->quiet, "Print only errors");
   command->callback([command, options, &exit_code] {
     read(*command, *options);

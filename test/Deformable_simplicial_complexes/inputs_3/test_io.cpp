@@ -177,6 +177,32 @@ TEST(Vtu, of_the_interface_has_all_arrays) {
   }
 }
 
+TEST(Vtu, of_the_interface_has_given_arrays) {
+  const Temporary_folder folder;
+  const Complex dsc = make_complex(grid(4, small_meshes::two_boxes));
+  DSC::Mesh_arrays arrays;
+  arrays.points = {{"velocity", "Float64", 3, {}}};
+  arrays.cells = {{"area", "Float64", 1, {}}, {"label_pair", "Float64", 1, {}}};
+  for (const auto v : dsc.interface_vertices())
+    for (int axis = 0; axis < 3; ++axis)
+      arrays.points[0].values.push_back(2 * dsc.user_position(v)[axis]);
+  for (const auto& f : dsc.interface_facets())
+    arrays.cells[0].values.push_back(dsc.measure(f));
+  arrays.cells[1].values = arrays.cells[0].values;
+  CGAL::IO::write_interface_VTU(folder / "a.vtu", dsc, arrays);
+  Vtu vtu(folder / "a.vtu");
+  const std::size_t n = dsc.interface_vertices().size(), m = dsc.interface_facets().size();
+  EXPECT_EQ(vtu.arrays.size(), 7u);
+  EXPECT_TRUE(vtu.has("velocity", "PointData", "Float64", 3, 24 * n));
+  EXPECT_TRUE(vtu.has("area", "CellData", "Float64", 1, 8 * m));
+  EXPECT_TRUE(vtu.has("label_pair", "CellData", "Int32", 2, 8 * m)); // the array that is computed
+  std::vector<double> points = vtu.arrays["points"].values<double>();
+  for (double& x : points)
+    x *= 2;
+  EXPECT_EQ(vtu.arrays["velocity"].values<double>(), points);
+  EXPECT_EQ(vtu.arrays["area"].values<double>(), arrays.cells[0].values);
+}
+
 TEST(Vtu, without_interface_has_no_cells) {
   const Temporary_folder folder;
   CGAL::IO::write_interface_VTU(folder / "a.vtu", make_complex(grid(2, small_meshes::uniform)));

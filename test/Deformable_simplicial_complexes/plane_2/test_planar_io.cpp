@@ -435,6 +435,18 @@ TEST(Labelled_image, becomes_a_complex) {
   EXPECT_NEAR(dsc.area(0) + dsc.area(4), 400, 1e-11);
 }
 
+TEST(Svg, has_a_region_for_each_color) {
+  const Temporary_folder folder;
+  const Complex dsc = phases();
+  CGAL::IO::write_SVG(folder / "a.svg", dsc, CGAL::IO::SVG_options(), [&](auto c) {
+    return std::string(dsc.label(c) == 1 ? "#ff0000" : "#0000ff");
+  });
+  const std::string text = file_bytes(folder / "a.svg");
+  EXPECT_EQ(count(text, "<path id=\"color_ff0000\" fill=\"#ff0000\""), 1u);
+  EXPECT_EQ(count(text, "<path id=\"color_0000ff\" fill=\"#0000ff\""), 1u);
+  EXPECT_EQ(count(text, "<path id=\"label"), 0u);
+}
+
 TEST(Svg, has_a_region_for_each_label) {
   const Temporary_folder folder;
   CGAL::IO::SVG_options options;

@@ -17,6 +17,8 @@
 #include <cstddef>
 #include <map>
 #include <set>
+#include <sstream>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -330,6 +332,36 @@ TEST(Subdivide_interface, is_written) {
   const auto read = CGAL::IO::read_labelled_surface(folder / "a.ply");
   EXPECT_EQ(read.triangles, surface.triangles);
   EXPECT_EQ(measures(read).volume, measures(surface).volume);
+}
+
+TEST(Subdivide_interface, is_written_with_values) {
+  const Temporary_folder folder;
+  const Complex dsc = make_complex(grid(4, small_meshes::cube));
+  const Surface surface = DSC::subdivide_interface(DSC::extract_interface(dsc));
+  DSC::Mesh_array height{"height", "Float32", 1, {}}, number{"number", "Float32", 1, {}};
+  for (const auto& p : surface.points) {
+    height.values.push_back(p.z());
+    number.values.push_back(double(number.values.size()));
+  }
+  CGAL::IO::write_interface(folder / "a.ply", surface, {height, number});
+  const auto read = CGAL::IO::read_labelled_surface(folder / "a.ply");
+  EXPECT_EQ(read.triangles, surface.triangles);
+  EXPECT_EQ(measures(read).volume, measures(surface).volume);
+  std::istringstream file(file_bytes(folder / "a.ply"));
+  std::string line, header;
+  while (std::getline(file, line) && line != "end_header")
+    header += line + '\n';
+  EXPECT_NE(header.find("property double z\nproperty float height\nproperty float number\n"),
+            std::string::npos)
+      << header;
+  for (std::size_t i = 0; i < surface.points.size(); ++i) {
+    double x, y, z, height_at, number_at;
+    ASSERT_TRUE(file >> x >> y >> z >> height_at >> number_at);
+    EXPECT_EQ(z, surface.points[i].z());
+    EXPECT_EQ(float(height_at), float(z));
+    EXPECT_EQ(number_at, double(i));
+  }
+  EXPECT_THROW(CGAL::IO::write_interface(folder / "a.off", surface, {height}), DSC::File_error);
 }
 
 } // namespace test_subdivision

@@ -73,6 +73,71 @@ inline std::string color_of_label(int label) {
   return text;
 }
 
+// A set of triangles of one color.
+struct Svg_region
+{
+  std::string name, color; // attributes of the element
+  std::string path;
+};
+
+// Draws a complex. The triangles with the same key are a region: `key_of(c)` is the key of a
+// triangle, and `region_of(key)` is a region without its path. Regions are drawn in the order of
+// their keys.
+template <class Complex, class KeyOf, class RegionOf>
+void write_svg(const std::string& path, const Complex& dsc, const IO::SVG_options& options,
+               const KeyOf& key_of, const RegionOf& region_of) {
+  using Point = typename Complex::Approximate_point_2;
+  if (dsc.number_of_cells() == 0)
+    throw Error("there is nothing to draw: the complex is empty");
+  const auto& normalization = dsc.normalization();
+  const auto in_user_coordinates = [&](const Point& p) {
+    return ORIGIN + (normalization.translation + normalization.scale * (p - ORIGIN));
+  };
+  std::array<double, 2> periods = dsc.domain().template periods<2>();
+  Bbox_2 all;
+  if constexpr (Complex::Domain::has_outside)
+    for (const auto v : dsc.vertices())
+      all += dsc.user_position(v).bbox();
+  else
+    all = in_user_coordinates(Point(0, 0)).bbox() +
+          in_user_coordinates(Point(periods[0], periods[1])).bbox();
+  for (double& period : periods)
+    period *= normalization.scale;
+  const Svg_canvas canvas(options.window, all, options.width, periods);
+
+  std::map<decltype(key_of(dsc.cells().front())), Svg_region> regions;
+  std::string edges, interface_;
+  for (const auto c : dsc.cells()) {
+    const std::array<Point, 3> corners = {in_user_coordinates(dsc.corner(c, 0)),
+                                          in_user_coordinates(dsc.corner(c, 1)),
+                                          in_user_coordinates(dsc.corner(c, 2))};
+    const auto key = key_of(c);
+    const auto [region, is_new] = regions.try_emplace(key);
+    if (is_new)
+      region->second = region_of(key);
+    canvas.add(corners, region->second.path);
+    if (options.draws_edges)
+      canvas.add(corners, edges);
+    for (int i = 0; i < 3; ++i)
+      if (dsc.is_interface(typename Complex::Facet(c, i)) && c->label() > c->neighbor(i)->label())
+        canvas.add(std::array<Point, 2>{corners[(i + 1) % 3], corners[(i + 2) % 3]}, interface_);
+  }
+  replace_file_by_stream(path, [&](std::ostream& out) {
+    canvas.begin(out);
+    // The thin lines around triangles close the gaps that antialiasing would leave between them.
+    for (const auto& [key, region] : regions)
+      out << "<path id=\"" << region.name << "\" fill=\"" << region.color << "\" stroke=\""
+          << region.color << "\" stroke-width=\"0.4\" d=\"" << region.path << "\"/>\n";
+    if (options.draws_edges)
+      out << "<path id=\"edges\" fill=\"none\" stroke=\"#808080\" stroke-width=\"0.3\" d=\""
+          << edges << "\"/>\n";
+    if (options.line_width > 0)
+      out << "<path id=\"interface\" fill=\"none\" stroke=\"#000000\" stroke-width=\""
+          << options.line_width << "\" d=\"" << interface_ << "\"/>\n";
+    out << "</svg>\n";
+  });
+}
+
 } // namespace internal
 } // namespace Deformable_simplicial_complexes
 
@@ -99,56 +164,37 @@ void write_SVG(const std::string& path,
                const Deformable_simplicial_complex_2<Traits, Tds, Domain>& dsc,
                const SVG_options& options = SVG_options()) {
   namespace internal = Deformable_simplicial_complexes::internal;
-  using Complex = Deformable_simplicial_complex_2<Traits, Tds, Domain>;
-  using Point = typename Complex::Approximate_point_2;
-  if (dsc.number_of_cells() == 0)
-    throw Deformable_simplicial_complexes::Error("there is nothing to draw: the complex is empty");
-  const auto& normalization = dsc.normalization();
-  const auto in_user_coordinates = [&](const Point& p) {
-    return ORIGIN + (normalization.translation + normalization.scale * (p - ORIGIN));
-  };
-  std::array<double, 2> periods = dsc.domain().template periods<2>();
-  Bbox_2 all;
-  if constexpr (Domain::has_outside)
-    for (const auto v : dsc.vertices())
-      all += dsc.user_position(v).bbox();
-  else
-    all = in_user_coordinates(Point(0, 0)).bbox() +
-          in_user_coordinates(Point(periods[0], periods[1])).bbox();
-  for (double& period : periods)
-    period *= normalization.scale;
-  const Deformable_simplicial_complexes::Svg_canvas canvas(options.window, all, options.width,
-                                                           periods);
+  internal::write_svg(
+      path, dsc, options, [&](auto c) { return dsc.label(c); },
+      [](int label) {
+        return internal::Svg_region{
+            "label_" + std::to_string(label), internal::color_of_label(label), {}};
+      });
+}
 
-  std::map<int, std::string> regions;
-  std::string edges, interface_;
-  for (const auto c : dsc.cells()) {
-    const std::array<Point, 3> corners = {in_user_coordinates(dsc.corner(c, 0)),
-                                          in_user_coordinates(dsc.corner(c, 1)),
-                                          in_user_coordinates(dsc.corner(c, 2))};
-    canvas.add(corners, regions[dsc.label(c)]);
-    if (options.draws_edges)
-      canvas.add(corners, edges);
-    for (int i = 0; i < 3; ++i)
-      if (dsc.is_interface(typename Complex::Facet(c, i)) && c->label() > c->neighbor(i)->label())
-        canvas.add(std::array<Point, 2>{corners[(i + 1) % 3], corners[(i + 2) % 3]}, interface_);
-  }
-  Deformable_simplicial_complexes::replace_file_by_stream(path, [&](std::ostream& out) {
-    canvas.begin(out);
-    // The thin lines around triangles close the gaps that antialiasing would leave between them.
-    for (const auto& [label, region] : regions) {
-      const std::string color = internal::color_of_label(label);
-      out << "<path id=\"label_" << label << "\" fill=\"" << color << "\" stroke=\"" << color
-          << "\" stroke-width=\"0.4\" d=\"" << region << "\"/>\n";
-    }
-    if (options.draws_edges)
-      out << "<path id=\"edges\" fill=\"none\" stroke=\"#808080\" stroke-width=\"0.3\" d=\""
-          << edges << "\"/>\n";
-    if (options.line_width > 0)
-      out << "<path id=\"interface\" fill=\"none\" stroke=\"#000000\" stroke-width=\""
-          << options.line_width << "\" d=\"" << interface_ << "\"/>\n";
-    out << "</svg>\n";
-  });
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Draws a complex as above, with given colors of the triangles.
+
+\tparam ColorOf a function from `Cell_handle` to `std::string`
+
+\param path, dsc, options as above
+\param color_of returns the color of a triangle, in the form `#rrggbb` with hexadecimal digits
+
+\throws Deformable_simplicial_complexes::Error as above
+\throws Deformable_simplicial_complexes::File_error as above
+*/
+template <class Traits, class Tds, class Domain, class ColorOf>
+void write_SVG(const std::string& path,
+               const Deformable_simplicial_complex_2<Traits, Tds, Domain>& dsc,
+               const SVG_options& options, const ColorOf& color_of) {
+  namespace internal = Deformable_simplicial_complexes::internal;
+  internal::write_svg(
+      path, dsc, options, [&](auto c) -> std::string { return color_of(c); },
+      [](const std::string& color) {
+        return internal::Svg_region{"color_" + color.substr(1), color, {}};
+      });
 }
 
 } // namespace IO

@@ -79,6 +79,25 @@ void write_interface_VTU(const std::string& path,
   Deformable_simplicial_complexes::internal::write_facets_vtu(path, dsc);
 }
 
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Writes the segments of the interface as above, with additional arrays. The function is the same as
+`write_interface_VTU()` with arrays in 3D.
+
+\param path, dsc as above
+\param arrays arrays with a row for each vertex of the interface, in the order of
+       `dsc.interface_vertices()`, or for each segment, in the order of `dsc.interface_facets()`
+
+\throws Deformable_simplicial_complexes::File_error as above
+*/
+template <class Traits, class Tds, class Domain>
+void write_interface_VTU(const std::string& path,
+                         const Deformable_simplicial_complex_2<Traits, Tds, Domain>& dsc,
+                         const Deformable_simplicial_complexes::Mesh_arrays& arrays) {
+  Deformable_simplicial_complexes::internal::write_facets_vtu(path, dsc, arrays);
+}
+
 } // namespace IO
 } // namespace CGAL
 

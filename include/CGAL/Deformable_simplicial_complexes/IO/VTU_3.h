@@ -134,6 +134,28 @@ void write_interface_VTU(
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
+Writes the triangles of the interface as above, with additional arrays.
+
+\param path, dsc as above
+\param arrays arrays with a row for each vertex of the interface, in the order of
+       `dsc.interface_vertices()`, or for each triangle, in the order of `dsc.interface_facets()`. A
+       cell array with the name `label_pair` is ignored, and so is `arrays.labels`.
+
+\throws Deformable_simplicial_complexes::File_error as above
+
+\pre Types, numbers of rows and names of the arrays are as for `write_VTU()`.
+*/
+template <class Traits, class Tds, class QualityMeasure, class Domain>
+void write_interface_VTU(
+    const std::string& path,
+    const Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure, Domain>& dsc,
+    const Deformable_simplicial_complexes::Mesh_arrays& arrays) {
+  Deformable_simplicial_complexes::internal::write_facets_vtu(path, dsc, arrays);
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
 Reads labelled tetrahedra from a VTK unstructured grid (`.vtu`). The result is valid input of
 `make_deformable_simplicial_complex_3()` and `Labelled_complex::assign()`. Linear in the size of the
 file; memory for a few copies of the file.

@@ -14,6 +14,7 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/replace_file.h>
 #include <CGAL/Deformable_simplicial_complexes/Labelled_surface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Mesh_arrays.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/Unused_content.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
@@ -187,6 +188,27 @@ bool write_soup(std::ostream& out, Surface_format format, const Points& points,
   return false;
 }
 
+// Writes a surface with a property of its vertices for each array, as PLY text.
+template <class Surface>
+void write_ply_with_properties(std::ostream& out, const Surface& surface,
+                               const std::vector<Mesh_array>& arrays) {
+  out << "ply\nformat ascii 1.0\nelement vertex " << surface.points.size()
+      << "\nproperty double x\nproperty double y\nproperty double z\n";
+  for (const Mesh_array& array : arrays)
+    out << "property float " << array.name << '\n';
+  out << "element face " << surface.triangles.size()
+      << "\nproperty list uchar int vertex_indices\nend_header\n";
+  for (std::size_t i = 0; i < surface.points.size(); ++i) {
+    const auto& p = surface.points[i];
+    out << p.x() << ' ' << p.y() << ' ' << p.z();
+    for (const Mesh_array& array : arrays)
+      out << ' ' << static_cast<float>(array.values[i]);
+    out << '\n';
+  }
+  for (const auto& [a, b, c] : surface.triangles)
+    out << "3 " << a << ' ' << b << ' ' << c << '\n';
+}
+
 } // namespace internal
 } // namespace Deformable_simplicial_complexes
 
@@ -291,6 +313,37 @@ void write_interface(const std::string& path,
     out.precision(std::numeric_limits<double>::max_digits10);
     if (!internal::write_soup(out, format, surface.points, surface.triangles))
       out.setstate(std::ios::failbit);
+  });
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Writes an extracted and possibly subdivided interface to a PLY file, with values at its points, such
+as the velocities for motion blur. Each array is a property of type `float` of the vertices.
+Otherwise the function is the same as the overload above.
+
+\param path name of the file, with the extension `.ply`; its folder must exist
+\param surface a result of `extract_interface()` or `subdivide_interface()`
+\param arrays arrays with one number for each point of the surface. Their types are ignored.
+
+\throws Deformable_simplicial_complexes::File_error if the extension is not `.ply`, or the file
+        cannot be written; an older file of that name is then unchanged
+
+\pre Each array has one component and as many rows as the surface has points. Names consist of
+     letters, digits and underscores, are not x, y or z, and differ from each other.
+*/
+template <class Complex>
+void write_interface(const std::string& path,
+                     const Deformable_simplicial_complexes::Interface_surface_3<Complex>& surface,
+                     const std::vector<Deformable_simplicial_complexes::Mesh_array>& arrays) {
+  namespace internal = Deformable_simplicial_complexes::internal;
+  if (internal::surface_format(path) != internal::Surface_format::ply)
+    throw Deformable_simplicial_complexes::File_error(
+        path + " cannot contain values at points: choose the extension .ply", path);
+  Deformable_simplicial_complexes::replace_file_by_stream(path, [&](std::ostream& out) {
+    out.precision(std::numeric_limits<double>::max_digits10);
+    internal::write_ply_with_properties(out, surface, arrays);
   });
 }
 

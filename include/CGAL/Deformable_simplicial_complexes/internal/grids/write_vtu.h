@@ -137,8 +137,10 @@ void write_cells_vtu(const std::string& path, const Complex& dsc, const Mesh_arr
   write_cells_vtu(path, dsc, add_point_arrays, add_cell_arrays);
 }
 
-// Writes all interface facets.
-template <class Complex> void write_facets_vtu(const std::string& path, const Complex& dsc) {
+// Writes all interface facets and given arrays. The arrays have a row for each vertex in the order
+// of `dsc.interface_vertices()`, or for each facet in the order of `dsc.interface_facets()`.
+template <class Complex>
+void write_facets_vtu(const std::string& path, const Complex& dsc, const Mesh_arrays& arrays = {}) {
   const Extracted_facets<Complex> interface_(dsc, dsc.interface_facets(), false);
   std::vector<std::int64_t> connectivity;
   for (const auto& facet : interface_.facets)
@@ -148,8 +150,21 @@ template <class Complex> void write_facets_vtu(const std::string& path, const Co
     label_pairs.insert(label_pairs.end(), pair.begin(), pair.end());
 
   Vtu_document document(interface_.points.size(), interface_.facets.size());
+  if (!arrays.points.empty()) {
+    const Vertex_numbering<typename Complex::Vertex_handle> number(dsc.interface_vertices());
+    std::vector<std::size_t> rows;
+    for (const auto v : interface_.vertices)
+      rows.push_back(number(v));
+    document.begin("PointData");
+    for (const Mesh_array& array : arrays.points)
+      document.array(array.selected(rows));
+    document.end("PointData");
+  }
   document.begin("CellData");
   document.array("label_pair", label_pairs, 2);
+  for (const Mesh_array& array : arrays.cells)
+    if (array.name != "label_pair")
+      document.array(array);
   document.end("CellData");
   document.points(interface_.points);
   document.cells(connectivity, vtu_simplex(Complex::dimension - 1));
