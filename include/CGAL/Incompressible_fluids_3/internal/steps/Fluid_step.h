@@ -294,12 +294,13 @@ private:
     for (std::size_t v = 0; v < m_before.size(); ++v)
       velocities.push_back(m_before[v] + (m_velocities[v] - m_before[v]) / m_step.theta);
     m_destinations = at_time(m_step.dt);
-    if (bodies_move())
-      m_final_velocities_of_bodies =
-          m_bodies.final_velocities(m_contacts.velocities_of_bodies(), m_step.dt);
     const Roughness_damper<Mesh> damper(m_mesh, m_destinations);
     m_unstopped_velocities = damper.damped(velocities, m_equations.masses(), m_step.dt);
     m_final_velocities = m_unstopped_velocities;
+    if (bodies_move())
+      m_final_velocities_of_bodies = m_bodies.after_impact(
+          m_bodies.final_velocities(m_contacts.velocities_of_bodies(), m_step.dt),
+          m_unstopped_velocities, m_equations.masses(), m_contacts.stops(m_destinations, m_end));
     m_contacts.stop(m_final_velocities, m_destinations, m_end, m_final_velocities_of_bodies);
     stop_on_sides(m_mesh, m_sides, m_final_velocities);
     for (std::size_t v = 0; v < m_final_velocities.size(); ++v)

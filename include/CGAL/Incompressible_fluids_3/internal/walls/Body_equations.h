@@ -9,6 +9,7 @@
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_BODY_EQUATIONS_H
 
 #include <CGAL/Incompressible_fluids_3/Saddle_point_system.h>
+#include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Body_motion.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Vertex_constraints.h>
 
@@ -63,10 +64,7 @@ public:
       length = length > 0 ? length : 1; // has no effect, because no vertex is attached
     m_columns.assign(6 * m_bodies.size(), Vector::Zero(m_first));
     for (const auto& a : constraints.attachments()) {
-      const Eigen::Vector3d& r = a.body.arm;
-      Eigen::Matrix3d cross; // cross w = w x r
-      cross << 0, r.z(), -r.y(), -r.z(), 0, r.x(), r.y(), -r.x(), 0;
-      const Eigen::Matrix3d turn = a.matrix * cross / m_lengths[a.body.body];
+      const Eigen::Matrix3d turn = a.matrix * cross_matrix(a.body.arm) / m_lengths[a.body.body];
       for (int axis = 0; axis < 3; ++axis) {
         column(a.body.body, axis).segment<3>(3 * Eigen::Index(a.vertex)) += a.matrix.col(axis);
         column(a.body.body, 3 + axis).segment<3>(3 * Eigen::Index(a.vertex)) += turn.col(axis);
@@ -136,7 +134,58 @@ public:
     return result;
   }
 
+  // A contact of a vertex at the end of a step: the component of its velocity that the body
+  // determines, and the vector from the center of the body.
+  struct Stop
+  {
+    std::size_t body, vertex;
+    Eigen::Matrix3d projection;
+    Eigen::Vector3d arm;
+  };
+
+  // Returns velocities of bodies after an inelastic impact: then the vertices in contact move with
+  // them, and the momenta of each body and its vertices together are preserved.
+  std::vector<Body_velocity> after_impact(const std::vector<Body_velocity>& before,
+                                          const Vectors_3& of_vertices,
+                                          const std::vector<double>& masses,
+                                          const std::vector<Stop>& stops) const {
+    using Matrix_6 = Eigen::Matrix<double, 6, 6>;
+    using Vector_6 = Eigen::Matrix<double, 6, 1>;
+    std::vector<Matrix_6> mass(before.size(), Matrix_6::Zero());
+    std::vector<Vector_6> impulse(before.size(), Vector_6::Zero());
+    for (const Stop& stop : stops) {
+      const double length = m_lengths[stop.body];
+      Eigen::Matrix<double, 3, 6> velocity; // of the contact, by the motion of the body
+      velocity << stop.projection, stop.projection * cross_matrix(stop.arm) / length;
+      mass[stop.body] += masses[stop.vertex] * velocity.transpose() * velocity;
+      impulse[stop.body] += masses[stop.vertex] * velocity.transpose() *
+                            (of_vertices[stop.vertex] - before[stop.body].at(stop.arm));
+    }
+    std::vector<Body_velocity> result = before;
+    for (std::size_t k = 0; k < before.size(); ++k) {
+      const Body_inertia& inertia = m_bodies[k].inertia;
+      Matrix_6 is_free = Matrix_6::Zero();
+      is_free.topLeftCorner<3, 3>() = inertia.translations();
+      is_free.bottomRightCorner<3, 3>() = inertia.rotations();
+      mass[k].topLeftCorner<3, 3>().diagonal().array() += inertia.mass();
+      mass[k].bottomRightCorner<3, 3>() += inertia_in_middle(k) / (m_lengths[k] * m_lengths[k]);
+      const Matrix_6 restricted =
+          is_free * mass[k] * is_free + inertia.mass() * (Matrix_6::Identity() - is_free);
+      const Vector_6 change = restricted.ldlt().solve(is_free * impulse[k]);
+      result[k].linear += change.head<3>();
+      result[k].angular += change.tail<3>() / m_lengths[k];
+    }
+    return result;
+  }
+
 private:
+  // Returns the matrix that maps w to the cross product of w and r.
+  static Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& r) {
+    Eigen::Matrix3d result;
+    result << 0, r.z(), -r.y(), -r.z(), 0, r.x(), r.y(), -r.x(), 0;
+    return result;
+  }
+
   Vector& column(std::size_t body, int k) { return m_columns[6 * body + std::size_t(k)]; }
 
   Eigen::Matrix3d inertia_in_middle(std::size_t k) const {

@@ -11,6 +11,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Incompressible_fluids_3/Solids_3.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
+#include <CGAL/Incompressible_fluids_3/internal/walls/Body_equations.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Body_motion.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Vertex_constraints.h>
 
@@ -212,6 +213,18 @@ public:
     for (Contact* c : revised)
       c->is_active = !c->is_active;
     return !revised.empty();
+  }
+
+  // Returns the contacts with bodies at the end of the step, with the vertices at given positions.
+  std::vector<Body_equations::Stop> stops(const Vectors_3& positions, double time) const {
+    std::vector<Body_equations::Stop> result;
+    for (const Contact& c : m_contacts)
+      if (c.is_active && c.body)
+        result.push_back({c.body->body, c.vertex,
+                          sticks(c.solid) ? Eigen::Matrix3d(Eigen::Matrix3d::Identity())
+                                          : Eigen::Matrix3d(c.normal * c.normal.transpose()),
+                          positions[c.vertex] - place_of_body(c.body->body, time).center});
+    return result;
   }
 
   // Sets the velocities of constrained vertices at the end of the step, with the vertices at given

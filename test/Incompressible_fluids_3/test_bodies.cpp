@@ -1,0 +1,353 @@
+// Rigid bodies that liquids move, solids that move as a function of time, and sources with a flux.
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
+#include <CGAL/Incompressible_fluid_2.h>
+#if __has_include(<CGAL/Incompressible_fluids_3/compiled_2.h>) // if the component Compiled is used
+#include <CGAL/Incompressible_fluids_3/compiled_2.h>
+#endif
+
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/boost/graph/generators.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace {
+
+namespace dsc = CGAL::Deformable_simplicial_complexes;
+namespace parameters = dsc::parameters;
+using Complex = CGAL::Deformable_simplicial_complex_2<>;
+using Fluid = CGAL::Incompressible_fluid_2<Complex>;
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Vector = CGAL::Simple_cartesian<double>::Vector_3;
+
+using Polygon = std::vector<Complex::Point_2>;
+
+Polygon circle(double radius, double edge) {
+  Polygon result;
+  const auto corners = std::size_t(std::lround(2 * CGAL_PI * radius / edge));
+  for (std::size_t i = 0; i < corners; ++i) {
+    const double a = 2 * CGAL_PI * double(i) / double(corners);
+    result.emplace_back(radius * std::cos(a), radius * std::sin(a));
+  }
+  return result;
+}
+
+Polygon divided(const Polygon& corners, double edge) {
+  Polygon result;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const auto p = corners[i], q = corners[(i + 1) % corners.size()];
+    const int parts = int(std::lround(std::sqrt(CGAL::squared_distance(p, q)) / edge));
+    for (int k = 0; k < parts; ++k)
+      result.push_back(p + (q - p) * (double(k) / parts));
+  }
+  return result;
+}
+
+// Returns the region inside a polygon, with label 1, and outside of a hole.
+Complex region(const Polygon& polygon, const Polygon& hole, const CGAL::Bbox_2& box) {
+  std::vector<dsc::Labelled_curve_2<Complex::Point_2>> curves;
+  curves.emplace_back().add_polyline(polygon);
+  if (!hole.empty()) {
+    curves.emplace_back().add_polyline(hole);
+    curves.back().label = 0;
+  }
+  return dsc::make_deformable_simplicial_complex_2<Complex>(curves, parameters::enclosing_box(box));
+}
+
+dsc::Fluid_properties liquid(double viscosity, double gravity) {
+  dsc::Fluid_properties result;
+  result.set_liquid(1, {1, viscosity});
+  result.set_gravity({0, -gravity, 0});
+  return result;
+}
+
+dsc::Wall_behavior attached(bool sticks) {
+  dsc::Wall_behavior result;
+  result.sticks = sticks;
+  result.separates = false;
+  return result;
+}
+
+// A tank 2 wide with a box of width 1 that floats in the middle. Its draught is `draught`.
+class Floating_box
+{
+public:
+  static constexpr double edge = .1, height = .6;
+
+  Floating_box(double density, double draught)
+      : complex(region(divided({{0, 0},
+                                {2, 0},
+                                {2, 1},
+                                {1.5, 1},
+                                {1.5, 1 - draught},
+                                {.5, 1 - draught},
+                                {.5, 1},
+                                {0, 1}},
+                               edge),
+                       {}, {-.5, -.5, 2.5, 2})),
+        fluid(complex, liquid(0, 1)) {
+    const double bottom = 1 - draught, top = bottom + height;
+    fluid.add_solid(dsc::Tank_solid_3(CGAL::Bbox_2(0, 0, 2, 2), true));
+    fluid.add_body(dsc::Box_solid_3(CGAL::Bbox_2(.5, bottom, 1.5, top)),
+                   dsc::rigid_box(Point(.5, bottom, -.5), Point(1.5, top, .5), density));
+  }
+
+  Complex complex;
+  Fluid fluid;
+};
+
+} // namespace
+
+TEST(Rigid_body, inertia) {
+  const dsc::Rigid_body_3 box = dsc::rigid_box(Point(1, 2, 3), Point(2, 4, 6), 2);
+  EXPECT_DOUBLE_EQ(box.mass, 12);
+  EXPECT_DOUBLE_EQ(box.inertia[0], 12 * (4 + 9) / 12.);
+  CGAL::Surface_mesh<Point> mesh;
+  CGAL::make_hexahedron(Point(1, 2, 3), Point(2, 2, 3), Point(2, 4, 3), Point(1, 4, 3),
+                        Point(1, 4, 6), Point(1, 2, 6), Point(2, 2, 6), Point(2, 4, 6), mesh);
+  CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
+  const dsc::Rigid_body_3 same = dsc::rigid_body_of_mesh(mesh, 2);
+  EXPECT_NEAR(same.mass, box.mass, 1e-13);
+  EXPECT_NEAR(CGAL::squared_distance(same.center, box.center), 0, 1e-26);
+  for (std::size_t i = 0; i < 9; ++i)
+    EXPECT_NEAR(same.inertia[i], box.inertia[i], 1e-13);
+  EXPECT_DOUBLE_EQ(dsc::rigid_disk(Point(0, 0, 0), 2, 3).inertia[8], 12 * CGAL_PI * 4 / 2);
+  EXPECT_THROW(dsc::rigid_ball(Point(0, 0, 0), 0, 1), dsc::Error);
+  EXPECT_THROW(dsc::rigid_body_of_mesh(CGAL::Surface_mesh<Point>(), 1), dsc::Error);
+}
+
+TEST(Rigid_body, errors) {
+  Floating_box scene(.5, .3);
+  const dsc::Ball_solid_3 ball(Point(0, 0, 0), 1, dsc::Solid_side::inside);
+  const dsc::Rigid_body_3 good = dsc::rigid_ball(Point(0, 0, 0), 1, 1);
+  for (int k = 0; k < 5; ++k) {
+    dsc::Rigid_body_3 body = good;
+    k == 0   ? void(body.mass = 0)
+    : k == 1 ? void(body.inertia[1] = 1)
+    : k == 2 ? void(body.inertia[0] = -1)
+    : k == 3 ? void(body.velocity = Vector(NAN, 0, 0))
+             : void(body.rotation = {0, 1, 0, 0});
+    EXPECT_THROW(scene.fluid.add_body(ball, body), dsc::Error) << k;
+  }
+  EXPECT_EQ(scene.fluid.number_of_bodies(), 1u);
+  EXPECT_THROW(scene.fluid.body(1), dsc::Error);
+}
+
+// Archimedes: the box rests if it displaces its own mass.
+TEST(Rigid_body, floating_box_rests) {
+  Floating_box scene(.5, .3);
+  for (int k = 0; k < 10; ++k) {
+    const auto report = scene.fluid.advance(.05);
+    EXPECT_NEAR(report.forces_on_solids[1].y(), .3, 1e-9);
+    // The torque about the origin of a force through (1, y).
+    EXPECT_NEAR(report.torques_on_solids[1].z(), .3, 1e-9);
+  }
+  EXPECT_NEAR(scene.fluid.body(0).center.y(), 1, 1e-9);
+  EXPECT_NEAR(scene.fluid.body(0).angular_velocity.z(), 0, 1e-9);
+}
+
+// The period of linear waves is 4.681, from finite elements for the potential on square cells of
+// 1/20 and 1/40, extrapolated.
+TEST(Rigid_body, floating_box_swings) {
+  static constexpr double period = 4.681;
+  Floating_box scene(.5, .28);
+  const double begin = scene.fluid.body(0).center.y();
+  double lowest = begin, time_of_lowest = 0;
+  while (scene.fluid.time() < .75 * period) {
+    scene.fluid.advance(period / 60);
+    if (const double y = scene.fluid.body(0).center.y(); y < lowest) {
+      lowest = y;
+      time_of_lowest = scene.fluid.time();
+    }
+  }
+  EXPECT_NEAR(time_of_lowest, period / 2, .05 * period);
+  EXPECT_NEAR(begin - lowest, .02, .003); // twice the distance from the equilibrium
+}
+
+// The added mass of a disk of radius r in a circle of radius R is that of the displaced liquid
+// times (R^2 + r^2) / (R^2 - r^2) (H. Lamb, "Hydrodynamics"). A disk without mass moves, too.
+TEST(Rigid_body, disk_in_a_circle_accelerates) {
+  static constexpr double r = .3, dt = .01;
+  const double added = (1 + r * r) / (1 - r * r);
+  for (const double density : {1e-6, .5, 3.}) {
+    SCOPED_TRACE(density);
+    Complex complex = region(circle(1, .1), circle(r, .1), {-1.5, -1.5, 1.5, 1.5});
+    Fluid fluid(complex, liquid(0, 1));
+    fluid.add_solid(dsc::Ball_solid_3(Point(0, 0, 0), 1, dsc::Solid_side::outside),
+                    attached(false));
+    fluid.add_body(dsc::Ball_solid_3(Point(0, 0, 0), r, dsc::Solid_side::inside),
+                   dsc::rigid_disk(Point(0, 0, 0), r, density), attached(false));
+    for (int k = 0; k < 5; ++k)
+      fluid.advance(dt);
+    const double exact = (1 - density) / (density + added) * fluid.time();
+    EXPECT_NEAR(fluid.body(0).velocity.y(), exact, .05 * std::abs(exact));
+    EXPECT_NEAR(fluid.body(0).center.y(), exact * fluid.time() / 2, .05 * std::abs(exact));
+    EXPECT_NEAR(fluid.body(0).velocity.x(), 0, .01 * std::abs(exact)); // the mesh has no symmetry
+  }
+}
+
+// A drop that carries a body has a constant momentum and angular momentum.
+TEST(Rigid_body, momenta_are_preserved) {
+  for (const bool sticks : {false, true}) {
+    SCOPED_TRACE(sticks);
+    Complex complex = region(circle(1, .15), circle(.4, .15), {-2, -2, 2, 2});
+    Fluid fluid(complex, liquid(sticks ? .1 : 0, 0));
+    dsc::Rigid_body_3 body = dsc::rigid_disk(Point(0, 0, 0), .4, 2);
+    body.velocity = Vector(.2, .1, 0);
+    body.angular_velocity = Vector(0, 0, 1);
+    fluid.add_body(dsc::Ball_solid_3(Point(0, 0, 0), .4, dsc::Solid_side::inside), body,
+                   attached(sticks));
+    const auto momenta = [&] {
+      const auto balance = fluid.balance();
+      const dsc::Rigid_body_3& now = fluid.body(0);
+      const Vector linear = now.mass * now.velocity;
+      return std::array<double, 3>{balance.momentum.x() + linear.x(),
+                                   balance.momentum.y() + linear.y(),
+                                   balance.angular_momentum.z() +
+                                       CGAL::cross_product(now.center - CGAL::ORIGIN, linear).z() +
+                                       now.inertia[8] * now.angular_velocity.z()};
+    };
+    fluid.advance(.01); // begins with an impact
+    const std::array<double, 3> before = momenta();
+    for (int k = 0; k < 10; ++k)
+      fluid.advance(.02);
+    const std::array<double, 3> after = momenta();
+    for (std::size_t i = 0; i < 3; ++i)
+      EXPECT_NEAR(after[i], before[i], 1e-9) << i;
+    EXPECT_NE(fluid.body(0).rotation[3], 0);
+    EXPECT_NEAR(fluid.body(0).rotation[1], 0, 1e-15);
+  }
+}
+
+TEST(Rigid_body, state_is_restored_bitwise) {
+  Floating_box scene(.5, .28);
+  scene.fluid.advance(.1);
+  const auto complex = scene.complex.state();
+  const auto state = scene.fluid.state();
+  scene.fluid.advance(.1);
+  const dsc::Rigid_body_3 expected = scene.fluid.body(0);
+  Floating_box other(.5, .28);
+  other.complex.clear();
+  other.complex.restore(complex);
+  other.fluid.restore(state);
+  other.fluid.advance(.1);
+  EXPECT_EQ(other.fluid.body(0).center, expected.center);
+  EXPECT_EQ(other.fluid.body(0).velocity, expected.velocity);
+  EXPECT_EQ(other.fluid.body(0).rotation, expected.rotation);
+  auto wrong = state;
+  wrong.bodies.clear();
+  EXPECT_THROW(other.fluid.restore(wrong), dsc::Error);
+}
+
+// Couette flow between two circles. The torque on the outer one is 4 pi mu w a^2 b^2 / (b^2 - a^2).
+// The error is of second order.
+TEST(Moving_solid, wheel_has_the_torque_of_couette_flow) {
+  static constexpr double a = .4, b = 1, viscosity = 1, rate = .5;
+  for (const double edge : {.1, .05}) {
+    SCOPED_TRACE(edge);
+    Complex complex = region(circle(b, edge), circle(a, edge), {-1.5, -1.5, 1.5, 1.5});
+    Fluid fluid(complex, liquid(viscosity, 0));
+    const dsc::Ball_solid_3 wheel(Point(0, 0, 0), a, dsc::Solid_side::inside);
+    const auto motion = [](double t) {
+      dsc::Solid_motion_3 result;
+      result.rotation = Vector(0, 0, rate * t);
+      result.angular_velocity = Vector(0, 0, rate);
+      return result;
+    };
+    fluid.add_solid(dsc::Moving_solid_3<dsc::Ball_solid_3>(wheel, Point(0, 0, 0), motion),
+                    attached(true));
+    fluid.add_solid(dsc::Ball_solid_3(Point(0, 0, 0), b, dsc::Solid_side::outside), attached(true));
+    double torque = 0, driving = 0;
+    for (int k = 0; k < 8; ++k) {
+      const auto report = fluid.advance(.1, parameters::implicitness(1));
+      driving = report.torques_on_solids[0].z();
+      torque = report.torques_on_solids[1].z();
+    }
+    const double exact = 4 * CGAL_PI * viscosity * rate * a * a * b * b / (b * b - a * a);
+    EXPECT_NEAR(torque, exact, 8 * edge * edge * exact);
+    EXPECT_NEAR(driving, -exact, 8 * edge * edge * exact);
+  }
+}
+
+TEST(Moving_solid, oscillates_as_the_function_says) {
+  const dsc::Plane_solid_3 plane(Point(0, 0, 0), Vector(0, 1, 0));
+  const dsc::Moving_solid_3<dsc::Plane_solid_3> moving(plane, Point(0, 0, 0), [](double t) {
+    dsc::Solid_motion_3 motion;
+    motion.displacement = Vector(0, std::sin(t), 0);
+    motion.velocity = Vector(0, std::cos(t), 0);
+    return motion;
+  });
+  std::vector<dsc::Wall_3> walls;
+  moving.walls(Point(5, 2, 0), .5, walls);
+  ASSERT_EQ(walls.size(), 1u);
+  EXPECT_DOUBLE_EQ(walls[0].distance, 2 - std::sin(.5));
+  EXPECT_DOUBLE_EQ(walls[0].velocity.y(), std::cos(.5));
+  const dsc::Moving_solid_3<dsc::Plane_solid_3> broken(plane, Point(0, 0, 0), [](double) {
+    dsc::Solid_motion_3 motion;
+    motion.displacement = Vector(NAN, 0, 0);
+    return motion;
+  });
+  EXPECT_THROW(broken.walls(Point(0, 0, 0), 0, walls), dsc::Error);
+}
+
+TEST(Box_solid, walls) {
+  const dsc::Box_solid_3 box(CGAL::Bbox_3(0, 0, 0, 1, 2, 3));
+  const auto walls = [&](double x, double y, double z) {
+    std::vector<dsc::Wall_3> result;
+    box.walls(Point(x, y, z), 0, result);
+    EXPECT_EQ(result.size(), 6u);
+    return result;
+  };
+  const auto least = [](const std::vector<dsc::Wall_3>& list) {
+    return std::min_element(list.begin(), list.end(),
+                            [](const auto& a, const auto& b) { return a.distance < b.distance; })
+        ->distance;
+  };
+  EXPECT_DOUBLE_EQ(walls(1.5, 1, 1)[1].distance, .5);
+  EXPECT_EQ(walls(1.5, 1, 1)[1].normal, Vector(1, 0, 0));
+  EXPECT_DOUBLE_EQ(least(walls(1.3, 2.4, 1)), .5);   // from an edge
+  EXPECT_DOUBLE_EQ(least(walls(1.2, 2.3, 3.6)), .7); // from a corner
+  EXPECT_DOUBLE_EQ(least(walls(.9, 1, 1)), -.1);     // inside
+  const auto edge = walls(1, 2, 1);                  // on an edge
+  EXPECT_EQ(edge[1].distance, 0);
+  EXPECT_EQ(edge[1].normal, Vector(1, 0, 0));
+  EXPECT_EQ(edge[3].distance, 0);
+  EXPECT_EQ(edge[3].normal, Vector(0, 1, 0));
+  EXPECT_GT(edge[5].distance, 0); // the other sides are not touched
+  EXPECT_THROW(dsc::Box_solid_3(CGAL::Bbox_3(0, 0, 0, 0, 1, 1)), dsc::Error);
+}
+
+TEST(Source, flux_is_exact) {
+  Complex complex = region(circle(1, .2), {}, {-2, -2, 2, 2});
+  Fluid fluid(complex, liquid(0, 0));
+  const double begin = fluid.balance().volume;
+  fluid.add_source([](const Fluid::Point& p) { return p.x() * p.x() + p.y() * p.y() < .25; },
+                   [](double t) { return 1 + t; });
+  fluid.add_source([](const Fluid::Point& p) { return p.x() > 100; }, [](double) { return 1; });
+  double expected = begin;
+  for (int k = 0; k < 5; ++k) {
+    const double middle = fluid.time() + .01;
+    const auto report = fluid.advance(.02);
+    expected += .02 * (1 + middle);
+    EXPECT_NEAR(report.gained_volume, .02 * (1 + middle), 1e-12);
+    EXPECT_NEAR(report.after.volume, expected, 1e-11);
+  }
+  fluid.add_source([](const Fluid::Point&) { return true; }, [](double) { return 1e6; });
+  EXPECT_THROW(fluid.advance(.02), dsc::Error);
+}
+
+TEST(Gravity, changes_between_steps) {
+  Complex complex = region(circle(1, .25), {}, {-2, -2, 2, 2});
+  Fluid fluid(complex, liquid(0, 0));
+  fluid.set_gravity({1, 0, 0});
+  fluid.advance(.1);
+  fluid.set_gravity({0, 0, 0});
+  fluid.advance(.1);
+  const auto balance = fluid.balance();
+  EXPECT_NEAR(balance.momentum.x() / balance.mass, .1, 1e-9);
+}
