@@ -86,6 +86,7 @@ public:
 
 private:
   std::optional<Boundary> boundary_of(const Fluid_shape& shape) const;
+  /// Returns the boundary of a hole. It is coarse if the hole is a large box.
   Boundary boundary_of(const Hole& hole) const;
   std::vector<Box_hole> box_holes(const std::vector<Hole>& holes) const;
 
@@ -108,8 +109,13 @@ template <class Boundary, class Boundary_of, class Boundaries_of_boxes>
 Boundary
 Scene_boundaries<Boundary, Boundary_of, Boundaries_of_boxes>::boundary_of(const Hole& hole) const {
   const int label = label_of_holes(m_scene);
-  if (const auto* box = std::get_if<Box_shape>(&hole.shape))
-    return m_boundaries_of_boxes({{label, *box}}, m_scene.edge).front();
+  if (const auto* box = std::get_if<Box_shape>(&hole.shape)) {
+    static constexpr double parts = 16; // largest number in the mesh of a side
+    double edge = m_scene.edge;
+    for (std::size_t i = 0; i < 3; ++i)
+      edge = std::max(edge, (box->to[i] - box->from[i]) / parts);
+    return m_boundaries_of_boxes({{label, *box}}, edge).front();
+  }
   Boundary result = *m_boundary_of(hole.shape);
   put_on_ball(std::get<Ball_shape>(hole.shape), result);
   result.label = label;
@@ -122,6 +128,9 @@ std::vector<Box_hole> Scene_boundaries<Boundary, Boundary_of, Boundaries_of_boxe
     const std::vector<Hole>& holes) const {
   std::vector<Boundary> others; // boundaries of shapes that are no boxes
   std::vector<Box_hole> result;
+  if (std::none_of(holes.begin(), holes.end(),
+                   [](const Hole& hole) { return std::holds_alternative<Box_shape>(hole.shape); }))
+    return result;
   for (const auto& [label, shape] : shapes_of(m_scene))
     if (!std::holds_alternative<Box_shape>(*shape))
       if (std::optional<Boundary> boundary = m_boundary_of(*shape)) {
@@ -156,9 +165,6 @@ std::vector<Boundary> Scene_boundaries<Boundary, Boundary_of, Boundaries_of_boxe
       result.push_back(std::move(*boundary));
     }
   }
-  if (result.empty())
-    throw Input_error(
-        "all liquids and gases of the scene have the shape 'surroundings'; add another shape");
   while (done < groups.size()) // of holes only
     add_group();
   for (const Hole& hole : holes)
@@ -167,6 +173,9 @@ std::vector<Boundary> Scene_boundaries<Boundary, Boundary_of, Boundaries_of_boxe
       if (is_in_liquid(m_scene, hole, boundary, result))
         result.push_back(std::move(boundary));
     }
+  if (result.empty())
+    throw Input_error(
+        "all liquids and gases of the scene have the shape 'surroundings'; add another shape");
   return result;
 }
 
