@@ -4,12 +4,14 @@
 
 #include "fluid_boxes.h"
 
+#include "fluid_holes.h"
 #include "fluid_shapes.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 #include <variant>
@@ -43,6 +45,8 @@ private:
     return is_flat(axis) ? 1 : int(m_points[axis].size()) - 1;
   }
   bool has_label(const Place& cell, int label) const;
+  bool covers(const Labelled_box& labelled, const Place& cell) const;
+  bool is_displaced(const Labelled_box& hole, const Place& cell) const;
   void require_few_facets(double edge) const;
 
   const std::vector<Labelled_box>& m_boxes;
@@ -87,21 +91,44 @@ std::set<int> Grid_of_boxes::labels() const {
   return result;
 }
 
-/// Returns whether a cell of the grid, which may be outside the grid, has a label.
-bool Grid_of_boxes::has_label(const Place& cell, int label) const {
-  const auto covers = [&](const Labelled_box& labelled) {
+/// Returns whether a box contains a cell of the grid, which may be outside the grid.
+bool Grid_of_boxes::covers(const Labelled_box& labelled, const Place& cell) const {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (is_flat(axis))
+      continue;
+    const auto i = std::size_t(cell[axis]);
+    if (cell[axis] < 0 || i + 1 >= m_points[axis].size() ||
+        m_points[axis][i] < labelled.box.from[axis] ||
+        m_points[axis][i + 1] > labelled.box.to[axis])
+      return false;
+  }
+  return true;
+}
+
+/// Returns whether a cell in a hole is in a liquid.
+bool Grid_of_boxes::is_displaced(const Labelled_box& hole, const Place& cell) const {
+  const auto contains = [&](const auto& around) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (is_flat(axis))
         continue;
       const auto i = std::size_t(cell[axis]);
-      if (cell[axis] < 0 || i + 1 >= m_points[axis].size() ||
-          m_points[axis][i] < labelled.box.from[axis] ||
-          m_points[axis][i + 1] > labelled.box.to[axis])
+      const double middle = (m_points[axis][i] + m_points[axis][i + 1]) / 2;
+      if (middle < around.first.from[axis] || middle > around.first.to[axis])
         return false;
     }
     return true;
   };
-  const auto last = std::find_if(m_boxes.rbegin(), m_boxes.rend(), covers);
+  const auto& boxes = hole.boxes_around;
+  const auto last = std::find_if(boxes.rbegin(), boxes.rend(), contains);
+  return last == boxes.rend() ? hole.is_in_liquid : last->second;
+}
+
+/// Returns whether a cell of the grid, which may be outside the grid, has a label.
+bool Grid_of_boxes::has_label(const Place& cell, int label) const {
+  const auto last =
+      std::find_if(m_boxes.rbegin(), m_boxes.rend(), [&](const Labelled_box& labelled) {
+        return covers(labelled, cell) && (!labelled.is_hole || is_displaced(labelled, cell));
+      });
   return last != m_boxes.rend() && last->label == label;
 }
 
@@ -156,29 +183,75 @@ Place next(Place at, std::size_t axis) {
   return at;
 }
 
-/// Returns whether the boundaries of two boxes have a common point.
-bool boundaries_meet(const Box_shape& a, const Box_shape& b, std::size_t dimension) {
+/// Returns whether two boxes must be in the same group: whether their boundaries have a common
+/// point, or a box is strictly inside a hole.
+bool are_joined(const Labelled_box& first, const Labelled_box& second, std::size_t dimension) {
+  const Box_shape &a = first.box, &b = second.box;
   bool meet = true, has_a_inside = true, has_b_inside = true; // strictly inside the other box
   for (std::size_t i = 0; i < dimension; ++i) {
     meet = meet && a.from[i] <= b.to[i] && b.from[i] <= a.to[i];
     has_a_inside = has_a_inside && b.from[i] < a.from[i] && a.to[i] < b.to[i];
     has_b_inside = has_b_inside && a.from[i] < b.from[i] && b.to[i] < a.to[i];
   }
-  return meet && !has_a_inside && !has_b_inside;
+  return meet && (!has_a_inside || second.is_hole) && (!has_b_inside || first.is_hole);
+}
+
+/// Returns whether the insides of two boxes have a common point.
+bool boxes_overlap(const Box_shape& a, const Box_shape& b, std::size_t dimension) {
+  for (std::size_t i = 0; i < dimension; ++i)
+    if (!(a.from[i] < b.to[i] && b.from[i] < a.to[i]))
+      return false;
+  return true;
+}
+
+/// Returns a hole with the boxes that it meets. If only boxes of liquids are around it, the hole is
+/// cut to their bounding box. Returns nothing if it meets no liquid.
+std::optional<Labelled_box> hole_in_boxes(const Fluid_scene& scene, const Box_hole& hole,
+                                          const std::vector<Labelled_box>& boxes) {
+  const auto dimension = std::size_t(scene.dimension);
+  Labelled_box result{label_of_holes(scene), hole.box, true, {}, hole.is_in_liquid};
+  std::optional<Box_shape> bounds; // of liquids
+  for (const Labelled_box& other : boxes) {
+    if (!boxes_overlap(hole.box, other.box, dimension))
+      continue;
+    result.boxes_around.emplace_back(other.box, is_liquid(scene, other.label));
+    if (!is_liquid(scene, other.label))
+      continue;
+    if (!bounds)
+      bounds = other.box;
+    for (std::size_t i = 0; i < 3; ++i) {
+      bounds->from[i] = std::min(bounds->from[i], other.box.from[i]);
+      bounds->to[i] = std::max(bounds->to[i], other.box.to[i]);
+    }
+  }
+  if (hole.is_in_liquid)
+    return result;
+  if (!bounds)
+    return std::nullopt;
+  for (std::size_t i = 0; i < 3; ++i) {
+    result.box.from[i] = std::max(result.box.from[i], bounds->from[i]);
+    result.box.to[i] = std::min(result.box.to[i], bounds->to[i]);
+  }
+  return result;
 }
 
 } // namespace
 
-std::vector<std::vector<Labelled_box>> groups_of_boxes(const Fluid_scene& scene) {
-  std::vector<Labelled_box> boxes;
+std::vector<std::vector<Labelled_box>> groups_of_boxes(const Fluid_scene& scene,
+                                                       const std::vector<Box_hole>& holes) {
+  std::vector<Labelled_box> boxes, in_boxes;
   for (const auto& [label, shape] : shapes_of(scene))
     if (const auto* box = std::get_if<Box_shape>(shape))
       boxes.push_back({label, *box});
+  for (const Box_hole& hole : holes)
+    if (auto in = hole_in_boxes(scene, hole, boxes))
+      in_boxes.push_back(std::move(*in));
+  boxes.insert(boxes.end(), in_boxes.begin(), in_boxes.end());
   std::vector<std::size_t> group(boxes.size()); // the number of the first box of each group
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     group[i] = i;
     for (std::size_t j = 0; j < i; ++j)
-      if (boundaries_meet(boxes[i].box, boxes[j].box, std::size_t(scene.dimension))) {
+      if (are_joined(boxes[i], boxes[j], std::size_t(scene.dimension))) {
         const auto [least, largest] = std::minmax({group[i], group[j]});
         std::replace(group.begin(), group.begin() + std::ptrdiff_t(i) + 1, largest, least);
       }

@@ -9,24 +9,38 @@
 #include "start_curves.h"
 #include "surface.h"
 
+#include <utility>
 #include <vector>
 
 namespace dsc {
 
-/// A box of a liquid or gas.
+/// A box in which liquids have a hole.
+struct Box_hole
+{
+  Box_shape box;
+  bool is_in_liquid; ///< whether there is a liquid where no box of the scene is
+};
+
+/// A box of a liquid or gas, or a hole in liquids.
 struct Labelled_box
 {
   int label;
   Box_shape box;
+  bool is_hole = false;
+  /// Of a hole: the boxes that it meets, in their order, and whether each is a box of a liquid.
+  std::vector<std::pair<Box_shape, bool>> boxes_around = {};
+  bool is_in_liquid = false; ///< of a hole, see `Box_hole`
 };
 
-/// Returns the boxes of a scene in groups: boxes whose boundaries meet are in the same group.
+/// Returns the boxes of a scene and the holes in them, in groups: boxes whose boundaries meet are
+/// in the same group. Holes are behind all other boxes, and holes without liquid are left out.
 /// Groups are in the order of their first boxes.
-std::vector<std::vector<Labelled_box>> groups_of_boxes(const Fluid_scene& scene);
+std::vector<std::vector<Labelled_box>> groups_of_boxes(const Fluid_scene& scene,
+                                                       const std::vector<Box_hole>& holes);
 
 /// Return the boundary of the region of each label in boxes. Boxes of the same label that touch or
-/// overlap form one region. Where boxes of different labels overlap, the last box counts. Common
-/// boundaries of two regions have the same facets.
+/// overlap form one region. Where boxes of different labels overlap, the last box counts. A hole
+/// counts only where it is in a liquid. Common boundaries of two regions have the same facets.
 /// \param edge target edge length
 /// \throws Input_error if there would be too many facets
 std::vector<Surface> surfaces_of_boxes(const std::vector<Labelled_box>& boxes, double edge);

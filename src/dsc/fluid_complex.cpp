@@ -9,21 +9,17 @@
 #include "fluid_boxes.h"
 #include "fluid_curves.h"
 #include "fluid_files.h"
+#include "fluid_holes.h"
+#include "fluid_pool.h"
 #include "fluid_shapes.h"
-#include "label_components.h"
-#include "remove_fragments.h"
 #include "surface.h"
 
-#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
-#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -36,16 +32,6 @@ namespace dsc {
 namespace {
 
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
-
-/// Calls the function of the library that makes a complex of either dimension.
-template <class Complex, class... Arguments> Complex make_complex(Arguments&&... arguments) {
-  if constexpr (Complex::dimension == 2)
-    return DSC::make_deformable_simplicial_complex_2<Complex>(
-        std::forward<Arguments>(arguments)...);
-  else
-    return DSC::make_deformable_simplicial_complex_3<Complex>(
-        std::forward<Arguments>(arguments)...);
-}
 
 /// Returns the boundary of a shape in space; nothing for a shape without its own boundary.
 std::optional<Surface> surface_of_shape(const Fluid_shape& shape, double edge,
@@ -74,25 +60,119 @@ std::optional<Curve> curve_of_shape(const Fluid_shape& shape, double edge,
   return std::nullopt;
 }
 
-/// Returns the boundaries of all shapes in their order. A group of boxes is at the place of its
-/// first box.
+/// Returns whether a ball of liquid touches a ball of the scene from inside everywhere.
+bool fills_solid(const Ball_shape& ball, const Fluid_scene& scene) {
+  return ball.mode == 0 &&
+         std::any_of(scene.solids.begin(), scene.solids.end(), [&](const Scene_solid& solid) {
+           return solid.kind == Scene_solid::Kind::ball && solid.contains_liquid &&
+                  solid.point == ball.center && solid.radius == ball.radius;
+         });
+}
+
+/// The boundaries of the shapes of a scene. Boundary is Curve or Surface.
+template <class Boundary, class Boundary_of, class Boundaries_of_boxes> class Scene_boundaries
+{
+public:
+  /// \param boundary_of returns the boundary of a shape that is no box; nothing for a shape without
+  /// its own boundary
+  /// \param boundaries_of_boxes returns the boundaries of a group of boxes
+  Scene_boundaries(const Fluid_scene& scene, const Boundary_of& boundary_of,
+                   const Boundaries_of_boxes& boundaries_of_boxes)
+      : m_scene(scene), m_boundary_of(boundary_of), m_boundaries_of_boxes(boundaries_of_boxes) {}
+
+  /// Returns the boundaries of all shapes in their order, and then of the holes. A group of boxes
+  /// is at the place of its first box.
+  std::vector<Boundary> all() const;
+
+private:
+  std::optional<Boundary> boundary_of(const Fluid_shape& shape) const;
+  /// Returns the boundary of a hole. It is coarse if the hole is a large box.
+  Boundary boundary_of(const Hole& hole) const;
+  std::vector<Box_hole> box_holes(const std::vector<Hole>& holes) const;
+
+  const Fluid_scene& m_scene;
+  const Boundary_of& m_boundary_of;
+  const Boundaries_of_boxes& m_boundaries_of_boxes;
+};
+
 template <class Boundary, class Boundary_of, class Boundaries_of_boxes>
-std::vector<Boundary> boundaries(const Fluid_scene& scene, const Boundary_of& boundary_of,
-                                 const Boundaries_of_boxes& boundaries_of_boxes) {
+std::optional<Boundary> Scene_boundaries<Boundary, Boundary_of, Boundaries_of_boxes>::boundary_of(
+    const Fluid_shape& shape) const {
+  std::optional<Boundary> result = m_boundary_of(shape);
+  const auto* ball = std::get_if<Ball_shape>(&shape);
+  if (ball && fills_solid(*ball, m_scene))
+    put_on_ball(*ball, *result);
+  return result;
+}
+
+template <class Boundary, class Boundary_of, class Boundaries_of_boxes>
+Boundary
+Scene_boundaries<Boundary, Boundary_of, Boundaries_of_boxes>::boundary_of(const Hole& hole) const {
+  const int label = label_of_holes(m_scene);
+  if (const auto* box = std::get_if<Box_shape>(&hole.shape)) {
+    static constexpr double parts = 16; // largest number in the mesh of a side
+    double edge = m_scene.edge;
+    for (std::size_t i = 0; i < 3; ++i)
+      edge = std::max(edge, (box->to[i] - box->from[i]) / parts);
+    return m_boundaries_of_boxes({{label, *box}}, edge).front();
+  }
+  Boundary result = *m_boundary_of(hole.shape);
+  put_on_ball(std::get<Ball_shape>(hole.shape), result);
+  result.label = label;
+  return result;
+}
+
+/// Returns the holes that are boxes, and whether each is in a liquid that is no box.
+template <class Boundary, class Boundary_of, class Boundaries_of_boxes>
+std::vector<Box_hole> Scene_boundaries<Boundary, Boundary_of, Boundaries_of_boxes>::box_holes(
+    const std::vector<Hole>& holes) const {
+  std::vector<Boundary> others; // boundaries of shapes that are no boxes
+  std::vector<Box_hole> result;
+  if (std::none_of(holes.begin(), holes.end(),
+                   [](const Hole& hole) { return std::holds_alternative<Box_shape>(hole.shape); }))
+    return result;
+  for (const auto& [label, shape] : shapes_of(m_scene))
+    if (!std::holds_alternative<Box_shape>(*shape))
+      if (std::optional<Boundary> boundary = m_boundary_of(*shape)) {
+        boundary->label = label;
+        others.push_back(std::move(*boundary));
+      }
+  for (const Hole& hole : holes)
+    if (const auto* box = std::get_if<Box_shape>(&hole.shape))
+      result.push_back({*box, others.empty()
+                                  ? is_liquid(m_scene, 0)
+                                  : is_in_liquid(m_scene, hole, boundary_of(hole), others)});
+  return result;
+}
+
+template <class Boundary, class Boundary_of, class Boundaries_of_boxes>
+std::vector<Boundary> Scene_boundaries<Boundary, Boundary_of, Boundaries_of_boxes>::all() const {
   std::vector<Boundary> result;
-  const auto groups = groups_of_boxes(scene);
+  const auto holes = holes_of(m_scene);
+  const auto groups = groups_of_boxes(m_scene, box_holes(holes));
   std::size_t done = 0; // groups
-  for (const auto& [label, shape] : shapes_of(scene)) {
+  const auto add_group = [&] {
+    for (Boundary& boundary : m_boundaries_of_boxes(groups[done++], m_scene.edge))
+      result.push_back(std::move(boundary));
+  };
+  for (const auto& [label, shape] : shapes_of(m_scene)) {
     const auto* box = std::get_if<Box_shape>(shape);
     if (box && done < groups.size() && groups[done].front().box.from == box->from &&
         groups[done].front().box.to == box->to) {
-      for (Boundary& boundary : boundaries_of_boxes(groups[done++], scene.edge))
-        result.push_back(std::move(boundary));
-    } else if (std::optional<Boundary> boundary = boundary_of(*shape)) {
+      add_group();
+    } else if (std::optional<Boundary> boundary = box ? std::nullopt : boundary_of(*shape)) {
       boundary->label = label;
       result.push_back(std::move(*boundary));
     }
   }
+  while (done < groups.size()) // of holes only
+    add_group();
+  for (const Hole& hole : holes)
+    if (std::holds_alternative<Ball_shape>(hole.shape)) {
+      Boundary boundary = boundary_of(hole);
+      if (is_in_liquid(m_scene, hole, boundary, result))
+        result.push_back(std::move(boundary));
+    }
   if (result.empty())
     throw Input_error(
         "all liquids and gases of the scene have the shape 'surroundings'; add another shape");
@@ -102,212 +182,32 @@ std::vector<Boundary> boundaries(const Fluid_scene& scene, const Boundary_of& bo
 template <class Complex>
 Complex complex_of_boundaries(const Fluid_scene& scene, const std::string& folder) {
   const auto domain = parameters::enclosing_box(box_of_dimension<Complex::dimension>(scene.domain));
-  if constexpr (Complex::dimension == 2)
-    return make_complex<Complex>(
-        boundaries<Curve>(
-            scene,
-            [&](const Fluid_shape& shape) { return curve_of_shape(shape, scene.edge, folder); },
-            curves_of_boxes),
-        domain);
-  else
-    return make_complex<Complex>(
-        boundaries<Surface>(
-            scene,
-            [&](const Fluid_shape& shape) { return surface_of_shape(shape, scene.edge, folder); },
-            surfaces_of_boxes),
-        CGAL::Tetgen_tetrahedralizer_3(), domain);
-}
-
-void require_inside(const Fluid_scene& scene, const Pool_shape& pool) {
-  const auto last = std::size_t(scene.dimension - 1);
-  if (!(pool.level > scene.domain[last] && pool.level < scene.domain[last + 3]))
-    throw Input_error("the level of the pool is outside the domain; correct 'level' or 'domain'");
-}
-
-/// A grid of squares or cubes. A line or plane between two layers of cells is at the level of a
-/// pool.
-template <class Complex> class Grid_of_pool
-{
-public:
-  static constexpr std::size_t dimension = Complex::dimension;
-  using Simplex = std::array<std::size_t, dimension + 1>;
-
-  Grid_of_pool(const Fluid_scene& scene, double level) : m_domain(scene.domain), m_level(level) {
-    const auto number = [&](double length) { return number_of_parts(length / scene.edge); };
-    double cells = 1;
-    for (std::size_t axis = 0; axis < dimension; ++axis) {
-      m_size[axis] = number(m_domain[axis + 3] - m_domain[axis]);
-      if (axis == last) {
-        m_below = number(level - m_domain[axis]);
-        m_size[axis] = m_below + number(m_domain[axis + 3] - level);
-      }
-      cells *= double(m_size[axis]);
-    }
-    number_of_parts(cells);
-    m_stride[0] = 1;
-    for (std::size_t axis = 1; axis < dimension; ++axis)
-      m_stride[axis] = m_stride[axis - 1] * (m_size[axis - 1] + 1);
+  if constexpr (Complex::dimension == 2) {
+    const auto boundary_of = [&](const Fluid_shape& shape) {
+      return curve_of_shape(shape, scene.edge, folder);
+    };
+    const Scene_boundaries<Curve, decltype(boundary_of), decltype(curves_of_boxes)> boundaries(
+        scene, boundary_of, curves_of_boxes);
+    return DSC::make_deformable_simplicial_complex_2<Complex>(boundaries.all(), domain);
+  } else {
+    const auto boundary_of = [&](const Fluid_shape& shape) {
+      return surface_of_shape(shape, scene.edge, folder);
+    };
+    const Scene_boundaries<Surface, decltype(boundary_of), decltype(surfaces_of_boxes)> boundaries(
+        scene, boundary_of, surfaces_of_boxes);
+    return DSC::make_deformable_simplicial_complex_3<Complex>(
+        boundaries.all(), CGAL::Tetgen_tetrahedralizer_3(), domain);
   }
-
-  std::vector<typename Complex::Point> points() const;
-
-  /// Divides the cells into simplices. `labels` receives a label for each simplex: `label` below
-  /// the level and 0 above it.
-  std::vector<Simplex> simplices(int label, std::vector<int>& labels) const;
-
-private:
-  static constexpr std::size_t last = dimension - 1;
-  using Place = std::array<std::size_t, 3>;
-
-  /// Calls f(place) for all places whose numbers are less than those of `size`, x first.
-  template <class Function> static void for_each_place(const Place& size, const Function& f) {
-    Place at;
-    for (at[2] = 0; at[2] < size[2]; ++at[2])
-      for (at[1] = 0; at[1] < size[1]; ++at[1])
-        for (at[0] = 0; at[0] < size[0]; ++at[0])
-          f(at);
-  }
-
-  double coordinate(std::size_t axis, std::size_t i) const {
-    const double least = m_domain[axis], largest = m_domain[axis + 3];
-    if (axis != last)
-      return least + (largest - least) * double(i) / double(m_size[axis]);
-    if (i == m_below)
-      return m_level;
-    return i < m_below ? least + (m_level - least) * double(i) / double(m_below)
-                       : m_level + (largest - m_level) * double(i - m_below) /
-                                       double(m_size[axis] - m_below);
-  }
-
-  std::array<double, 6> m_domain;
-  double m_level;
-  Place m_size = {1, 1, 1}; // numbers of cells
-  std::size_t m_below = 0;  // layers of cells below the level
-  Place m_stride = {};      // differences of the indices of neighboring points
-};
-
-template <class Complex>
-std::vector<typename Complex::Point> Grid_of_pool<Complex>::points() const {
-  Place size = m_size;
-  for (std::size_t axis = 0; axis < dimension; ++axis)
-    ++size[axis];
-  std::vector<typename Complex::Point> result;
-  for_each_place(size, [&](const Place& at) {
-    std::array<double, 3> p = {};
-    for (std::size_t axis = 0; axis < dimension; ++axis)
-      p[axis] = coordinate(axis, at[axis]);
-    result.push_back(from_coordinates<typename Complex::Point>(p));
-  });
-  return result;
-}
-
-template <class Complex>
-auto Grid_of_pool<Complex>::simplices(int label, std::vector<int>& labels) const
-    -> std::vector<Simplex> {
-  std::vector<Simplex> result;
-  for_each_place(m_size, [&](const Place& at) {
-    std::size_t first = 0;
-    std::array<std::size_t, dimension> axes;
-    for (std::size_t axis = 0; axis < dimension; ++axis) {
-      first += at[axis] * m_stride[axis];
-      axes[axis] = axis;
-    }
-    do { // one simplex for each order of the axes: a path from corner to corner
-      Simplex t;
-      t[0] = first;
-      for (std::size_t a = 0; a < dimension; ++a)
-        t[a + 1] = t[a] + m_stride[axes[a]];
-      result.push_back(t);
-      labels.push_back(at[last] < m_below ? label : 0);
-    } while (std::next_permutation(axes.begin(), axes.end()));
-  });
-  return result;
-}
-
-/// Returns a complex of squares or cubes that are divided into simplices.
-template <class Complex>
-Complex complex_of_pool(const Fluid_scene& scene, int label, const Pool_shape& pool) {
-  require_inside(scene, pool);
-  const Grid_of_pool<Complex> grid(scene, pool.level);
-  std::vector<int> labels;
-  auto simplices = grid.simplices(label, labels);
-  Complex complex = make_complex<Complex>(grid.points(), std::move(simplices), labels,
-                                          parameters::improve(false));
-  if (pool.height)
-    DSC::deform_interface(complex, [&](typename Complex::Vertex_handle v) {
-      const auto p = complex.position(v);
-      if constexpr (Complex::dimension == 2)
-        return typename Complex::Point(p.x(), *pool.height->at({p.x()}));
-      else
-        return typename Complex::Point(p.x(), p.y(), *pool.height->at({p.x(), p.y()}));
-    });
-  return complex;
-}
-
-/// Throws if the label of a point in a shape cannot be found by `is_about()`.
-void require_shape_of_places(const Fluid_scene& scene, const Fluid_shape& shape) {
-  const auto* ball = std::get_if<Ball_shape>(&shape);
-  const auto* column = std::get_if<Cylinder_shape>(&shape);
-  if (const auto* pool = std::get_if<Pool_shape>(&shape)) {
-    require_inside(scene, *pool);
-    if (pool->height)
-      throw Input_error(
-          "a pool with a 'height' cannot be combined with other shapes; remove 'height'");
-  }
-  if (std::holds_alternative<File_shape>(shape) || (column && column->amplitude != 0) ||
-      (ball && (ball->mode > 0 || ball->triangles > 0)))
-    throw Input_error("a pool can be combined only with boxes, balls and cylinders; remove shapes "
-                      "of type 'file' and the fields 'mode', 'amplitude' and 'triangles'");
-}
-
-/// Returns a complex for a pool beside other shapes, built from the labels of points.
-template <class Complex> Complex complex_of_places(const Fluid_scene& scene) {
-  double cells = 1;
-  for (std::size_t axis = 0; axis < Complex::dimension; ++axis)
-    cells *= (scene.domain[axis + 3] - scene.domain[axis]) / scene.edge;
-  number_of_parts(cells);
-  const auto shapes = shapes_of(scene);
-  for (const auto& filling : shapes)
-    require_shape_of_places(scene, *filling.second);
-  const auto label_at = [&](const std::array<double, 3>& p) {
-    int result = 0;
-    for (const auto& [label, shape] : shapes)
-      if (!std::holds_alternative<Surroundings>(*shape) && is_about(*shape, p, Complex::dimension))
-        result = label;
-    return result;
-  };
-  auto result = make_complex<Complex>(
-      box_of_dimension<Complex::dimension>(scene.domain), scene.edge,
-      [&](const typename Complex::Approximate_point& p) { return label_at(coordinates_of(p)); });
-  std::map<int, std::string> names;
-  for (const auto& filling : shapes)
-    if (filling.first != 0)
-      names[filling.first] = "label " + std::to_string(filling.first) + " of the scene";
-  const Component_ranges expected = count_components(scene.domain, scene.edge, label_at);
-  remove_fragments(result, expected);
-  require_resolved(scene.domain, scene.edge, label_at, expected, numbers_of_components(result),
-                   names);
-  return result;
 }
 
 } // namespace
 
 template <class Complex>
 Complex start_of_scene(const Fluid_scene& scene, const std::string& folder) {
-  const Pool_shape* pool = nullptr;
-  int label_of_pool = 0;
-  std::size_t others = 0;
-  for (const auto& [label, shape] : shapes_of(scene))
-    if (const auto* found = std::get_if<Pool_shape>(shape); found && !pool) {
-      pool = found;
-      label_of_pool = label;
-    } else {
-      others += !std::holds_alternative<Surroundings>(*shape);
-    }
-  if (!pool)
-    return complex_of_boundaries<Complex>(scene, folder);
-  return others == 0 ? complex_of_pool<Complex>(scene, label_of_pool, *pool)
-                     : complex_of_places<Complex>(scene);
+  for (const auto& filling : shapes_of(scene))
+    if (std::holds_alternative<Pool_shape>(*filling.second))
+      return start_with_pool<Complex>(scene);
+  return complex_of_boundaries<Complex>(scene, folder);
 }
 
 template Tracked_complex_2::Complex start_of_scene(const Fluid_scene&, const std::string&);

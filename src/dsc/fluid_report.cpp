@@ -6,6 +6,7 @@
 
 #include "errors.h"
 #include "fluid_probes.h"
+#include "fluid_solids.h"
 
 #include <algorithm>
 #include <array>
@@ -128,6 +129,53 @@ const char* name_of(CGAL::Deformable_simplicial_complexes::Fluid_failure cause) 
   return "mesh";
 }
 
+/// Returns the number of the body of each solid of a scene; the number of bodies for other solids.
+std::vector<std::size_t> numbers_of_bodies(const Fluid_scene& scene) {
+  const auto bodies =
+      std::size_t(std::count_if(scene.solids.begin(), scene.solids.end(),
+                                [](const Scene_solid& solid) { return solid.is_body(); }));
+  std::vector<std::size_t> result;
+  std::size_t next = 0;
+  for (const Scene_solid& solid : scene.solids)
+    result.push_back(solid.is_body() ? next++ : bodies);
+  return result;
+}
+
+/// Returns the places and motions of the bodies.
+template <class Complex> Json bodies_json(const Fluid<Complex>& fluid, const Fluid_scene& scene) {
+  Json result = Json::array();
+  const std::vector<std::size_t> numbers = numbers_of_bodies(scene);
+  for (std::size_t s = 0; s < numbers.size(); ++s)
+    if (scene.solids[s].is_body()) {
+      const DSC::Rigid_body_3& body = fluid.body(numbers[s]);
+      result.push_back({{"solid", s},
+                        {"center", vector_json(body.center)},
+                        {"velocity", vector_json(body.velocity)},
+                        {"angular_velocity", vector_json(body.angular_velocity)},
+                        {"rotation", body.rotation}});
+    }
+  return result;
+}
+
+/// Returns the torque on each solid about its present center.
+template <class Complex>
+Json torques_json(const Fluid<Complex>& fluid, const Fluid_scene& scene,
+                  const DSC::Fluid_report<Complex>& report) {
+  using Vector = typename DSC::Fluid_report<Complex>::Vector;
+  Json result = Json::array();
+  const std::vector<std::size_t> numbers = numbers_of_bodies(scene);
+  for (std::size_t s = 0; s < numbers.size(); ++s) {
+    const Scene_solid& solid = scene.solids[s];
+    const std::array<double, 3> center = solid.is_body()
+                                             ? coordinates_of(fluid.body(numbers[s]).center)
+                                             : center_of(solid, fluid.time());
+    result.push_back(vector_json(
+        report.torques_on_solids[s] -
+        CGAL::cross_product(Vector(center[0], center[1], center[2]), report.forces_on_solids[s])));
+  }
+  return result;
+}
+
 /// Returns the rejected attempts of a step.
 Json repetitions_json(const std::vector<DSC::Fluid_repetition>& repetitions) {
   Json result = Json::array();
@@ -150,6 +198,7 @@ Json step_json(const Fluid<Complex>& fluid, const Fluid_scene& scene, unsigned s
   json.update(balance_json(report ? report->after : fluid.balance()));
   json["parts"] = components_json(fluid);
   json["gases"] = gases_json(fluid);
+  json["bodies"] = bodies_json(fluid, scene);
   json["extent"] = extent_json(complex);
   json["probes"] = probes_json(scene, fluid);
   json["vertices"] = complex.number_of_vertices();
@@ -176,6 +225,7 @@ Json step_json(const Fluid<Complex>& fluid, const Fluid_scene& scene, unsigned s
                {"contacts_settled", report->contacts_settled},
                {"depth_in_solids", report->depth_in_solids},
                {"forces_on_solids", forces},
+               {"torques_on_solids", torques_json(fluid, scene, *report)},
                {"events", events_json(*report)},
                {"complete", motion.complete},
                {"unfinished_vertices", motion.unfinished.size()},

@@ -7,6 +7,7 @@
 #include "errors.h"
 #include "fluid_complex.h"
 #include "fluid_files.h"
+#include "fluid_solids.h"
 #include "fluid_start.h"
 #include "report_json.h"
 
@@ -34,7 +35,8 @@ Json state_json(const DSC::Fluid_state& state) {
           {"motion", state.motion},
           {"deviations", state.deviations},
           {"volumes", state.volumes},
-          {"pressures_and_volumes_of_gases", state.gases}};
+          {"pressures_and_volumes_of_gases", state.gases},
+          {"bodies", state.bodies}};
 }
 
 DSC::Fluid_state state_of(const Json& json) {
@@ -48,6 +50,8 @@ DSC::Fluid_state state_of(const Json& json) {
     state.deviations = json.at("deviations").get<decltype(state.deviations)>();
   state.volumes = json.at("volumes").get<std::vector<std::pair<std::uint32_t, double>>>();
   state.gases = json.at("pressures_and_volumes_of_gases").get<decltype(state.gases)>();
+  if (json.contains("bodies")) // missing in earlier checkpoints
+    state.bodies = json.at("bodies").get<decltype(state.bodies)>();
   return state;
 }
 
@@ -67,6 +71,7 @@ Fluid_run<dimension> start_fluid(const Fluid_scene& scene, const std::string& fo
   require_files(scene, folder);
   Run run;
   run.scene = scene;
+  set_centers_of_meshes(folder, run.scene);
   run.complex =
       std::make_unique<typename Run::Tracked>(start_of_scene<typename Run::Complex>(scene, folder));
   require_effect(scene, run.complex->complex);
@@ -94,10 +99,12 @@ Fluid_run<dimension> resume_fluid(const std::string& path, const std::string& fo
     if (run.scene.dimension != dimension)
       throw Input_error(path + " contains a complex and a scene of different dimensions; write a "
                                "checkpoint again");
+    set_centers_of_meshes(folder, run.scene);
     run.complex = std::make_unique<typename Run::Tracked>();
     run.complex->complex.restore(checkpoint.state);
     run.fluid = fluid_of_scene(run.scene, folder, run.complex->complex);
     run.fluid->restore(state_of(json.at("fluid")));
+    set_time(run.scene, run.fluid->time(), *run.fluid);
   } catch (const Json::exception&) {
     throw Input_error(path + " contains a complex, but no fluid to resume; give a checkpoint of "
                              "dsc fluid");

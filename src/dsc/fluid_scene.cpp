@@ -14,6 +14,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -73,13 +74,40 @@ Scene_gas read_gas(const Json_fields& gas, std::size_t index) {
   return result;
 }
 
+/// Reads a number, or an expression in t.
+Expression read_flux(const Json_fields& source) {
+  static const std::string form = "a number, or an expression in t like '0.1*sin(t)'";
+  const Expression result =
+      source.any("flux").is_string()
+          ? source.expression("flux", {"t"}, 1, form)
+          : Expression(Json(source.number("flux")).dump(), {"t"}, "flux of " + source.name(), form);
+  if (result.is_constant() && *result.at({0.}) == 0)
+    source.refuse("flux", "must not be 0: the source has no effect; remove the source");
+  return result;
+}
+
 Scene_source read_source(const Json_fields& source) {
-  source.require_known({"center", "radius", "rate"});
-  const Scene_source result = {source.point("center"), source.positive("radius"),
-                               source.number("rate")};
+  source.require_known({"center", "radius", "rate", "flux"});
+  Scene_source result = {source.point("center"), source.positive("radius"), 0, {}};
+  if (source.has("flux")) {
+    if (source.has("rate"))
+      source.refuse("flux", "cannot be combined with the field 'rate'; remove one of them");
+    result.flux = read_flux(source);
+    return result;
+  }
+  if (!source.has("rate"))
+    source.refuse("rate", "is missing; add it or the field 'flux'");
+  result.rate = source.number("rate");
   if (result.rate == 0)
     source.refuse("rate", "must not be 0: the source has no effect; remove the source");
   return result;
+}
+
+/// Reads a vector of numbers, or expressions in t for its coordinates.
+Vector_in_time read_vector_in_time(const Json_fields& json, const std::string& field) {
+  if (!json.any(field).is_string())
+    return {json.point(field), {}};
+  return {{}, read_vector_expression(json, field)};
 }
 
 std::vector<Fluid_scene::Tension> read_tensions(const Json_fields& scene) {
@@ -105,8 +133,8 @@ void read_sides(const Json_fields& sides, Fluid_scene& scene) {
   sides.require_known({names_of_sides.begin(), names_of_sides.begin() + number});
   for (std::size_t side = 0; side < number; ++side)
     if (sides.has(names_of_sides[side])) {
-      const auto velocity = sides.point(names_of_sides[side]);
-      if (velocity[side / 2] != 0)
+      const Vector_in_time velocity = read_vector_in_time(sides, names_of_sides[side]);
+      if (velocity.at(0)[side / 2] != 0)
         sides.refuse(names_of_sides[side], "must be a velocity along the side");
       scene.sides[side] = velocity;
     }
@@ -158,7 +186,7 @@ Fluid_scene read_scene(const Json& json) {
     result.sources.push_back(read_source(source));
   result.tensions = read_tensions(scene);
   if (scene.has("gravity"))
-    result.gravity = scene.point("gravity");
+    result.gravity = read_vector_in_time(scene, "gravity");
   for (const Json_fields& solid : scene.objects("solids"))
     result.solids.push_back(read_solid(solid));
   if (scene.has("sides"))
@@ -176,6 +204,11 @@ Fluid_scene read_scene(const Json& json) {
   read_relaxation(scene, result);
   require_consistent(result, scene);
   return result;
+}
+
+bool is_liquid(const Fluid_scene& scene, int label) {
+  return std::any_of(scene.liquids.begin(), scene.liquids.end(),
+                     [&](const Scene_liquid& liquid) { return liquid.label == label; });
 }
 
 std::vector<std::pair<int, const Fluid_shape*>> shapes_of(const Fluid_scene& scene) {

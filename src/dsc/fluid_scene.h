@@ -9,6 +9,7 @@
 #include "report_json.h"
 #include "run_start.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -19,6 +20,22 @@
 namespace dsc {
 
 // In the plane, points and vectors have the third coordinate 0, and so have boxes.
+
+/// A vector that is constant, or given by expressions in t.
+struct Vector_in_time
+{
+  std::array<double, 3> constant = {};
+  std::optional<Expression> expression; ///< two or three expressions; replaces `constant`
+
+  /// Returns the vector at a time.
+  /// \throws Input_error if a coordinate is not finite
+  std::array<double, 3> at(double t) const {
+    std::array<double, 3> result = constant;
+    if (expression)
+      std::copy_n(expression->at({t}), expression->size(), result.begin());
+    return result;
+  }
+};
 
 /// A perturbed ball. In the direction of a unit vector with third coordinate z, its radius is
 /// `radius` (1 + amplitude P(z)), where P is the Legendre polynomial of degree `mode`. In the
@@ -87,11 +104,14 @@ struct Scene_gas
   double pressure, exponent;
 };
 
-/// A ball in which liquids gain or lose a fraction of their volume per unit of time.
+/// A ball in which liquids gain or lose volume.
 struct Scene_source
 {
   std::array<double, 3> center;
-  double radius, rate;
+  double radius;
+  double rate; ///< fraction of the volume per unit of time; 0 if `flux` is set
+  /// Volume per unit of time: an expression in t.
+  std::optional<Expression> flux;
 };
 
 struct Scene_solid
@@ -107,8 +127,27 @@ struct Scene_solid
   std::string file;
   double contact_angle = 90;
   bool sticks = false, separates = true;
-  /// In the plane, only the third coordinate of the angular velocity is not 0.
+  /// In the plane, only the third coordinate of the angular velocity is not 0. For a body, they are
+  /// the initial motion. Other solids move with constant velocities about `point`.
   std::array<double, 3> velocity = {}, angular_velocity = {};
+  std::optional<double> density; ///< of a body that liquids move
+  /// For each axis: whether a body cannot move along it.
+  std::array<bool, 3> is_fixed = {};
+  bool is_rotation_fixed = false; ///< whether a body cannot rotate
+  /// Expressions in t: the coordinates of the displacement, and of the rotation vector about
+  /// `center` in radians. In the plane, the rotation is one angle.
+  std::optional<Expression> displacement, rotation;
+  /// Without displacement and rotation: the center of a tank, box or ball, the centroid of the
+  /// vertices of a mesh, `point` of other solids. Without its file, a mesh has the center 0.
+  std::array<double, 3> center = {};
+
+  bool is_body() const { return density.has_value(); }
+  bool is_moved_by_expressions() const { return displacement || rotation; }
+  /// Returns whether the solid can move.
+  bool moves() const {
+    return is_body() || is_moved_by_expressions() || velocity != std::array<double, 3>() ||
+           angular_velocity != std::array<double, 3>();
+  }
 };
 
 /// A quantity to be measured in each step.
@@ -149,10 +188,10 @@ struct Fluid_scene
     double value;
   };
   std::vector<Tension> tensions;
-  std::array<double, 3> gravity = {};
+  Vector_in_time gravity;
   std::vector<Scene_solid> solids;
   /// By side of the domain: the velocity of a no-slip side.
-  std::array<std::optional<std::array<double, 3>>, 6> sides;
+  std::array<std::optional<Vector_in_time>, 6> sides;
   std::vector<Scene_probe> probes;
   double time_step; ///< maximum
   double cfl;       ///< 0 for constant time steps
@@ -167,6 +206,9 @@ struct Fluid_scene
 /// The names of the sides of the domain, in the order of `Fluid_scene::sides`. A domain in the
 /// plane has the first four sides.
 inline constexpr std::array<const char*, 6> names_of_sides = {"x-", "x+", "y-", "y+", "z-", "z+"};
+
+/// Returns whether a label is the label of a liquid.
+bool is_liquid(const Fluid_scene& scene, int label);
 
 /// Returns the labels and shapes, liquids first.
 std::vector<std::pair<int, const Fluid_shape*>> shapes_of(const Fluid_scene& scene);

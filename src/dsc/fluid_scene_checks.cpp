@@ -148,7 +148,7 @@ bool is_outside(const Scene_solid& box, const Fluid_scene& scene) {
 /// Returns whether no liquid inside the domain can touch a solid. Returns false for moving solids,
 /// which may enter the domain, and for cylinders and meshes, which are not tested.
 bool is_out_of_reach(const Scene_solid& solid, const Fluid_scene& scene) {
-  if (solid.velocity != Vector() || solid.angular_velocity != Vector())
+  if (solid.moves())
     return false;
   const auto [least, largest] = distances(solid.point, scene.domain);
   switch (solid.kind) {

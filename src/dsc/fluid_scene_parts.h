@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 
 namespace dsc {
 
@@ -18,6 +19,10 @@ namespace dsc {
 Fluid_shape read_shape(const Json_fields& shape);
 Scene_solid read_solid(const Json_fields& solid);
 Scene_probe read_probe(const Json_fields& probe);
+
+/// Returns a field with an expression in t for each coordinate of a vector.
+/// \throws Usage_error
+Expression read_vector_expression(const Json_fields& json, const std::string& field);
 
 /// Returns the field `mode`, at most 100.
 /// \throws Usage_error

@@ -97,6 +97,12 @@ std::size_t read_mode(const Json_fields& json) {
   return result;
 }
 
+Expression read_vector_expression(const Json_fields& json, const std::string& field) {
+  return json.expression(field, {"t"}, json.dimension(),
+                         json.dimension() == 2 ? "two expressions in t like '0,0.1*sin(t)'"
+                                               : "three expressions in t like '0,0,0.1*sin(t)'");
+}
+
 Box_shape read_corners(const Json_fields& json) {
   const Box_shape box{json.point("from"), json.point("to")};
   for (std::size_t i = 0; i < std::size_t(json.dimension()); ++i)

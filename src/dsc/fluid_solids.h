@@ -8,9 +8,17 @@
 #include "fluid_of_dimension.h"
 #include "fluid_scene.h"
 
+#include <array>
 #include <string>
 
 namespace dsc {
+
+/// Sets the centers of solids that are meshes. Files of the scene are searched in `folder`.
+/// \throws Input_error if a file cannot be read
+void set_centers_of_meshes(const std::string& folder, Fluid_scene& scene);
+
+/// Returns the center of a solid that is no body at a time, see `Scene_solid::center`.
+std::array<double, 3> center_of(const Scene_solid& solid, double t);
 
 /// Adds the solids of a scene to a fluid. Files of the scene are searched in `folder`.
 /// \throws Input_error if a file cannot be read

@@ -26,6 +26,23 @@ bool is_in_source(const Scene_source& source, const std::array<double, 3>& p) {
   return std::hypot(p[0] - c[0], p[1] - c[1], p[2] - c[2]) < source.radius;
 }
 
+template <class Complex> void add_sources(const Fluid_scene& scene, Fluid<Complex>& fluid) {
+  using Point = typename Fluid<Complex>::Point;
+  const auto has_rate = [](const Scene_source& source) { return source.rate != 0; };
+  if (std::any_of(scene.sources.begin(), scene.sources.end(), has_rate))
+    fluid.set_sources([sources = scene.sources](const Point& p, double) {
+      double rate = 0;
+      for (const Scene_source& source : sources)
+        if (is_in_source(source, coordinates_of(p)))
+          rate += source.rate;
+      return rate;
+    });
+  for (const Scene_source& source : scene.sources)
+    if (source.flux)
+      fluid.add_source([source](const Point& p) { return is_in_source(source, coordinates_of(p)); },
+                       [flux = *source.flux](double t) { return *flux.at({t}); });
+}
+
 } // namespace
 
 template <class Complex>
@@ -39,22 +56,23 @@ std::unique_ptr<Fluid<Complex>> fluid_of_scene(const Fluid_scene& scene, const s
     properties.set_gas(gas.label, {gas.pressure, gas.exponent});
   for (const auto& tension : scene.tensions)
     properties.set_surface_tension(tension.labels[0], tension.labels[1], tension.value);
-  properties.set_gravity(scene.gravity);
   auto result = std::make_unique<Fluid<Complex>>(complex, properties);
   Fluid<Complex>& fluid = *result;
-  if (!scene.sources.empty())
-    fluid.set_sources([sources = scene.sources](const typename Fluid<Complex>::Point& p, double) {
-      double rate = 0;
-      for (const Scene_source& source : sources)
-        if (is_in_source(source, coordinates_of(p)))
-          rate += source.rate;
-      return rate;
-    });
-  for (std::size_t side = 0; side < scene.sides.size(); ++side)
-    if (scene.sides[side])
-      fluid.set_side(int(side / 2), side % 2 == 1, {scene.sides[side]});
+  add_sources(scene, fluid);
   add_solids(scene, folder, fluid);
+  set_time(scene, 0, fluid);
   return result;
+}
+
+template <class Complex> void set_time(const Fluid_scene& scene, double t, Fluid<Complex>& fluid) {
+  fluid.set_gravity(scene.gravity.at(t));
+  for (std::size_t side = 0; side < scene.sides.size(); ++side)
+    if (const auto& given = scene.sides[side]) {
+      const auto velocity = given->at(t);
+      if (velocity[side / 2] != 0)
+        given->expression->refuse("must be a velocity along the side");
+      fluid.set_side(int(side / 2), side % 2 == 1, {velocity});
+    }
 }
 
 namespace {
@@ -79,20 +97,16 @@ void require_cells_of_all(const Fluid_scene& scene, const Complex& complex) {
       const bool is_liquid = i < scene.liquids.size();
       throw Input_error((is_liquid ? "liquids[" + std::to_string(i)
                                    : "gases[" + std::to_string(i - scene.liquids.size())) +
-                        "] of the scene has no cells: other shapes cover it, or it is outside "
-                        "the domain; move it or remove it");
+                        "] of the scene has no cells: other shapes or solids cover it, or it is "
+                        "outside the domain; move it or remove it");
     }
 }
 
 template <class Complex>
 void require_liquid_at_sources(const Fluid_scene& scene, const Complex& complex) {
-  const auto is_liquid = [&](int label) {
-    return std::any_of(scene.liquids.begin(), scene.liquids.end(),
-                       [&](const Scene_liquid& liquid) { return liquid.label == label; });
-  };
   std::vector<bool> meets_liquid(scene.sources.size(), false);
   for (const auto c : complex.cells())
-    if (is_liquid(c->label()))
+    if (is_liquid(scene, c->label()))
       for (std::size_t i = 0; i < scene.sources.size(); ++i)
         if (!meets_liquid[i])
           meets_liquid[i] = is_in_source(scene.sources[i], middle_of(complex, c));
@@ -106,8 +120,7 @@ template <class Complex>
 void require_liquid_at_sides(const Fluid_scene& scene, const Complex& complex) {
   unsigned met = 0; // sides as bits
   for (const auto c : complex.cells())
-    if (std::any_of(scene.liquids.begin(), scene.liquids.end(),
-                    [&](const Scene_liquid& liquid) { return liquid.label == c->label(); }))
+    if (is_liquid(scene, c->label()))
       for (int i = 0; i < Complex::corners; ++i)
         met |= c->vertex(i)->boundary_class();
   for (std::size_t side = 0; side < scene.sides.size(); ++side)
@@ -174,12 +187,14 @@ template <class Complex> void set_velocities(const Fluid_scene& scene, Fluid<Com
 template void require_effect(const Fluid_scene&, const Tracked_complex_2::Complex&);
 template std::unique_ptr<Fluid<Tracked_complex_2::Complex>>
 fluid_of_scene(const Fluid_scene&, const std::string&, Tracked_complex_2::Complex&);
+template void set_time(const Fluid_scene&, double, Fluid<Tracked_complex_2::Complex>&);
 template void require_outside_of_solids(const Fluid_scene&,
                                         const Fluid<Tracked_complex_2::Complex>&);
 template void set_velocities(const Fluid_scene&, Fluid<Tracked_complex_2::Complex>&);
 template void require_effect(const Fluid_scene&, const Tracked_complex_3::Complex&);
 template std::unique_ptr<Fluid<Tracked_complex_3::Complex>>
 fluid_of_scene(const Fluid_scene&, const std::string&, Tracked_complex_3::Complex&);
+template void set_time(const Fluid_scene&, double, Fluid<Tracked_complex_3::Complex>&);
 template void require_outside_of_solids(const Fluid_scene&,
                                         const Fluid<Tracked_complex_3::Complex>&);
 template void set_velocities(const Fluid_scene&, Fluid<Tracked_complex_3::Complex>&);

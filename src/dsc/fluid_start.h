@@ -23,6 +23,11 @@ template <class Complex>
 std::unique_ptr<Fluid<Complex>> fluid_of_scene(const Fluid_scene& scene, const std::string& folder,
                                                Complex& complex);
 
+/// Sets gravity and the velocities of sides to those of a time.
+/// \throws Input_error if a value is not finite
+/// \throws Usage_error if the velocity of a side is not along the side
+template <class Complex> void set_time(const Fluid_scene& scene, double t, Fluid<Complex>& fluid);
+
 /// Checks that all liquids are outside of the solids.
 /// \throws Input_error if a liquid is inside a solid
 template <class Complex>

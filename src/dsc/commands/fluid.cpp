@@ -10,6 +10,7 @@
 #include "fluid_report.h"
 #include "fluid_run.h"
 #include "fluid_scene.h"
+#include "fluid_start.h"
 #include "interrupt.h"
 #include "option_values.h"
 #include "output_folder.h"
@@ -195,7 +196,9 @@ template <int dimension> void Reported_run<dimension>::advance() {
   options.implicitness = m_run.scene.implicitness;
   options.interface_tolerance = m_run.scene.interface_tolerance;
   options.adaptation_interval = unsigned(m_run.scene.adaptation_interval);
-  const auto report = fluid.advance(m_run.next_step(m_end), options); // all or nothing
+  const double dt = m_run.next_step(m_end);
+  set_time(m_run.scene, fluid.time() + dt / 2, fluid);
+  const auto report = fluid.advance(dt, options); // all or nothing
   ++m_done;
   m_steps.push_back(step_json<Complex>(fluid, m_run.scene, step(), report));
   m_repetitions.add(report.repetitions);

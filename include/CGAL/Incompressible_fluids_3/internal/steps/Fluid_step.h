@@ -429,7 +429,7 @@ private:
     System result = m_equations.system();
     result.b = m_b;
     result.constrained = m_constraints.constrained();
-    m_bodies.extend(result);
+    m_bodies.extend(result, m_slip_flux.of_bodies);
     result.closed = closed_sets(result);
     return result;
   }

@@ -72,8 +72,16 @@ public:
     }
   }
 
-  // Adds the bodies to a system whose other members are complete.
-  void extend(System& system) const;
+  // A volume that a pressure gains by the velocity of a body at a point, times a vector.
+  struct Flux
+  {
+    Eigen::Index pressure;
+    Vertex_constraints::Attached_body body;
+    Eigen::Vector3d vector;
+  };
+
+  // Adds the bodies to a system whose other members are complete, with fluxes of its matrix b.
+  void extend(System& system, const std::vector<Flux>& fluxes) const;
 
   // Returns the right side f of an extended system. The argument is f of the system.
   Vector forces(const Vector& f) const {
@@ -213,7 +221,7 @@ private:
   std::vector<Vector> m_columns; // six for each body: velocities of vertices by unknown
 };
 
-inline void Body_equations::extend(System& system) const {
+inline void Body_equations::extend(System& system, const std::vector<Flux>& fluxes) const {
   if (m_bodies.empty())
     return;
   using Entries = std::vector<Eigen::Triplet<double>>;
@@ -270,6 +278,15 @@ inline void Body_equations::extend(System& system) const {
     for (Eigen::Index p = 0; p < pressures; ++p)
       for (int axis = 0; axis < 3 && !gradients.row(p).isZero(0); ++axis)
         of_b.emplace_back(int(p), first + int(k) + axis, gradients(p, axis));
+  }
+  for (const Flux& flux : fluxes) {
+    const Eigen::Vector3d turn =
+        cross_matrix(flux.body.arm).transpose() * flux.vector / m_lengths[flux.body.body];
+    for (int axis = 0; axis < 3; ++axis) {
+      const int column = first + 6 * int(flux.body.body) + axis;
+      of_b.emplace_back(int(flux.pressure), column, flux.vector(axis));
+      of_b.emplace_back(int(flux.pressure), column + 3, turn(axis));
+    }
   }
   const auto add = [](Matrix& matrix, Eigen::Index rows, Eigen::Index columns,
                       const Entries& entries) {

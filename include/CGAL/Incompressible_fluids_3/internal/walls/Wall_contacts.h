@@ -175,8 +175,9 @@ public:
       }
   }
 
-  // Calls `f(facet, vertex, wall_velocity)` for each vertex of a facet that slides along the wall
-  // that wets the facet. All facets around the vertex are wetted.
+  // Calls `f(facet, vertex, wall_velocity, body)` for each vertex of a facet that slides along the
+  // wall that wets the facet. All facets around the vertex are wetted. If the wall belongs to a
+  // moving body, the velocity is zero and the body is given.
   template <class Function> void for_each_slip(const Function& f) const {
     for (std::size_t k = 0; k < m_mesh.facets.size(); ++k) {
       const auto& wall = m_wall_of_facet[k];
@@ -185,7 +186,8 @@ public:
       for (auto v : m_mesh.facets[k].vertices)
         if (m_is_covered[v])
           if (const Contact* c = active_contact({v, wall->first, wall->second}))
-            f(k, std::size_t(v), c->wall_velocity);
+            f(k, std::size_t(v),
+              c->body ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : c->wall_velocity, c->body);
     }
   }
 

@@ -16,6 +16,7 @@
 #include <Eigen/SparseCore>
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -38,6 +39,7 @@ struct Slip_flux
 {
   Saddle_point_system::Matrix matrix;   // to be added to the matrix b of a system
   Saddle_point_system::Vector of_walls; // the volumes that the correction adds for moving walls
+  std::vector<Body_equations::Flux> of_bodies; // the same for bodies, by their unknown velocities
 };
 
 // Computes the correction for constrained unknowns, with the vertices at given positions.
@@ -51,14 +53,16 @@ Slip_flux slip_flux(const Fluid_mesh<Complex>& mesh, const Wall_contacts<Complex
     projections[std::size_t(c.vertex)] = &c.projection;
   const auto volumes = Eigen::Index(mesh.vertex_of_pressure.size());
   Slip_flux result{Saddle_point_system::Matrix(volumes, 3 * Eigen::Index(positions.size())),
-                   Saddle_point_system::Vector::Zero(volumes)};
+                   Saddle_point_system::Vector::Zero(volumes),
+                   {}};
   std::vector<Eigen::Triplet<double>> entries;
 
   // Adds the terms of a facet and a vertex v for the liquid on one side of the facet. The velocity
   // of the liquid along the facet is `factor` times an unknown, which is the velocity of the wall
   // if they move together.
   const auto add = [&](const typename Mesh::Facet& facet, bool is_behind, std::size_t v,
-                       std::size_t unknown, double factor, const Eigen::Vector3d& of_wall) {
+                       std::size_t unknown, double factor, const Eigen::Vector3d& of_wall,
+                       const std::optional<Vertex_constraints::Attached_body>& body) {
     // The integral of phi_i phi_v over a facet is its area, divided by this number, and twice as
     // large if i and v are the same.
     static constexpr int products = Complex::dimension * (Complex::dimension + 1);
@@ -74,12 +78,15 @@ Slip_flux slip_flux(const Fluid_mesh<Complex>& mesh, const Wall_contacts<Complex
       for (int axis = 0; axis < 3; ++axis)
         entries.emplace_back(int(p), 3 * int(unknown) + axis, row[axis]);
       result.of_walls(p) += row.dot(of_wall);
+      if (body)
+        result.of_bodies.push_back({Eigen::Index(p), *body, -row});
     }
   };
 
-  contacts.for_each_slip([&](std::size_t f, std::size_t v, const Eigen::Vector3d& wall_velocity) {
-    add(mesh.facets[f], mesh.facets[f].is_gas_in_front, v, v, 1, wall_velocity);
-  });
+  contacts.for_each_slip(
+      [&](std::size_t f, std::size_t v, const Eigen::Vector3d& wall_velocity, const auto& body) {
+        add(mesh.facets[f], mesh.facets[f].is_gas_in_front, v, v, 1, wall_velocity, body);
+      });
   std::vector<const typename Mesh::Slip*> slips(positions.size(), nullptr);
   for (const auto& slip : mesh.slips)
     slips[slip.first] = &slip;
@@ -89,8 +96,8 @@ Slip_flux slip_flux(const Fluid_mesh<Complex>& mesh, const Wall_contacts<Complex
       if (const auto* slip = slips[v])
         for (const bool is_behind : {true, false})
           add(facet, is_behind, v, slip->second,
-              is_behind == is_first_behind ? slip->share : slip->share - 1,
-              Eigen::Vector3d::Zero());
+              is_behind == is_first_behind ? slip->share : slip->share - 1, Eigen::Vector3d::Zero(),
+              std::nullopt);
   }
   result.matrix.setFromTriplets(entries.begin(), entries.end());
   return result;
