@@ -130,7 +130,8 @@ TEST_P(Fluid_output, is_probed_at_points) {
     const Outcome outcome = run("fluid " + write_scene(json) + " --report r.json");
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     std::vector<Json> result;
-    for (const Json& step : report("r.json").at("steps"))
+    const Json whole = report("r.json");
+    for (const Json& step : whole.at("steps"))
       result.push_back(step.at("probes"));
     return result;
   };

@@ -51,7 +51,7 @@ Json wheel() {
                 "separates": false}],
     "implicitness": 1,
     "time_step": 0.1,
-    "end": 1
+    "end": 0.5
   })json");
 }
 
@@ -171,16 +171,16 @@ TEST_F(Fluid_solids, wheel_is_turned) {
   const double torque = 4 * M_PI * .25 / .75;
   Json json = wheel();
   const Json steps = steps_of(json);
-  ASSERT_EQ(steps.size(), 11u);
-  const Json& torques = steps[10].at("torques_on_solids");
-  EXPECT_NEAR(torques[0][2].get<double>(), torque, .08 * torque);
-  EXPECT_NEAR(torques[1][2].get<double>(), -torque, .08 * torque);
+  ASSERT_EQ(steps.size(), 6u);
+  const Json& torques = steps[5].at("torques_on_solids");
+  EXPECT_NEAR(torques[0][2].get<double>(), torque, .05 * torque);
+  EXPECT_NEAR(torques[1][2].get<double>(), -torque, .05 * torque);
   EXPECT_EQ(torques[0][0], 0);
   json["solids"][1].erase("rotation");
   json["solids"][1]["angular_velocity"] = 1;
   const Json same = steps_of(json);
-  ASSERT_EQ(same.size(), 11u);
-  EXPECT_NEAR(same[10].at("torques_on_solids")[1][2].get<double>(), torques[1][2].get<double>(),
+  ASSERT_EQ(same.size(), 6u);
+  EXPECT_NEAR(same[5].at("torques_on_solids")[1][2].get<double>(), torques[1][2].get<double>(),
               1e-4 * torque);
 }
 

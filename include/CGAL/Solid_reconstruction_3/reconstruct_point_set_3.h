@@ -16,10 +16,7 @@
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
 #include <CGAL/Solid_reconstruction_3/Reconstruction_report_3.h>
-#include <CGAL/Solid_reconstruction_3/internal/clouds/Sampled_surface_3.h>
 #include <CGAL/Solid_reconstruction_3/internal/clouds/collect_points.h>
-#include <CGAL/Solid_reconstruction_3/internal/reconstruction/Cloud_shell_3.h>
-#include <CGAL/Solid_reconstruction_3/internal/reconstruction/Reconstructor_3.h>
 
 #include <cmath>
 #include <cstddef>
@@ -78,18 +75,7 @@ namespace internal {
 // Implements `reconstruct_point_set_3()` for points that are collected already.
 template <class Complex>
 Complex reconstruct_collected(const Collected_points& points,
-                              const Reconstruction_options_3<Complex>& options) {
-  const Sampled_surface_3 surface(points.points, points.normals, options.keep_open,
-                                  options.number_of_threads);
-  const Cloud_shell_3 shell(surface);
-  Complex complex = complex_of_shell<Complex>(shell);
-  Reconstructor_3<Complex> reconstructor(complex, surface, shell.edge(), options.fit_tolerance,
-                                         options.number_of_threads);
-  const auto report = reconstructor.run(options.number_of_iterations, options.observer);
-  if (options.report)
-    *options.report = report;
-  return complex;
-}
+                              const Reconstruction_options_3<Complex>& options);
 
 // Implements `reconstruct_point_set_3()`.
 template <class Complex, class PointRange, class NamedParameters>
@@ -229,5 +215,10 @@ Complex reconstruct_point_set_3(const PointRange& points,
 
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
+
+// The header of the component Compiled only declares the function.
+#ifndef CGAL_DSC_RECONSTRUCTION_IS_COMPILED
+#include <CGAL/Solid_reconstruction_3/internal/reconstruction/reconstruct_collected_impl.h>
+#endif
 
 #endif // CGAL_SOLID_RECONSTRUCTION_3_RECONSTRUCT_POINT_SET_3_H

@@ -16,13 +16,15 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
 // Adapts the mesh before a step. The interface and the edges inside liquids are remeshed, except if
-// the treatment is `improved`. Tetrahedra are improved before the first step and before repeated
-// attempts.
+// the treatment is `improved`. Triangles are improved. Tetrahedra are improved before the first step
+// and before repeated attempts.
 template <class Complex, class Solver>
 void Incompressible_fluid<Complex, Solver>::adapt(const Options& chosen,
                                                   internal::Mesh_treatment treatment,
                                                   Report& report) {
-  static constexpr double quality = .3; // of tetrahedra, as in new meshes
+  // The quality of tetrahedra is that of new meshes. In the plane, flips undo the shear by the flow
+  // at each adaptation. Velocities of sheared triangles are less accurate.
+  static constexpr double quality = Complex::dimension == 2 ? .6 : .3;
   if (m_complex.interface_vertices().empty())
     return;
   require_interface_edge(m_complex);
@@ -40,7 +42,7 @@ void Incompressible_fluid<Complex, Solver>::adapt(const Options& chosen,
     Mesh_improvement_options<Complex> improvement;
     improvement.quality_threshold = quality;
     improvement.visitor = visitor;
-    if (m_steps == 0 || treatment != Treatment::chosen)
+    if (Complex::dimension == 2 || m_steps == 0 || treatment != Treatment::chosen)
       result = result + improve_mesh(m_complex, improvement);
   });
   restore_components(chosen, report);

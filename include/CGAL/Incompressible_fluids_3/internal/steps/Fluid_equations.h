@@ -113,6 +113,17 @@ public:
   // The transformation between the velocities of liquids and the unknowns.
   const Slip_transform& slips() const { return m_slips; }
 
+  // Returns the kinetic energy of velocities of liquids.
+  double kinetic_energy(const Vectors_3& velocities) const {
+    double result = 0;
+    for (std::size_t v = 0; v < m_masses.size(); ++v)
+      result += (1 - Mesh::part_at_middle) * m_masses[v] / 2 * velocities[v].squaredNorm();
+    for (std::size_t k = 0; k < m_mesh.cells.size(); ++k)
+      result += Mesh::part_at_middle * Mesh::corners * share_of_mass(k) / 2 *
+                m_mesh.middle(k, velocities).squaredNorm();
+    return result;
+  }
+
   // Assembles the matrices with the vertices at positions near the midpoint of the step.
   // `tension_of(f)` is the surface tension of facet f, or its energy of wetting per unit of area.
   // `gas_pressures` are the pressures of gases on facets.

@@ -130,12 +130,15 @@ public:
 
   // Returns an upper bound of the energy that moving walls and sides supply to liquids in the step.
   double work_of_walls() const {
-    const Vector forces = forces_on_vertices();
-    double power = m_contacts.power(forces) + (std::max)(0., m_pressures.dot(m_slip_flux.of_walls));
+    double power =
+        m_contacts.power(m_reactions) + (std::max)(0., m_pressures.dot(m_slip_flux.of_walls));
     for (std::size_t v = 0; v < m_positions.size(); ++v)
       if (const auto velocity = velocity_of_side(v))
-        power += (std::max)(0., velocity->dot(forces.segment<3>(3 * Eigen::Index(v))));
-    return m_step.dt * power;
+        power += (std::max)(0., velocity->dot(m_reactions.segment<3>(3 * Eigen::Index(v))));
+    // Walls that set the velocities at the end can supply energy, too.
+    const double by_stop = m_equations.kinetic_energy(m_final_velocities) -
+                           m_equations.kinetic_energy(m_unstopped_velocities);
+    return m_step.dt * power + (std::max)(0., by_stop);
   }
 
   // Returns an upper bound of the energy that sources supply in the step, less the energy that

@@ -10,8 +10,8 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
-#include <CGAL/Solid_reconstruction_3/internal/clouds/Sampled_surface_3.h>
 
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/number_utils.h>
 
 #include <vector>
@@ -26,8 +26,8 @@ namespace internal {
 // Points of any kernel, and their normals. There are no normals, or as many as points.
 struct Collected_points
 {
-  std::vector<Sampled_surface_3::Point> points;
-  std::vector<Sampled_surface_3::Vector> normals;
+  std::vector<Simple_cartesian<double>::Point_3> points;
+  std::vector<Simple_cartesian<double>::Vector_3> normals;
 
   template <class P> void add_point(const P& p) {
     points.emplace_back(to_double(p.x()), to_double(p.y()), to_double(p.z()));
