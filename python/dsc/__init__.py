@@ -33,15 +33,17 @@ from ._errors import (
     TetrahedralizationError,
 )
 from ._film import Film
-from ._fluid import Balance, Fluid, FluidReport, Gas, Liquid, Side, Source
+from ._fluid import Balance, Fluid, FluidReport, Gas, Liquid, Region, Side, Source
 from ._progress import ProgressLine
 from ._report import Cells, Changes, Interface, LabelChange, Report, TopologyEvent
+from ._solids import Body, Motion
 from ._surfaces import CutLocus, Reconstruction, cut_locus, reconstruct
 from ._tori import Torus, Torus2, Torus3
 from ._values import Values
 
 __all__ = [
     "Balance",
+    "Body",
     "BusyError",
     "Cells",
     "Changes",
@@ -65,9 +67,11 @@ __all__ = [
     "LabelChange",
     "LabelFunction",
     "Liquid",
+    "Motion",
     "Progress",
     "ProgressLine",
     "Reconstruction",
+    "Region",
     "Report",
     "Scheme",
     "Side",

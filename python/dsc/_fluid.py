@@ -15,18 +15,20 @@ from ._complex import (
     Complex3,
     Progress,
     Topology,
-    _box,
+    _callable,
     _given,
     _integer,
     _number,
-    _numbers,
     _report,
 )
-from ._errors import Error
 from ._report import Points, Report
+from ._solids import Solids
 
 Side = Literal["x-", "x+", "y-", "y+", "z-", "z+"]
 """A side of the domain: the axis perpendicular to it, - for the smaller coordinate, + for the larger."""
+
+Region = Callable[[Points], Any]
+"""Whether points are in a region: booleans of shape (n,) for points of shape (n, d)."""
 
 _SIDES = ("x-", "x+", "y-", "y+", "z-", "z+")
 
@@ -93,6 +95,8 @@ class FluidReport:
     """Greatest change of a velocity that restores momentum."""
     volume_error: float
     """Greatest error of the volume of a component, relative to the volume."""
+    gained_volume: float
+    """Volume that sources added, less the volume that they removed."""
     residual: float
     """Relative residual of the linear equations."""
     contacts: int
@@ -100,14 +104,16 @@ class FluidReport:
     depth_in_solids: float
     """Depth of the deepest vertex in a solid."""
     forces_on_solids: Points
-    """Force on each solid, shape (k, d)."""
+    """Mean force of liquids on each solid in the step, shape (k, d), in the order of their addition."""
+    torques_on_solids: Points
+    """Mean torque about the origin on each solid: shape (k, 3) in space, (k,) in the plane."""
     repetitions: int
     """Number of attempts that failed before the step succeeded."""
     deformation: Report
     """Report of the motion of the interface."""
 
 
-class Fluid:
+class Fluid(Solids):
     """Liquids, gases and void: the labels of a complex in space or in the plane.
 
     complex: the initial state; the fluid works on a copy
@@ -118,11 +124,28 @@ class Fluid:
     Points and vectors have d coordinates: 3 in space, 2 in the plane. Two liquids slip along their
     interface. If both are viscous, friction resists the slip.
 
-    The functions that add solids have three options for the wall of the solid:
+    The functions that add solids have options for the wall of the solid, and for its motion:
 
     contact_angle: in the liquid between solid and surface, degrees in [0, 180], by default 90
     no_slip: whether liquid in contact moves with the solid, by default False
     separates: whether liquid may leave the solid, by default True
+    velocity: constant velocity of the center, by default 0
+    angular_velocity: constant angular velocity about the center, in radians in a unit of time: a vector
+        in space, a number in the plane; by default 0
+    motion: instead of both, a function of the time that returns the displacement and the rotation, see
+        `Motion`. It is called during steps, with any time, and must always return the same values.
+    motion_step: time step of the central differences of `motion`, which are the velocities of the solid;
+        by default 1e-5. Choose it small in comparison with the time in which the velocity changes.
+
+    The shape of a moving solid is given at the time 0. The center of a tank or a box is its middle.
+
+    A box, a ball or a mesh with a density is a body, which gravity and liquids move. In the plane, it has
+    the thickness 1. Its velocities are initial velocities, and its center is the center of mass. The cells
+    inside a body have the label of the void or of a gas. Bodies and other solids pass through each other.
+
+    density: mass of a unit of volume
+    fixed: some of 'x', 'y', 'z' and 'rotation': the body does not move along these axes, or does not
+        rotate; by default ()
     """
 
     def __init__(
@@ -150,78 +173,7 @@ class Fluid:
             self._coordinates([0] * self._dimension if gravity is None else gravity, "gravity"),
         )
 
-    def _coordinates(self, values: Sequence[float], name: str) -> list[float]:
-        return _numbers(values, self._dimension, name)
-
-    def _require_space(self, solid: str) -> None:
-        if self._dimension == 2:
-            raise Error(f"{solid} is a solid in space: use a plane, a tank or a ball in the plane")
-
     # Set-up
-
-    def add_plane(self, point: Sequence[float], normal: Sequence[float], **wall: Any) -> None:
-        """Adds a solid half space (in the plane, a half plane).
-
-        point, normal: a point of its boundary, and the direction to the side of the liquids
-        wall: the options of walls, see `Fluid`
-        """
-        self._compiled.add_plane(
-            self._coordinates(point, "point"), self._coordinates(normal, "normal"), _given(**wall)
-        )
-
-    def add_tank(self, box: npt.ArrayLike, *, is_open: bool = False, **wall: Any) -> None:
-        """Adds the walls of a tank around liquids. An open tank has no wall at the top.
-
-        box: two opposite corners, shape (2, d); the top has the largest z, in the plane the largest y
-        wall: the options of walls, see `Fluid`
-        """
-        self._compiled.add_tank(_box(box, self._dimension), is_open, _given(**wall))
-
-    def add_ball(
-        self, center: Sequence[float], radius: float, *, outside: bool = False, **wall: Any
-    ) -> None:
-        """Adds a solid ball (in the plane, a disk), or the solid outside of a ball.
-
-        wall: the options of walls, see `Fluid`
-        """
-        self._compiled.add_ball(
-            self._coordinates(center, "center"), _number(radius, "radius"), outside, _given(**wall)
-        )
-
-    def add_cylinder(
-        self,
-        point: Sequence[float],
-        axis: Sequence[float],
-        radius: float,
-        *,
-        outside: bool = False,
-        **wall: Any,
-    ) -> None:
-        """Adds an infinite solid cylinder, or its outside. Raises `Error` in the plane.
-
-        wall: the options of walls, see `Fluid`
-        """
-        self._require_space("a cylinder")
-        self._compiled.add_cylinder(
-            self._coordinates(point, "point"),
-            self._coordinates(axis, "axis"),
-            _number(radius, "radius"),
-            outside,
-            _given(**wall),
-        )
-
-    def add_mesh(
-        self, points: npt.ArrayLike, triangles: npt.ArrayLike, *, outside: bool = False, **wall: Any
-    ) -> None:
-        """Adds a solid bounded by a closed surface, or its outside. Raises `Error` in the plane.
-
-        points, triangles: shapes (n, 3) and (m, 3)
-        wall: the options of walls, see `Fluid`
-        """
-        self._require_space("a closed surface")
-        self._compiled.add_mesh(
-            np.asarray(points, dtype=float), np.asarray(triangles), outside, _given(**wall)
-        )
 
     def set_side(
         self, side: Side, *, slip: bool = False, velocity: Sequence[float] | None = None
@@ -247,8 +199,27 @@ class Fluid:
             axis, bool(is_upper), None if slip else self._coordinates(given, "velocity")
         )
 
+    def set_gravity(self, gravity: Sequence[float]) -> None:
+        """Sets the acceleration of gravity for the next steps."""
+        self._compiled.set_gravity(self._coordinates(gravity, "gravity"))
+
+    def add_source(self, is_in: Region, flux: float | Callable[[float], float]) -> None:
+        """Adds a source that adds a given volume to the liquids in a region.
+
+        is_in: a function of points that returns whether they are in the region; it is called with the
+            barycenters of cells of liquids
+        flux: volume (in the plane, area) in a unit of time, negative for a drain: a number, or a function
+            of the time, which is called with the middle of each step
+
+        The flux is exact, up to rounding. If no cell is in the region, the source has no effect. A step
+        raises `Error` if it is too long for the flux. `set_sources()` does not remove these sources.
+        """
+        self._compiled.add_source(
+            _callable(is_in, "is_in"), flux if callable(flux) else _number(flux, "flux")
+        )
+
     def set_sources(self, sources: Iterable[Source]) -> None:
-        """Replaces the sources."""
+        """Replaces the sources that are balls."""
         self._compiled.set_sources(
             [(self._coordinates(s.center, "a center"), s.radius, s.rate) for s in sources]
         )
@@ -315,6 +286,15 @@ class Fluid:
         """
         pressures: npt.NDArray[np.float64] = self._compiled.pressures(_integer(label, "label"))
         return pressures
+
+    @property
+    def vorticity(self) -> npt.NDArray[np.float64]:
+        """Curl of the velocity in each cell, in the order of `complex.cells().cells`.
+
+        The shape is (m, 3) in space and (m,) in the plane. Cells off liquids have the vorticity 0.
+        """
+        vorticity: npt.NDArray[np.float64] = self._compiled.vorticity()
+        return vorticity
 
     @property
     def balance(self) -> Balance:

@@ -10,6 +10,7 @@
 #include <pybind11/stl.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -88,6 +89,53 @@ public:
 
 private:
   Shared_function m_function;
+};
+
+/// Region that a Python function gives: `function(points)` returns whether the points are in the
+/// region, booleans of shape (n,), for points of shape (n, d).
+template <class Point> class Region_function
+{
+public:
+  explicit Region_function(py::function function) : m_function(std::move(function)) {}
+
+  bool operator()(const Point& p) const {
+    const py::gil_scoped_acquire lock;
+    const py::array_t<double> points = array_of<double>(
+        1, std::size_t(p.dimension()), [&](std::size_t, std::size_t j) { return p[int(j)]; });
+    const py::array inside(m_function(points));
+    if (inside.dtype().kind() != 'b')
+      throw py::type_error("the function of a region must return booleans");
+    if (inside.ndim() != 1 || inside.size() != 1)
+      throw py::value_error("the function of a region must return one boolean for each point");
+    return labels_of(inside, "the region").front() != 0;
+  }
+
+private:
+  Shared_function m_function;
+};
+
+/// A number, or a Python function `function(t)` that returns a number.
+class Number_function
+{
+public:
+  /// \throws py::cast_error if it is neither a number nor a function
+  explicit Number_function(const py::object& given) {
+    if (py::isinstance<py::function>(given))
+      m_function.emplace(given.cast<py::function>());
+    else
+      m_constant = given.cast<double>();
+  }
+
+  double operator()(double t) const {
+    if (!m_function)
+      return m_constant;
+    const py::gil_scoped_acquire lock;
+    return double(py::float_((*m_function)(t)));
+  }
+
+private:
+  double m_constant = 0;
+  std::optional<Shared_function> m_function;
 };
 
 /// Topology control that a Python function gives: `function(label, new_label, point)` returns

@@ -7,12 +7,12 @@
 #include <CGAL/Incompressible_fluids_3/compiled_3.h>
 
 #include "Complex_object.h"
+#include "Fluid_object.h"
+#include "Fluid_solids.h"
 #include "bind_complex.h"
 #include "module.h"
-#include "options_of_construction.h"
 
 #include <CGAL/Deformable_simplicial_complexes/coordinates.h>
-#include <CGAL/Incompressible_fluids_3/Solids_3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,53 +20,6 @@
 
 namespace dsc_python {
 namespace {
-
-using Point_3 = CGAL::Simple_cartesian<double>::Point_3;
-using Vector_3 = CGAL::Simple_cartesian<double>::Vector_3;
-
-/// Returns coordinates in space. In the plane, the third coordinate is 0.
-template <std::size_t d> std::array<double, 3> in_space(const std::array<double, d>& coordinates) {
-  std::array<double, 3> result = {};
-  std::copy(coordinates.begin(), coordinates.end(), result.begin());
-  return result;
-}
-template <std::size_t d> Point_3 point_in_space(const std::array<double, d>& coordinates) {
-  return DSC::point_of<Point_3>(in_space(coordinates));
-}
-template <std::size_t d> Vector_3 vector_in_space(const std::array<double, d>& coordinates) {
-  return DSC::point_of<Vector_3>(in_space(coordinates));
-}
-
-DSC::Solid_side side(bool is_outside) {
-  return is_outside ? DSC::Solid_side::outside : DSC::Solid_side::inside;
-}
-
-DSC::Wall_behavior wall_behavior(const py::dict& options) {
-  DSC::Wall_behavior result;
-  Options rest(options);
-  rest.read("contact_angle", result.contact_angle);
-  rest.read("no_slip", result.sticks);
-  rest.read("separates", result.separates);
-  rest.require_all_read();
-  return result;
-}
-
-DSC::Mesh_solid_3 mesh_solid(const Array<double>& points, const py::array& triangles,
-                             bool is_outside) {
-  DSC::Mesh_solid_3::Mesh mesh;
-  for (const auto& row : rows_of<double, 3>(points, "points"))
-    mesh.add_vertex(point_in_space(row));
-  for (const auto& t : index_rows_of<3>(triangles, "triangles")) {
-    for (const std::size_t v : t)
-      if (v >= mesh.number_of_vertices())
-        throw py::index_error("a triangle of the solid has an unknown point");
-    using Vertex = DSC::Mesh_solid_3::Mesh::Vertex_index;
-    if (mesh.add_face(Vertex(unsigned(t[0])), Vertex(unsigned(t[1])), Vertex(unsigned(t[2]))) ==
-        DSC::Mesh_solid_3::Mesh::null_face())
-      throw py::value_error("the triangles of the solid are not an oriented manifold");
-  }
-  return {mesh, side(is_outside)};
-}
 
 /// The functions of a fluid for Python. In the plane, coordinates are two numbers.
 template <class Complex> class Fluid_functions
@@ -82,13 +35,8 @@ public:
   /// A ball in which liquid appears, with a volume in a unit of time that is negative for a drain.
   using Source = std::tuple<Coordinates, double, double>;
 
-  /// A fluid with its own complex. The fluid refers to the complex, so the complex does not move.
-  struct Owned_fluid
-  {
-    std::unique_ptr<Complex> complex;
-    std::unique_ptr<Fluid> fluid;
-  };
-  using Object = Guarded<Owned_fluid>;
+  using Object = Fluid_object<Complex>;
+  using Owned = Owned_fluid<Complex>;
 
   static std::unique_ptr<Object> make(const Complex_object<Complex>& given,
                                       const std::map<int, std::pair<double, double>>& liquids,
@@ -102,7 +50,7 @@ public:
                       "support: use ") +
           (d == 2 ? "Complex2.from_triangles" : "Complex3.from_tetrahedra") +
           "(cells.points, cells.cells, cells.labels) with cells = complex.cells()");
-    Owned_fluid result;
+    Owned result;
     result.complex = std::make_unique<Complex>(given.read());
     result.fluid =
         std::make_unique<Fluid>(*result.complex, properties_of(liquids, gases, tensions, gravity));
@@ -111,40 +59,17 @@ public:
 
   // Set-up
 
-  static void add_plane(Object& object, const Coordinates& point, const Coordinates& normal,
-                        const py::dict& wall) {
-    add_solid(object, DSC::Plane_solid_3(point_in_space(point), vector_in_space(normal)), wall);
-  }
-
-  static void add_tank(Object& object, const Box<d>& box, bool is_open, const py::dict& wall) {
-    add_solid(object, DSC::Tank_solid_3(bbox_of(box), is_open), wall);
-  }
-
-  static void add_ball(Object& object, const Coordinates& center, double radius, bool is_outside,
-                       const py::dict& wall) {
-    add_solid(object, DSC::Ball_solid_3(point_in_space(center), radius, side(is_outside)), wall);
-  }
-
-  static void add_cylinder(Object& object, const Coordinates& point, const Coordinates& axis,
-                           double radius, bool is_outside, const py::dict& wall) {
-    add_solid(object,
-              DSC::Cylinder_solid_3(point_in_space(point), vector_in_space(axis), radius,
-                                    side(is_outside)),
-              wall);
-  }
-
-  static void add_mesh(Object& object, const Array<double>& points, const py::array& triangles,
-                       bool is_outside, const py::dict& wall) {
-    add_solid(object, mesh_solid(points, triangles, is_outside), wall);
-  }
-
   static void set_side(Object& object, int axis, bool is_upper,
                        const std::optional<Coordinates>& velocity) {
     DSC::Side_behavior behavior;
     if (velocity)
       behavior.velocity = in_space(*velocity);
     object.change(py::none(),
-                  [&](Owned_fluid& owned) { owned.fluid->set_side(axis, is_upper, behavior); });
+                  [&](Owned& owned) { owned.fluid->set_side(axis, is_upper, behavior); });
+  }
+
+  static void set_gravity(Object& object, const Coordinates& gravity) {
+    object.change(py::none(), [&](Owned& owned) { owned.fluid->set_gravity(in_space(gravity)); });
   }
 
   static void set_sources(Object& object, const std::vector<Source>& sources) {
@@ -153,7 +78,7 @@ public:
           !std::all_of(center.begin(), center.end(), [](double c) { return std::isfinite(c); }))
         throw py::value_error(
             "a source must have a finite center, a positive radius and a finite rate");
-    object.change(py::none(), [&](Owned_fluid& owned) {
+    object.change(py::none(), [&](Owned& owned) {
       owned.fluid->set_sources([sources](const typename Fluid::Point& p, double) {
         double result = 0;
         for (const auto& [center, radius, rate] : sources)
@@ -165,6 +90,15 @@ public:
     });
   }
 
+  /// Adds a source.
+  /// \param is_in a function of an array of points
+  /// \param flux a number or a function of the time
+  static void add_source(Object& object, const py::function& is_in, const py::object& flux) {
+    const Region_function<typename Fluid::Point> region(is_in);
+    const Number_function flux_at(flux);
+    object.change(py::none(), [&](Owned& owned) { owned.fluid->add_source(region, flux_at); });
+  }
+
   /// Sets the velocities of all liquids, or of the liquid with a label.
   static void set_velocities(Object& object, const Array<double>& velocities, const Label& label) {
     const auto rows = rows_of<double, d>(velocities, "velocities");
@@ -172,7 +106,7 @@ public:
       throw py::value_error("give one velocity for each vertex, in the order of cells().points");
     if (label)
       require_liquid(*object.read().fluid, *label);
-    object.change(py::none(), [&](Owned_fluid& owned) {
+    object.change(py::none(), [&](Owned& owned) {
       const auto vertices = owned.complex->vertices();
       const DSC::Vertex_numbers numbers(*owned.complex, vertices);
       const Fluid& fluid = *owned.fluid;
@@ -217,14 +151,30 @@ public:
     return array_of<double>(values.size(), [&](std::size_t i) { return values[i]; });
   }
 
+  /// Returns the vorticity of each cell, in the order of cells().cells.
+  static py::array_t<double> vorticity(const Object& object) {
+    const Fluid& fluid = *object.read().fluid;
+    const auto cells = fluid.complex().cells();
+    if constexpr (d == 2) {
+      return array_of<double>(cells.size(),
+                              [&](std::size_t i) { return fluid.vorticity(cells[i]); });
+    } else {
+      std::vector<Vector> values;
+      for (const auto c : cells)
+        values.push_back(fluid.vorticity(c));
+      return array_of<double>(values.size(), d,
+                              [&](std::size_t i, std::size_t j) { return values[i][int(j)]; });
+    }
+  }
+
   // Motion
 
   static py::dict step(Object& object, double dt, const py::dict& options,
                        const py::object& progress) {
-    const Owned_fluid& owned = object.read();
+    const Owned& owned = object.read();
     const auto chosen = step_options(options, *owned.complex);
-    const typename Fluid::Report report = object.change(
-        progress, [&](Owned_fluid& changed) { return changed.fluid->advance(dt, chosen); });
+    const typename Fluid::Report report =
+        object.change(progress, [&](Owned& changed) { return changed.fluid->advance(dt, chosen); });
     py::dict result;
     result["dt"] = report.dt;
     result["substeps"] = report.parts;
@@ -232,6 +182,7 @@ public:
     result["greatest_velocity"] = report.greatest_velocity;
     result["greatest_correction"] = report.greatest_correction;
     result["volume_error"] = report.volume_error;
+    result["gained_volume"] = report.gained_volume;
     result["residual"] = report.residual;
     result["contacts"] = report.contacts;
     result["depth_in_solids"] = report.depth_in_solids;
@@ -239,6 +190,7 @@ public:
         array_of<double>(report.forces_on_solids.size(), d, [&](std::size_t i, std::size_t j) {
           return report.forces_on_solids[i][int(j)];
         });
+    result["torques_on_solids"] = torques_to_array(report.torques_on_solids);
     result["repetitions"] = report.repetitions.size();
     result["deformation"] = report_to_dict(report.deformation, *owned.complex);
     return result;
@@ -248,7 +200,7 @@ public:
                       const py::object& progress) {
     const auto chosen = step_options(options, *object.read().complex);
     return object.change(progress,
-                         [&](Owned_fluid& owned) { return owned.fluid->relax(dt, steps, chosen); });
+                         [&](Owned& owned) { return owned.fluid->relax(dt, steps, chosen); });
   }
 
 private:
@@ -268,13 +220,6 @@ private:
     }
     result.set_gravity(in_space(gravity));
     return result;
-  }
-
-  /// Adds a solid, which is of a type of the package.
-  template <class Solid>
-  static void add_solid(Object& object, const Solid& solid, const py::dict& wall) {
-    const DSC::Wall_behavior behavior = wall_behavior(wall);
-    object.change(py::none(), [&](Owned_fluid& owned) { owned.fluid->add_solid(solid, behavior); });
   }
 
   /// \throws py::value_error if a label is not a liquid
@@ -304,10 +249,15 @@ private:
     return result;
   }
 
+  static py::array_t<double> torques_to_array(const std::vector<Vector_3>& torques) {
+    if constexpr (d == 2)
+      return array_of<double>(torques.size(), [&](std::size_t i) { return torques[i].z(); });
+    else
+      return array_of<double>(torques.size(), d,
+                              [&](std::size_t i, std::size_t j) { return torques[i][int(j)]; });
+  }
+
   static py::dict balance_to_dict(const DSC::Fluid_balance& balance) {
-    const auto array = [](const Vector_3& v) {
-      return array_of<double>(std::size_t(d), [&](std::size_t i) { return v[int(i)]; });
-    };
     py::dict result;
     result["volume"] = balance.volume;
     result["mass"] = balance.mass;
@@ -316,11 +266,8 @@ private:
     result["surface_energy"] = balance.surface_energy;
     result["gas_energy"] = balance.gas_energy;
     result["energy"] = balance.energy();
-    result["momentum"] = array(balance.momentum);
-    if constexpr (d == 2)
-      result["angular_momentum"] = balance.angular_momentum.z();
-    else
-      result["angular_momentum"] = array(balance.angular_momentum);
+    result["momentum"] = array_of_first<d>(balance.momentum);
+    result["angular_momentum"] = rotation_to_python<d>(balance.angular_momentum);
     return result;
   }
 
@@ -340,13 +287,18 @@ private:
 /// Adds the class of fluids of a complex to the module.
 template <class Complex> void bind_fluid(py::module_& module, const char* name) {
   using Functions = Fluid_functions<Complex>;
+  using Solids = Fluid_solids<Complex>;
   py::class_<typename Functions::Object> fluid(module, name);
   fluid.def(py::init(&Functions::make))
-      .def("add_plane", &Functions::add_plane)
-      .def("add_tank", &Functions::add_tank)
-      .def("add_ball", &Functions::add_ball)
+      .def("add_plane", &Solids::add_plane)
+      .def("add_tank", &Solids::add_tank)
+      .def("add_box", &Solids::add_box)
+      .def("add_ball", &Solids::add_ball)
+      .def("bodies", &Solids::bodies)
       .def("set_side", &Functions::set_side)
+      .def("set_gravity", &Functions::set_gravity)
       .def("set_sources", &Functions::set_sources)
+      .def("add_source", &Functions::add_source)
       .def("set_velocities", &Functions::set_velocities)
       .def("complex", &Functions::complex)
       .def("time", &Functions::time)
@@ -354,10 +306,11 @@ template <class Complex> void bind_fluid(py::module_& module, const char* name) 
       .def("largest_step", &Functions::largest_step)
       .def("velocities", &Functions::velocities)
       .def("pressures", &Functions::pressures)
+      .def("vorticity", &Functions::vorticity)
       .def("step", &Functions::step)
       .def("relax", &Functions::relax);
   if constexpr (Complex::dimension == 3)
-    fluid.def("add_cylinder", &Functions::add_cylinder).def("add_mesh", &Functions::add_mesh);
+    fluid.def("add_cylinder", &Solids::add_cylinder).def("add_mesh", &Solids::add_mesh);
 }
 
 } // namespace
