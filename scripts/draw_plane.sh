@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Draws the pictures of planar complexes and of cut loci for the manual: doc/PACKAGE/fig/plane_NAME.png.
+# Draws the pictures of planar complexes, of flows in the plane and of cut loci for the manual: doc/PACKAGE/fig/plane_NAME.png.
 # Needs the targets dsc, example_planar_foam, example_cut_locus and example_rising_bubble_2 in BUILD_DIR. Takes
 # four minutes.
 # Usage: scripts/draw_plane.sh [BUILD_DIR]
@@ -20,11 +20,11 @@ rm -rf "$work"
 mkdir -p "$work"
 cd "$work"
 
-picture() { # FILE.svg NAME
+picture() { # FILE.svg NAME [WIDTH]
   local package=Interface_flows
   [[ $2 != cut_locus* ]] || package=Cut_loci_2
-  [[ $2 != bubble* ]] || package=Incompressible_fluids_3
-  rsvg-convert --width 480 --background-color white "$1" --output "$doc/$package/fig/plane_$2.png"
+  [[ $2 != bubble* && $2 != wheel && $2 != u_tube && $2 != floating* ]] || package=Incompressible_fluids_3
+  rsvg-convert --width "${3:-480}" --background-color white "$1" --output "$doc/$package/fig/plane_$2.png"
 }
 
 run() { # NAME COMMAND ARGUMENT...
@@ -60,6 +60,14 @@ for case in 1 2; do
   "$bubble" $case .03 .01 2.2 "bubble_$case.svg"
   picture "bubble_$case.svg" "bubble_$case"
 done
+liquid() { # NAME SCENE QUANTITY END [WIDTH]
+  "$build/dsc" fluid "$2" --quiet --color "$3" --end "$4" --picture "$1.svg"
+  picture "$1.svg" "$1" "${@:5}"
+}
+liquid floating_1 floating-box pressure .02
+liquid floating_2 floating-box pressure 2
+liquid u_tube u-tube velocity 2
+liquid wheel wheel velocity 1 340
 locus() { # NAME V B
   "$cut_locus" .15 "$2" "$3" "$1.svg"
   picture "$1.svg" "$1"

@@ -11,6 +11,7 @@ the present position and at the expected destination of a vertex, which can be i
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Deformable_simplicial_complexes::Plane_solid_3}
 \cgalHasModels{CGAL::Deformable_simplicial_complexes::Tank_solid_3}
+\cgalHasModels{CGAL::Deformable_simplicial_complexes::Box_solid_3}
 \cgalHasModels{CGAL::Deformable_simplicial_complexes::Ball_solid_3}
 \cgalHasModels{CGAL::Deformable_simplicial_complexes::Cylinder_solid_3}
 \cgalHasModels{CGAL::Deformable_simplicial_complexes::Mesh_solid_3}
