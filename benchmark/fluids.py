@@ -4,9 +4,9 @@
 Usage: benchmark/fluids.py DSC [--data DIR] [PART...]
 
 The parts are droplets, decay, rest, waves, jets, sessile, sloshing, dam, bubble, breathing, figures,
-speed, subdivision, survival, layers, vortices and spin. Runs all parts by default. The scenes are scenes of the program with
-the changes that the rows name. The part `figures` needs the meshes bunny00.off and armadillo.off of
-CGAL in DIR.
+speed, subdivision, survival, layers, vortices, spin, floating, stokes, wheel, utube, flux and bubble_2.
+Runs all parts by default. The scenes are scenes of the program with the changes that the rows name. The
+part `figures` needs the meshes bunny00.off and armadillo.off of CGAL in DIR.
 """
 
 import cmath
@@ -584,6 +584,208 @@ def spin(dsc):
             print(f"| full bowl | .02 | angular momentum, change in .6 | {change:.1e} |", flush=True)
 
 
+def heave_period(n):
+    """Returns the period of the slowest symmetric wave in a tank of width 2 and depth 1, with a box in its
+    middle. The box has the width 1, the density .5 and the draught .3, and moves up and down. Gravity is 1.
+
+    Bilinear finite elements on square cells of size 1/`n` discretize the potential in half of the tank. `n`
+    is a multiple of 10. The unknowns of the waves are the displacements of the surface and of the box. The
+    inverse iteration solves K q' = M q, with the potential energy K and the kinetic energy M."""
+    left, bottom, rows = n // 2, 7 * n // 10, n + 1
+    size, band = rows * rows, n + 3
+    matrix = [[0.] * band for _ in range(size)]  # the lower half; the last entry is on the diagonal
+    for i in range(n):
+        for j in range(n):
+            if i >= left or j < bottom:
+                corners = [(i + a) * rows + j + b for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))]
+                for a in range(4):
+                    for b in range(4):
+                        if corners[b] <= corners[a]:
+                            value = (2 / 3, -1 / 6, -1 / 3, -1 / 6)[(a - b) % 4]
+                            matrix[corners[a]][band - 1 + corners[b] - corners[a]] += value
+    matrix[0][-1] += 1  # determines the constant of the potential
+    for k, row in enumerate(matrix):  # Cholesky factorization
+        row[-1] = row[-1] or 1  # a point in the box
+        for c in range(max(0, k - band + 1), k + 1):
+            d = band - 1 + c - k
+            value = row[d] - sum(map(float.__mul__, row[:d], matrix[c][band - 1 - d:-1]))
+            row[d] = math.sqrt(value) if c == k else value / matrix[c][-1]
+
+    def potential(flux):
+        x = list(flux)
+        for k, row in enumerate(matrix):
+            first = max(0, k - band + 1)
+            x[k] = (x[k] - sum(map(float.__mul__, row[band - 1 + first - k:-1], x[first:k]))) / row[-1]
+        for k in reversed(range(size)):
+            row, first = matrix[k], max(0, k - band + 1)
+            x[k] /= row[-1]
+            for c in range(first, k):
+                x[c] -= row[band - 1 + c - k] * x[k]
+        return x
+
+    surface = [i * rows + n for i in range(left, n + 1)]
+    below = [i * rows + bottom for i in range(left + 1)]
+    lengths = [(.5 if k in (0, left) else 1.) / n for k in range(left + 1)]
+    mass, width, box, waves = .15, .5, 1., [-1.] * (left + 1)
+    for _ in range(40):
+        flux = [0.] * size
+        for k in range(left + 1):
+            flux[surface[k]] += sum((2 if i == k else .5) * waves[i] / 3 / n * (
+                1 if i != k or 0 < k < left else .5) for i in (k - 1, k, k + 1) if 0 <= i <= left)
+            flux[below[k]] += box * lengths[k]
+        p = potential(flux)
+        heave = (sum(p[v] * l for v, l in zip(below, lengths)) + mass * box) / width
+        lift = [p[v] for v in surface]
+        mean = heave * width + sum(a * l for a, l in zip(lift, lengths))  # volumes are preserved
+        inverse = (heave - mean) / box
+        box, waves = 1., [(a - mean) / (heave - mean) for a in lift]
+    return 2 * math.pi * math.sqrt(inverse)
+
+
+def floating(dsc):
+    """Prints the draught of a floating box and its period."""
+    coarse, fine = heave_period(20), heave_period(40)
+    # The potential has a singularity at the corners of the box: eigenvalues have the order 4/3.
+    exact = fine - (coarse - fine) / (2 ** (4 / 3) - 1)
+    print("| edge | vertices | at rest: drift of the box in a period | draught, mean of a period | of "
+          "Archimedes | error (%) | period | linear waves | error (%) |")
+    print("| --- " * 9 + "|")
+    for edge in (.1, .05, .025):
+
+        def steps_of(draught, periods):
+            def change(scene):
+                scene["domain"], scene["edge"] = [0, 0, 2, 2], edge
+                scene["solids"][0].update({"from": [.5, 1 - draught], "to": [1.5, 1.6 - draught]})
+                scene["time_step"], scene["cfl"], scene["end"] = exact / 60, 0, periods * exact
+                scene["probes"] = []
+
+            return run(dsc, "floating-box", change)
+
+        def heights(found):
+            return [s["bodies"][0]["center"][1] for s in found]
+
+        at_rest = heights(steps_of(.3, 1))
+        drift = max(abs(y - at_rest[0]) for y in at_rest)
+        found = steps_of(.28, 3)
+        y = heights(found)
+        w, _ = damped_oscillation([s["time"] for s in found], y, 2 * math.pi / exact)
+        period = 2 * math.pi / w
+        # Below the mean level, the tank of width 2 contains the liquid, of area 1.72, and the wetted part of
+        # the box of width 1, the draught. The level is the bottom of the box plus the draught.
+        last = y[-60:]
+        draught = 1.72 - 2 * (sum(last) / len(last) - .3)
+        print(f"| {edge} | {found[-1]['vertices']} | {drift:.1e} | {draught:.5f} | .3 | "
+              f"{100 * (draught / .3 - 1):.2f} | {period:.4f} | {exact:.4f} | "
+              f"{100 * (period / exact - 1):.2f} |", flush=True)
+
+
+def wall_factor(ratio):
+    """Returns the drag of a ball on the axis of a cylinder over that of a ball far from walls, for slow flow
+    (W. L. Haberman and R. M. Sayre, 1958). `ratio` is the radius of the ball over that of the cylinder."""
+    return ((1 - .75857 * ratio ** 5) /
+            (1 - 2.1050 * ratio + 2.0865 * ratio ** 3 - 1.7068 * ratio ** 5 + .72603 * ratio ** 6))
+
+
+def stokes(dsc, edges=(.2, .13, .1)):
+    """Prints the velocity of a ball that sinks in a viscous liquid."""
+    exact = 2 / 9 * (2 - 1) * 10 * .3 ** 2 / 1 / wall_factor(.3)
+    print("| edge | vertices | velocity at a time of .5 | at 1 | Stokes, Haberman and Sayre | error at 1 (%) |")
+    print("| --- " * 6 + "|")
+    for edge in edges:
+
+        def change(scene):
+            scene["edge"], scene["end"] = edge, 1
+
+        found = run(dsc, "falling-ball", change)
+
+        def velocity(time):
+            step = min(found, key=lambda s: abs(s["time"] - time))
+            return -step["bodies"][0]["velocity"][2]
+
+        print(f"| {edge} | {found[-1]['vertices']} | {velocity(.5):.5f} | {velocity(1):.5f} | "
+              f"{exact:.5f} | {100 * (velocity(1) / exact - 1):.1f} |", flush=True)
+
+
+def wheel(dsc):
+    """Prints the torques of Couette flow on a tank of radius 1 and on a wheel of radius .5 in it."""
+    exact = 4 * math.pi * .5 ** 2 / (1 - .5 ** 2)
+    print("| edge | vertices | torque on the tank | on the wheel | Couette | errors (%) |")
+    print("| --- " * 6 + "|")
+    for edge in (.1, .05):
+
+        def change(scene):
+            scene["edge"] = edge
+
+        found = run(dsc, "wheel", change)
+        torques = [torque[2] for torque in found[-1]["torques_on_solids"]]
+        print(f"| {edge} | {found[-1]['vertices']} | {torques[0]:.4f} | {torques[1]:.4f} | {exact:.4f} | "
+              f"{100 * (torques[0] / exact - 1):.2f}, {100 * (-torques[1] / exact - 1):.2f} |", flush=True)
+
+
+def utube(dsc):
+    """Prints the period of water in a tube of width .2 with two arms. A straight part of the tube has the
+    inertia of its length. By conformal mapping, the potential flow through a square corner has the inertia
+    of 1 - 2 log(2) / pi widths of the tube."""
+    width, level, gap, rise = .2, 2, .6, .01
+    length = 2 * (level - width) + gap + 2 * width * (1 - 2 * math.log(2) / math.pi)
+    exact = 2 * math.pi * math.sqrt(length / 2)
+    print("| edge | vertices | period | potential flow | error (%) | amplitude lost a period (%) |")
+    print("| --- " * 6 + "|")
+    for edge in (.1, .05, .025):
+
+        def change(scene):
+            right = width + gap
+            scene["domain"], scene["edge"] = [-.5, -.5, right + width + .5, 4], edge
+            for liquid, corners in zip(scene["liquids"], (
+                    ([0, width], [width, level + rise]), ([0, 0], [right + width, width]),
+                    ([right, width], [right + width, level - rise]))):
+                liquid["shape"].update({"from": corners[0], "to": corners[1]})
+            scene["solids"][0]["box"] = [0, 0, right + width, 3.5]
+            scene["solids"][1].update({"from": [width, width], "to": [right, 3.5]})
+            scene["probes"] = [{"name": "left", "height_at": width / 2},
+                               {"name": "right", "height_at": right + width / 2}]
+            scene["time_step"], scene["cfl"], scene["end"] = exact / 60, 0, 2 * exact
+
+        found = run(dsc, "u-tube", change)
+        heights = [s["probes"]["left"] - s["probes"]["right"] for s in found]
+        w, g = damped_oscillation([s["time"] for s in found], heights, 2 * math.pi / exact)
+        period = 2 * math.pi / w
+        print(f"| {edge} | {found[-1]['vertices']} | {period:.4f} | {exact:.4f} | "
+              f"{100 * (period / exact - 1):.2f} | {100 * (1 - math.exp(-g * period)):.2f} |", flush=True)
+
+
+def flux(dsc):
+    """Prints the error of the volume that a source adds. The flux acts at the midpoint of each step."""
+    found = run(dsc, "filling", lambda scene: None)
+    volume, error = found[0]["volume"], 0
+    for step in found[1:]:
+        volume += step["dt"] * .2 * (1 - math.cos(math.pi * (step["time"] - step["dt"] / 2)))
+        error = max(error, abs(step["volume"] / volume - 1))
+    print("| steps | volume, first and last | error of the volume, greatest of all steps, relative |")
+    print("| --- " * 3 + "|")
+    print(f"| {len(found) - 1} | {found[0]['volume']:.4f}, {found[-1]['volume']:.4f} | {error:.1e} |", flush=True)
+
+
+def bubble_2(dsc):
+    """Prints the first benchmark of S. Hysing and others, with the values of TP2D and edges of 1/320."""
+    print("| edge | time step | vertices | least circularity, time | error (%) | greatest velocity, time | "
+          "error (%) | center at 3 | error (%) |")
+    print("| --- " * 9 + "|")
+    for edge, time_step in ((.05, .02), (.025, .01)):
+
+        def change(scene):
+            scene["edge"], scene["time_step"] = edge, time_step
+
+        found = run(dsc, "rising-bubble", change)
+        roundness, when_round = min((s["probes"]["circularity"], s["time"]) for s in found)
+        speed, when_fast = max((s["probes"]["velocity"][1], s["time"]) for s in found)
+        center = found[-1]["probes"]["center"][1]
+        print(f"| {edge} | {time_step} | {found[-1]['vertices']} | {roundness:.4f}, {when_round:.2f} | "
+              f"{100 * (roundness / .9013 - 1):.2f} | {speed:.4f}, {when_fast:.2f} | "
+              f"{100 * (speed / .2417 - 1):.2f} | {center:.4f} | {100 * (center / 1.0813 - 1):.2f} |",
+              flush=True)
+
+
 def survival(dsc):
     scenes = [(f"drop, contact angle {angle}, viscosity {viscosity}", drop_on_plane(angle, viscosity))
               for angle in (70, 80, 90, 100, 110, 120, 140) for viscosity in (0, .02, .1)]
@@ -614,7 +816,8 @@ def main():
     parts = {"droplets": droplets, "decay": decay, "rest": rest, "waves": waves, "jets": jets,
              "sessile": sessile, "sloshing": sloshing, "dam": dam, "bubble": bubble, "breathing": breathing,
              "figures": figures, "speed": speed, "subdivision": subdivision, "survival": survival,
-             "layers": layers, "vortices": decay_of_vortices, "spin": spin}
+             "layers": layers, "vortices": decay_of_vortices, "spin": spin, "floating": floating,
+             "stokes": stokes, "wheel": wheel, "utube": utube, "flux": flux, "bubble_2": bubble_2}
     dsc, *wanted = sys.argv[1:]
     if wanted and wanted[0] == "--data":
         data, wanted = wanted[1], wanted[2:]
