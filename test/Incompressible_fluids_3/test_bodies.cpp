@@ -342,6 +342,48 @@ TEST(Source, flux_is_exact) {
   EXPECT_THROW(fluid.advance(.02), dsc::Error);
 }
 
+// A uniform flow through a channel is an exact solution. Its front moves with the liquid.
+TEST(Inflow, plug_flow_is_exact) {
+  static constexpr double velocity = .5, dt = .05;
+  std::vector<Complex::Point_2> points;
+  std::vector<std::array<std::size_t, 3>> triangles;
+  std::vector<int> labels;
+  static constexpr std::size_t nx = 16, ny = 4;
+  for (std::size_t j = 0; j <= ny; ++j)
+    for (std::size_t i = 0; i <= nx; ++i)
+      points.emplace_back(double(i) / ny, double(j) / ny);
+  for (std::size_t j = 0; j < ny; ++j)
+    for (std::size_t i = 0; i < nx; ++i) {
+      const std::size_t a = i + j * (nx + 1), b = a + nx + 1;
+      triangles.push_back({a, a + 1, b + 1});
+      triangles.push_back({a, b + 1, b});
+      labels.insert(labels.end(), 2, i < ny ? 1 : 0);
+    }
+  Complex complex = dsc::make_deformable_simplicial_complex_2<Complex>(points, triangles, labels);
+  Fluid fluid(complex, liquid(.1, 0));
+  dsc::Side_behavior side;
+  side.inflow = [](const std::array<double, 3>&, double) {
+    return std::array<double, 3>{velocity, 0, 0};
+  };
+  fluid.set_side(0, false, side);
+  fluid.set_velocities([](Complex::Vertex_handle) { return Fluid::Vector(velocity, 0); });
+  for (int k = 0; k < 20; ++k) {
+    const auto report = fluid.advance(dt);
+    EXPECT_NEAR(report.gained_volume, velocity * dt, 1e-12);
+    EXPECT_NEAR(report.after.volume, 1 + velocity * fluid.time(), 1e-10);
+    EXPECT_NEAR(report.after.momentum.x(), velocity * report.after.volume, 1e-8);
+    EXPECT_TRUE(report.repetitions.empty());
+  }
+  for (auto v : complex.interface_vertices())
+    EXPECT_NEAR(complex.position(v).x(), 1 + velocity * fluid.time(), 1e-7);
+  EXPECT_TRUE(complex.is_valid());
+  side.inflow = [](const std::array<double, 3>&, double) {
+    return std::array<double, 3>{NAN, 0, 0};
+  };
+  fluid.set_side(0, false, side);
+  EXPECT_THROW(fluid.advance(dt), dsc::Error);
+}
+
 TEST(Gravity, changes_between_steps) {
   Complex complex = region(circle(1, .25), {}, {-2, -2, 2, 2});
   Fluid fluid(complex, liquid(0, 0));

@@ -182,7 +182,8 @@ public:
     return number_of_bodies() - 1;
   }
 
-  /// Sets the boundary condition at a side of the domain, slip by default. It applies to liquids
+  /// Sets the boundary condition at a side of the domain, slip by default. `relax()` ignores
+  /// inflows. It applies to liquids
   /// that are on the side at the beginning, and has no effect if the domain is not a box. Where
   /// several no-slip sides meet, the first one determines the velocity, in the order x minimum, x
   /// maximum, y minimum, and so on. `state()` does not contain the conditions, so set them again
@@ -507,8 +508,13 @@ private:
         velocities.push_back(fluid.m_motion.velocity(mesh.vertices[v], mesh.labels[v]));
         accelerations.push_back(fluid.m_motion.acceleration(mesh.vertices[v], mesh.labels[v]));
       }
+      const Vectors stored = velocities;
       mesh.keep_on_sides(velocities);
       mesh.keep_on_sides(accelerations);
+      const auto inflow = internal::inflow_velocities(mesh, fluid.m_sides, positions, fluid.m_time);
+      for (std::size_t v = 0; v < inflow.size(); ++v)
+        if (inflow[v])
+          velocities[v] = stored[v];
     }
 
     Balance balance(const Incompressible_fluid& fluid, const Vectors& at, const Vectors& with,

@@ -11,19 +11,27 @@
 #include <CGAL/license/Incompressible_fluids_3.h>
 
 #include <array>
+#include <functional>
 #include <optional>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
 /// \ingroup PkgIncompressibleFluids3Ref
-/// The boundary condition of liquids at a side of the domain: slip, or no-slip with the velocity of
-/// the side.
+/// The boundary condition of liquids at a side of the domain: slip, no-slip with the velocity of
+/// the side, or an inflow through a part of the side.
 struct Side_behavior
 {
   /// The velocity of the side for the no-slip condition. Its component perpendicular to the side
   /// has no effect. Without a velocity, the condition is slip.
   std::optional<std::array<double, 3>> velocity;
+
+  /// The velocity with which liquid enters the domain at a point of the side and a time, or nothing
+  /// where the side is a wall. The function can be empty. A vertex of a liquid at which it returns
+  /// a velocity does not move. New liquid continues the liquid at the vertex. The function can also
+  /// return velocities with which liquid leaves the domain.
+  std::function<std::optional<std::array<double, 3>>(const std::array<double, 3>&, double)> inflow =
+      {};
 };
 
 namespace internal {

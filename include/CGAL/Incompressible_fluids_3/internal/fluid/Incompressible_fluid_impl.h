@@ -155,14 +155,15 @@ void Incompressible_fluid<Complex, Solver>::set_motion_of_bodies(const Step& ste
   }
 }
 
-// Adds the volumes from sources to the volumes to be preserved.
+// Adds the volumes from sources and inflows to the volumes to be preserved.
 template <class Complex, class Solver>
 void Incompressible_fluid<Complex, Solver>::add_source_volumes(const Flow& flow, const Step& step,
                                                                double dt, Report& report) {
   Liquid_bookkeeping::Volumes volumes = m_liquids.volumes();
-  for (std::size_t k = 0; k < step.gains().size(); ++k) {
-    report.gained_volume += dt * step.gains()[k];
-    volumes.at(flow.mesh.cells[k].component) += dt * step.gains()[k];
+  const std::vector<double> gains = step.gains();
+  for (std::size_t k = 0; k < gains.size(); ++k) {
+    report.gained_volume += dt * gains[k];
+    volumes.at(flow.mesh.cells[k].component) += dt * gains[k];
   }
   m_liquids.set_volumes(volumes);
 }

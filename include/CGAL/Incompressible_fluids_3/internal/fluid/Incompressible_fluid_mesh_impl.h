@@ -16,8 +16,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
 // Adapts the mesh before a step. The interface and the edges inside liquids are remeshed, except if
-// the treatment is `improved`. Triangles are improved. Tetrahedra are improved before the first step
-// and before repeated attempts.
+// the treatment is `improved`. Triangles are improved. Tetrahedra are improved before the first
+// step and before repeated attempts.
 template <class Complex, class Solver>
 void Incompressible_fluid<Complex, Solver>::adapt(const Options& chosen,
                                                   internal::Mesh_treatment treatment,
@@ -286,7 +286,8 @@ double Incompressible_fluid<Complex, Solver>::restore_momenta(Flow& flow) {
     for (const auto& [v, mass] : masses[k].of_vertices)
       velocities[v] = flow.velocities[v] + correction.at(flow.positions[v]);
   }
-  stop_on_sides(flow.mesh, m_sides, velocities);
+  stop_on_sides(flow.mesh, m_sides, inflow_velocities(flow.mesh, m_sides, flow.positions, m_time),
+                velocities);
   for (std::size_t v = 0; v < velocities.size(); ++v)
     result = (std::max)(result, (velocities[v] - flow.velocities[v]).norm());
   m_motion.set(flow.mesh, velocities, flow.accelerations);

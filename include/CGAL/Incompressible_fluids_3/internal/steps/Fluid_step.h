@@ -24,7 +24,7 @@
 #include <CGAL/Incompressible_fluids_3/internal/walls/Body_equations.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Vertex_constraints.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Wall_contacts.h>
-#include <CGAL/Incompressible_fluids_3/internal/walls/no_slip_sides.h>
+#include <CGAL/Incompressible_fluids_3/internal/walls/side_velocities.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/slip_flux.h>
 
 #include <Eigen/Core>
@@ -145,12 +145,11 @@ public:
   // drains remove. It consists of the kinetic and potential energy of the new liquid, and of the
   // work of its pressure. The potential of gravity is 0 at `level`.
   double work_of_sources(const Eigen::Vector3d& level) const {
-    if (m_gains.empty())
-      return 0;
+    const std::vector<double> gains = this->gains();
     const Eigen::Vector3d gravity(m_properties.gravity().data());
     double power = m_pressures.dot(m_equations.sources(m_gains));
-    for (std::size_t k = 0; k < m_gains.size(); ++k)
-      power += m_mesh.cells[k].liquid->density * m_gains[k] *
+    for (std::size_t k = 0; k < gains.size(); ++k)
+      power += m_mesh.cells[k].liquid->density * gains[k] *
                (m_mesh.middle(k, m_velocities).squaredNorm() / 2 -
                 gravity.dot(m_mesh.middle(k, m_midpoint_positions) - level));
     // Relative to the power: the stabilization also affects sources.
@@ -173,9 +172,9 @@ public:
   // act.
   const Vectors_3& solved_velocities() const { return m_velocities; }
 
-  // Returns the momentum of a set of masses at the end of the step, without the effect of
-  // `Wall_contacts::stop()`. It is the initial momentum plus the impulses of gravity, gases,
-  // walls and sources. The forces between the vertices of a set cancel.
+  // Returns the momentum of a set of masses at the end of the step, without the effects of
+  // `Wall_contacts::stop()` and of new liquid. It is the initial momentum plus the impulses of
+  // gravity, gases and walls. The forces between the vertices of a set cancel.
   Momentum pushed_momentum(const Masses& masses) const {
     if (masses.of_vertices.empty())
       return {};
@@ -196,27 +195,33 @@ public:
       result.linear += push;
       result.angular += m_midpoint_positions[v].cross(push);
     }
-    // New liquid has the velocity of the liquid around it.
-    for (std::size_t i = 0; i < masses.of_middles.size() && !m_gains.empty(); ++i) {
-      const std::size_t k = masses.of_middles[i].first;
-      const Eigen::Vector3d brought =
-          m_step.dt * m_mesh.cells[k].liquid->density * m_gains[k] * m_mesh.middle(k, m_velocities);
-      result.linear += brought;
-      result.angular += m_mesh.middle(k, m_midpoint_positions).cross(brought);
-    }
     return result;
   }
 
-  // Returns the volume that each cell of the mesh gains in a unit of time. The result is empty
-  // without sources.
-  const std::vector<double>& gains() const { return m_gains; }
+  // Returns the volume that each cell of the mesh gains in a unit of time, from sources and by
+  // inflow. The result is empty without both.
+  std::vector<double> gains() const {
+    std::vector<double> result = gains_by_inflow();
+    for (std::size_t k = 0; k < m_gains.size(); ++k)
+      result[k] += m_gains[k];
+    return result;
+  }
 
-  // Returns the momentum of a set of masses at the end of the step, with the effect of
-  // `Wall_contacts::stop()`.
+  // Returns the momentum of a set of masses at the end of the step, with the effects of
+  // `Wall_contacts::stop()` and of new liquid.
   Momentum final_momentum(const Masses& masses) const {
     if (masses.of_vertices.empty())
       return {};
     Momentum result = pushed_momentum(masses);
+    // New liquid has the velocity of the liquid around it.
+    const std::vector<double> gains = this->gains();
+    for (std::size_t i = 0; i < masses.of_middles.size() && !gains.empty(); ++i) {
+      const std::size_t k = masses.of_middles[i].first;
+      const Eigen::Vector3d brought =
+          m_step.dt * m_mesh.cells[k].liquid->density * gains[k] * m_mesh.middle(k, m_velocities);
+      result.linear += brought;
+      result.angular += m_mesh.middle(k, m_midpoint_positions).cross(brought);
+    }
     const Momentum stopped = momentum(m_mesh, masses, m_destinations, m_final_velocities),
                    unstopped = momentum(m_mesh, masses, m_destinations, m_unstopped_velocities);
     result.linear += stopped.linear - unstopped.linear;
@@ -261,6 +266,34 @@ public:
   }
 
 private:
+  // Returns the volume that each cell gains by inflow in a unit of time: the change that the motion
+  // of its vertices with the liquid would cause, less the change that their motion causes. The
+  // result is empty without sources and inflow.
+  std::vector<double> gains_by_inflow() const {
+    if (m_inflow.empty())
+      return std::vector<double>(m_gains.size(), 0);
+    std::vector<double> result;
+    for (const auto& cell : m_mesh.cells) {
+      Vectors_3 corners;
+      std::array<std::size_t, Mesh::corners> order;
+      double gain = 0;
+      for (std::size_t i = 0; i < Mesh::corners; ++i)
+        order[i] = i;
+      for (auto v : cell.vertices)
+        corners.push_back(m_midpoint_positions[v]);
+      // The volume is linear in the position of each vertex.
+      const double volume_now = volume(order, corners);
+      for (std::size_t i = 0; i < Mesh::corners; ++i)
+        if (const auto& velocity = m_inflow[cell.vertices[i]]) {
+          corners[i] += *velocity;
+          gain -= volume(order, corners) - volume_now;
+          corners[i] -= *velocity;
+        }
+      result.push_back(gain);
+    }
+    return result;
+  }
+
   // Returns the tolerance of a solution that only determines the geometry of the next solution. It
   // is proportional to the change of velocities, relative to the change by the loads without
   // pressures. So a fluid at rest stays at rest.
@@ -305,7 +338,8 @@ private:
           m_bodies.final_velocities(m_contacts.velocities_of_bodies(), m_step.dt),
           m_unstopped_velocities, m_equations.masses(), m_contacts.stops(m_destinations, m_end));
     m_contacts.stop(m_final_velocities, m_destinations, m_end, m_final_velocities_of_bodies);
-    stop_on_sides(m_mesh, m_sides, m_final_velocities);
+    const Inflow_velocities inflow = inflow_velocities(m_mesh, m_sides, m_destinations, m_end);
+    stop_on_sides(m_mesh, m_sides, inflow, m_final_velocities);
     for (std::size_t v = 0; v < m_final_velocities.size(); ++v)
       m_final_accelerations.push_back((m_final_velocities[v] - m_before[v]) / m_step.dt);
     for (const auto& change :
@@ -313,7 +347,7 @@ private:
       m_final_velocities[change.vertex] += change.velocity;
       m_unstopped_velocities[change.vertex] += change.velocity;
     }
-    stop_on_sides(m_mesh, m_sides, m_final_velocities);
+    stop_on_sides(m_mesh, m_sides, inflow, m_final_velocities);
     for (std::size_t v = 0; v < m_final_velocities.size(); ++v)
       if (!m_final_velocities[v].allFinite() || !m_velocities[v].allFinite())
         throw Convergence_error("the equations of the flow have no finite solution: the time step "
@@ -325,12 +359,15 @@ private:
   Vectors_3 at_time(double t) const {
     Vectors_3 result = m_mesh.common(m_velocities);
     for (std::size_t v = 0; v < m_positions.size(); ++v)
-      result[v] = m_positions[v] + t * result[v];
+      result[v] =
+          is_inflow(m_inflow, v) ? m_positions[v] : Eigen::Vector3d(m_positions[v] + t * result[v]);
     return result;
   }
 
   // Assembles the equations for the geometry that the present velocities predict.
   void assemble() {
+    if (m_end > m_begin)
+      m_inflow = inflow_velocities(m_mesh, m_sides, m_positions, (m_begin + m_end) / 2);
     m_contacts.predict(at_time(m_step.dt), m_end, m_step.dt, m_end > m_begin);
     m_midpoint_positions = at_time(m_step.dt / 2);
     const std::vector<double> volumes =
@@ -403,7 +440,8 @@ private:
       const auto sticking = velocity_of_side(v);
       for (int axis = 0; axis < 3; ++axis)
         if (axis >= Mesh::dimension ||
-            Boundary_class::fixes(m_mesh.vertices[v]->boundary_class(), axis))
+            (Boundary_class::fixes(m_mesh.vertices[v]->boundary_class(), axis) &&
+             !is_inflow(m_inflow, v)))
           m_constraints.add(v, {Eigen::Vector3d::Unit(axis), 0});
         else if (sticking) // the second occurrence has the relative velocity of liquids
           m_constraints.add(v, {Eigen::Vector3d::Unit(axis),
@@ -459,7 +497,7 @@ private:
   }
 
   std::optional<Eigen::Vector3d> velocity_of_side(std::size_t v) const {
-    return no_slip_velocity(m_mesh, m_sides, v);
+    return is_inflow(m_inflow, v) ? m_inflow[v] : no_slip_velocity(m_mesh, m_sides, v);
   }
 
   // Permits two liquids to slip only along their interface: perpendicular to the gradients of their
@@ -508,6 +546,7 @@ private:
   const Side_behaviors& m_sides;
   std::vector<Gas_component> m_gases;
   Fluid_sources m_sources;
+  Inflow_velocities m_inflow; // in the middle of the step; empty if solids do not move
   Vectors_3 m_destinations;
   Vectors_3 m_midpoint_positions; // positions at which the equations were assembled
   std::vector<double> m_gains;    // volume per unit of time, by cell

@@ -1,0 +1,97 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Incompressible_fluids_3, written for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_SIDE_VELOCITIES_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_SIDE_VELOCITIES_H
+
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Incompressible_fluids_3/Side_behavior.h>
+#include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <optional>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The velocities of vertices at which liquid enters through sides of the domain. The list is empty
+// if no side has an inflow.
+using Inflow_velocities = std::vector<std::optional<Eigen::Vector3d>>;
+
+// Returns the velocity at a vertex on a no-slip side. If several sides meet there, it is that of
+// the first one, in the order of `Boundary_class`. Components that leave a side are 0.
+template <class Mesh>
+std::optional<Eigen::Vector3d> no_slip_velocity(const Mesh& mesh, const Side_behaviors& behaviors,
+                                                std::size_t v) {
+  const auto sides = mesh.vertices[v]->boundary_class();
+  for (std::size_t side = 0; side < behaviors.size(); ++side)
+    if (behaviors[side].velocity && sides >> side & 1) {
+      Eigen::Vector3d result(behaviors[side].velocity->data());
+      for (int axis = 0; axis < 3; ++axis)
+        if (axis >= Mesh::dimension || Boundary_class::fixes(sides, axis))
+          result[axis] = 0;
+      return result;
+    }
+  return std::nullopt;
+}
+
+// Returns the velocities of inflow at a time, with the vertices at given positions. Where several
+// sides with an inflow meet, the first one determines the velocity.
+// \throws Error if a velocity is not finite
+template <class Mesh>
+Inflow_velocities inflow_velocities(const Mesh& mesh, const Side_behaviors& behaviors,
+                                    const Vectors_3& positions, double time) {
+  Inflow_velocities result;
+  for (std::size_t side = 0; side < behaviors.size(); ++side) {
+    if (!behaviors[side].inflow)
+      continue;
+    result.resize(positions.size());
+    for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v) {
+      if (result[v] || !(mesh.vertices[v]->boundary_class() >> side & 1))
+        continue;
+      const Eigen::Vector3d& p = positions[v];
+      if (const auto velocity = behaviors[side].inflow({p.x(), p.y(), p.z()}, time)) {
+        result[v] = Eigen::Vector3d(velocity->data());
+        if (Mesh::dimension == 2)
+          result[v]->z() = 0;
+        if (!result[v]->allFinite())
+          throw Error("a velocity of an inflow is not finite: return finite coordinates");
+      }
+    }
+  }
+  for (const auto& slip : mesh.slips)
+    if (!result.empty())
+      result[slip.second] = result[slip.first];
+  return result;
+}
+
+// Returns whether liquid enters at a vertex.
+inline bool is_inflow(const Inflow_velocities& inflow, std::size_t v) {
+  return !inflow.empty() && inflow[v];
+}
+
+// Replaces velocities of vertices on sides of the domain by those that the sides permit.
+template <class Mesh>
+void stop_on_sides(const Mesh& mesh, const Side_behaviors& behaviors,
+                   const Inflow_velocities& inflow, Vectors_3& velocities) {
+  for (std::size_t v = 0; v < velocities.size(); ++v)
+    if (const auto velocity = no_slip_velocity(mesh, behaviors, v))
+      velocities[v] = *velocity;
+  mesh.keep_on_sides(velocities);
+  for (std::size_t v = 0; v < inflow.size(); ++v)
+    if (inflow[v])
+      velocities[v] = *inflow[v];
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_SIDE_VELOCITIES_H
