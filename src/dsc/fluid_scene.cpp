@@ -128,11 +128,29 @@ std::vector<Fluid_scene::Tension> read_tensions(const Json_fields& scene) {
   return result;
 }
 
+/// Reads an inflow. Without `from` and `to`, it fills the whole side.
+Scene_inflow read_inflow(const Json_fields& side, const std::array<double, 6>& domain) {
+  side.require_known({"inflow", "from", "to"});
+  Scene_inflow result{read_vector_in_time(side, "inflow"), domain};
+  if (side.has("from") || side.has("to")) {
+    const auto from = side.point("from"), to = side.point("to");
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!(to[i] >= from[i]))
+        side.refuse("to", "must not be smaller than 'from' in any coordinate");
+      result.box[i] = from[i];
+      result.box[i + 3] = to[i];
+    }
+  }
+  return result;
+}
+
 void read_sides(const Json_fields& sides, Fluid_scene& scene) {
   const auto number = std::size_t(2 * scene.dimension);
   sides.require_known({names_of_sides.begin(), names_of_sides.begin() + number});
   for (std::size_t side = 0; side < number; ++side)
-    if (sides.has(names_of_sides[side])) {
+    if (sides.has(names_of_sides[side]) && sides.any(names_of_sides[side]).is_object()) {
+      scene.inflows[side] = read_inflow(sides.object(names_of_sides[side]), scene.domain);
+    } else if (sides.has(names_of_sides[side])) {
       const Vector_in_time velocity = read_vector_in_time(sides, names_of_sides[side]);
       if (velocity.at(0)[side / 2] != 0)
         sides.refuse(names_of_sides[side], "must be a velocity along the side");

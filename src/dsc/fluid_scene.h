@@ -171,6 +171,13 @@ struct Scene_probe
   int label = 0;
 };
 
+/// An inflow through the part of a side of the domain that is in a box.
+struct Scene_inflow
+{
+  Vector_in_time velocity;
+  std::array<double, 6> box;
+};
+
 /// The input of `dsc fluid`.
 struct Fluid_scene
 {
@@ -192,6 +199,7 @@ struct Fluid_scene
   std::vector<Scene_solid> solids;
   /// By side of the domain: the velocity of a no-slip side.
   std::array<std::optional<Vector_in_time>, 6> sides;
+  std::array<std::optional<Scene_inflow>, 6> inflows; ///< by side of the domain
   std::vector<Scene_probe> probes;
   double time_step; ///< maximum
   double cfl;       ///< 0 for constant time steps

@@ -43,6 +43,20 @@ template <class Complex> void add_sources(const Fluid_scene& scene, Fluid<Comple
                        [flux = *source.flux](double t) { return *flux.at({t}); });
 }
 
+template <class Complex> void add_inflows(const Fluid_scene& scene, Fluid<Complex>& fluid) {
+  for (std::size_t side = 0; side < scene.inflows.size(); ++side)
+    if (const auto& inflow = scene.inflows[side])
+      fluid.set_side(int(side / 2), side % 2 == 1,
+                     {std::nullopt,
+                      [given = *inflow](const std::array<double, 3>& p,
+                                        double t) -> std::optional<std::array<double, 3>> {
+                        for (std::size_t i = 0; i < 3; ++i)
+                          if (p[i] < given.box[i] || p[i] > given.box[i + 3])
+                            return std::nullopt;
+                        return given.velocity.at(t);
+                      }});
+}
+
 } // namespace
 
 template <class Complex>
@@ -60,6 +74,7 @@ std::unique_ptr<Fluid<Complex>> fluid_of_scene(const Fluid_scene& scene, const s
   Fluid<Complex>& fluid = *result;
   add_sources(scene, fluid);
   add_solids(scene, folder, fluid);
+  add_inflows(scene, fluid);
   set_time(scene, 0, fluid);
   return result;
 }
@@ -124,7 +139,7 @@ void require_liquid_at_sides(const Fluid_scene& scene, const Complex& complex) {
       for (int i = 0; i < Complex::corners; ++i)
         met |= c->vertex(i)->boundary_class();
   for (std::size_t side = 0; side < scene.sides.size(); ++side)
-    if (scene.sides[side] && !(met >> side & 1))
+    if ((scene.sides[side] || scene.inflows[side]) && !(met >> side & 1))
       throw Input_error("no liquid touches the side '" + std::string(names_of_sides[side]) +
                         "' of the domain, so its velocity has no effect; remove it");
 }

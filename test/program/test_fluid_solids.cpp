@@ -229,6 +229,26 @@ TEST_F(Fluid_solids, sides_depend_on_the_time) {
   expect_refusal(json, "along the side");
 }
 
+// The liquid rises like a piston.
+TEST_F(Fluid_solids, liquid_enters_through_a_side) {
+  Json json = Json::parse(R"json({
+    "domain": [0, 0, 1, 3], "edge": 0.25,
+    "liquids": [{"shape": {"type": "pool", "level": 1}, "density": 1, "velocity": "0,0.5"}],
+    "gravity": [0, -1], "sides": {"y-": {"inflow": "0,0.5"}}, "time_step": 0.05, "end": 0.5
+  })json");
+  for (const Json& step : steps_of(json)) {
+    const double level = 1 + .5 * step.at("time").get<double>();
+    EXPECT_NEAR(step.at("volume").get<double>(), level, 1e-10);
+    EXPECT_NEAR(step.at("extent")[1][1].get<double>(), level, 1e-6);
+  }
+  json["sides"]["y-"] = {{"inflow", {0, 1}}, {"from", {0, 0}}, {"to", {-1, 0}}};
+  expect_refusal(json, "must not be smaller than 'from'");
+  json["sides"]["y-"] = Json::object();
+  expect_refusal(json, "inflow");
+  json["sides"] = {{"y+", {{"inflow", {0, -1}}}}};
+  expect_refusal(json, "no liquid touches the side");
+}
+
 TEST_F(Fluid_solids, flux_is_exact) {
   Json json = disk();
   json["sources"] = Json::parse(R"json([
