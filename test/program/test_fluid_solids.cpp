@@ -239,7 +239,8 @@ TEST_F(Fluid_solids, liquid_enters_through_a_side) {
   for (const Json& step : steps_of(json)) {
     const double level = 1 + .5 * step.at("time").get<double>();
     EXPECT_NEAR(step.at("volume").get<double>(), level, 1e-10);
-    EXPECT_NEAR(step.at("extent")[1][1].get<double>(), level, 1e-6);
+    // The weight of new liquid acts from the next step on.
+    EXPECT_NEAR(step.at("extent")[1][1].get<double>(), level, 1e-4);
   }
   json["sides"]["y-"] = {{"inflow", {0, 1}}, {"from", {0, 0}}, {"to", {-1, 0}}};
   expect_refusal(json, "must not be smaller than 'from'");

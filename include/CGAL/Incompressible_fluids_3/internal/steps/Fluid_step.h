@@ -201,9 +201,12 @@ public:
   // Returns the volume that each cell of the mesh gains in a unit of time, from sources and by
   // inflow. The result is empty without both.
   std::vector<double> gains() const {
-    std::vector<double> result = gains_by_inflow();
-    for (std::size_t k = 0; k < m_gains.size(); ++k)
-      result[k] += m_gains[k];
+    std::vector<double> result = m_gains;
+    if (!m_inflow.empty())
+      result.resize(m_mesh.cells.size(), 0);
+    for (std::size_t k = 0; k < m_mesh.cells.size() && !m_inflow.empty(); ++k)
+      for (std::size_t i = 0; i < Mesh::corners; ++i)
+        result[k] += gain_by_inflow(k, i);
     return result;
   }
 
@@ -213,14 +216,22 @@ public:
     if (masses.of_vertices.empty())
       return {};
     Momentum result = pushed_momentum(masses);
-    // New liquid has the velocity of the liquid around it.
-    const std::vector<double> gains = this->gains();
-    for (std::size_t i = 0; i < masses.of_middles.size() && !gains.empty(); ++i) {
-      const std::size_t k = masses.of_middles[i].first;
-      const Eigen::Vector3d brought =
-          m_step.dt * m_mesh.cells[k].liquid->density * gains[k] * m_mesh.middle(k, m_velocities);
+    const auto add = [&](std::size_t k, double gain, const Eigen::Vector3d& velocity,
+                         const Eigen::Vector3d& position) {
+      const Eigen::Vector3d brought = m_step.dt * m_mesh.cells[k].liquid->density * gain * velocity;
       result.linear += brought;
-      result.angular += m_mesh.middle(k, m_midpoint_positions).cross(brought);
+      result.angular += position.cross(brought);
+    };
+    for (const auto& of_middle : masses.of_middles) {
+      const std::size_t k = of_middle.first;
+      // New liquid has the velocity of the liquid around it.
+      if (!m_gains.empty())
+        add(k, m_gains[k], m_mesh.middle(k, m_velocities), m_mesh.middle(k, m_midpoint_positions));
+      for (std::size_t i = 0; i < Mesh::corners && !m_inflow.empty(); ++i) {
+        const std::size_t v = m_mesh.cells[k].vertices[i];
+        if (m_inflow[v])
+          add(k, gain_by_inflow(k, i), *m_inflow[v], m_midpoint_positions[v]);
+      }
     }
     const Momentum stopped = momentum(m_mesh, masses, m_destinations, m_final_velocities),
                    unstopped = momentum(m_mesh, masses, m_destinations, m_unstopped_velocities);
@@ -266,32 +277,22 @@ public:
   }
 
 private:
-  // Returns the volume that each cell gains by inflow in a unit of time: the change that the motion
-  // of its vertices with the liquid would cause, less the change that their motion causes. The
-  // result is empty without sources and inflow.
-  std::vector<double> gains_by_inflow() const {
-    if (m_inflow.empty())
-      return std::vector<double>(m_gains.size(), 0);
-    std::vector<double> result;
-    for (const auto& cell : m_mesh.cells) {
-      Vectors_3 corners;
-      std::array<std::size_t, Mesh::corners> order;
-      double gain = 0;
-      for (std::size_t i = 0; i < Mesh::corners; ++i)
-        order[i] = i;
-      for (auto v : cell.vertices)
-        corners.push_back(m_midpoint_positions[v]);
-      // The volume is linear in the position of each vertex.
-      const double volume_now = volume(order, corners);
-      for (std::size_t i = 0; i < Mesh::corners; ++i)
-        if (const auto& velocity = m_inflow[cell.vertices[i]]) {
-          corners[i] += *velocity;
-          gain -= volume(order, corners) - volume_now;
-          corners[i] -= *velocity;
-        }
-      result.push_back(gain);
+  // Returns the volume that cell k gains by inflow at its corner i in a unit of time: the change
+  // that the motion of the corner with the liquid would cause, because the corner does not move.
+  double gain_by_inflow(std::size_t k, std::size_t i) const {
+    const auto& cell = m_mesh.cells[k];
+    const auto& velocity = m_inflow[cell.vertices[i]];
+    if (!velocity)
+      return 0;
+    std::array<std::size_t, Mesh::corners> order;
+    Vectors_3 corners;
+    for (std::size_t c = 0; c < Mesh::corners; ++c) {
+      order[c] = c;
+      corners.push_back(m_midpoint_positions[cell.vertices[c]]);
     }
-    return result;
+    const double before = volume(order, corners);
+    corners[i] += *velocity; // the volume is linear in the position of the corner
+    return before - volume(order, corners);
   }
 
   // Returns the tolerance of a solution that only determines the geometry of the next solution. It
