@@ -96,7 +96,7 @@ class FluidReport:
     volume_error: float
     """Greatest error of the volume of a component, relative to the volume."""
     gained_volume: float
-    """Volume that sources added, less the volume that they removed."""
+    """Volume that sources and inflow added, less the volume that they removed."""
     residual: float
     """Relative residual of the linear equations."""
     contacts: int

@@ -14,9 +14,9 @@ from ._errors import Error
 from ._report import Points
 
 Motion = Callable[[float], tuple[Any, Any]]
-"""The displacement and the rotation of a solid at a time, relative to its place when it was added. The
-displacement has d coordinates. The rotation is about the center of the solid, in radians: an angle in
-the plane, the axis times the angle in space."""
+"""The displacement and the rotation of a solid at a time, relative to the given shape. The displacement
+has d coordinates. The rotation is about the center of the given shape, in radians: an angle in the
+plane, the axis times the angle in space."""
 
 
 @dataclass(frozen=True)
@@ -170,6 +170,8 @@ class Solids:
         step = _number(result.pop("motion_step", 1e-5), "motion_step")
         if not 0 < step < np.inf:
             raise ValueError("motion_step must be positive and finite")
+        if "motion_step" in options and "motion" not in result:
+            raise ValueError("motion_step has no effect without motion")
         if "motion" in result:
             if "velocity" in result or "angular_velocity" in result:
                 raise ValueError("a solid with a motion has no velocity and no angular_velocity")

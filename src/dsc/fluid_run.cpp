@@ -72,19 +72,19 @@ Fluid_run<dimension> start_fluid(const Fluid_scene& scene, const std::string& fo
   Run run;
   run.scene = scene;
   set_centers_of_meshes(folder, run.scene);
-  run.complex =
-      std::make_unique<typename Run::Tracked>(start_of_scene<typename Run::Complex>(scene, folder));
-  require_effect(scene, run.complex->complex);
-  run.fluid = fluid_of_scene(scene, folder, run.complex->complex);
-  require_outside_of_solids(scene, *run.fluid);
-  if (scene.relaxation_steps > 0) {
+  run.complex = std::make_unique<typename Run::Tracked>(
+      start_of_scene<typename Run::Complex>(run.scene, folder));
+  require_effect(run.scene, run.complex->complex);
+  run.fluid = fluid_of_scene(run.scene, folder, run.complex->complex);
+  require_outside_of_solids(run.scene, *run.fluid);
+  if (run.scene.relaxation_steps > 0) {
     const double velocity =
-        run.fluid->relax(scene.relaxation_step, unsigned(scene.relaxation_steps),
+        run.fluid->relax(run.scene.relaxation_step, unsigned(run.scene.relaxation_steps),
                          parameters::number_of_threads(threads));
     if (!quiet)
       std::printf("dsc: the relaxation ended with the largest velocity %.3g\n", velocity);
   }
-  set_velocities(scene, *run.fluid);
+  set_velocities(run.scene, *run.fluid);
   return run;
 }
 

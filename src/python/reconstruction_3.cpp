@@ -20,11 +20,11 @@ namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Report = DSC::Reconstruction_report_3<Complex>;
+using Normal = CGAL::Simple_cartesian<double>::Vector_3;
 
 /// \param array coordinates of vectors, shape (n, 3), or None
-std::vector<DSC::internal::Sampled_surface_3::Vector> normals_of(const py::object& array,
-                                                                 std::size_t points) {
-  std::vector<DSC::internal::Sampled_surface_3::Vector> result;
+std::vector<Normal> normals_of(const py::object& array, std::size_t points) {
+  std::vector<Normal> result;
   if (array.is_none())
     return result;
   for (const auto& row : rows_of<double, 3>(array.cast<Array<double>>(), "normals"))

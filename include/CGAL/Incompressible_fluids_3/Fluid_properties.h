@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <string>
 #include <utility>
@@ -28,6 +29,11 @@ struct Liquid
 {
   double density;       ///< mass of a unit of volume, greater than 0
   double viscosity = 0; ///< dynamic viscosity, 0 or more
+  /// The dynamic viscosity as a function of the shear rate, 0 or more. The shear rate is the square
+  /// root of 2 D : D, where D is the symmetric part of the gradient of the velocity. It is 0 or
+  /// more and has the unit 1 / time. If the function is empty, `viscosity` applies. The friction
+  /// between two liquids depends on `viscosity` only.
+  std::function<double(double)> viscosity_at_shear_rate = {};
 };
 
 /// \ingroup PkgIncompressibleFluids3Ref

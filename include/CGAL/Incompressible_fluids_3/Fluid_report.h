@@ -87,10 +87,11 @@ template <class Complex> struct Fluid_report
   double volume_correction = 0;
   /// The greatest relative error of a volume of a connected component at the end.
   double volume_error = 0;
-  double lost_volume = 0;   ///< the volume of connected components that vanished
-  double gained_volume = 0; ///< the volume that sources added, less the volume that they removed
-  unsigned solutions = 0;   ///< the number of solutions of linear systems, without failed attempts
-  unsigned iterations = 0;  ///< the number of iterations of the solver, in all these solutions
+  double lost_volume = 0; ///< the volume of connected components that vanished
+  /// The volume that sources and inflows added, less the volume that they removed.
+  double gained_volume = 0;
+  unsigned solutions = 0;  ///< the number of solutions of linear systems, without failed attempts
+  unsigned iterations = 0; ///< the number of iterations of the solver, in all these solutions
   /// The true residual of the equations, divided by their largest term, in the norm weighted by the
   /// inverse of the diagonal.
   double residual = 0;

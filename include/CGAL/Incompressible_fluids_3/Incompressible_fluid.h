@@ -79,10 +79,11 @@ all velocities and pressures.
 - With the default `implicitness`, the system is the implicit midpoint rule. Energy then changes
 only by external work, viscosity, damping, contacts and remeshing. Surface tension and viscosity are
   implicit, so they do not bound the time step.
-- The volume of each connected component of a liquid changes only by sources, up to rounding. When
-  components merge, their volumes are added. `Report::volume_error` contains the remaining error.
+- The volume of each connected component of a liquid changes only by sources and inflow, up to
+  rounding. When components merge, their volumes are added. `Report::volume_error` contains the
+  remaining error.
 - The momentum and the angular momentum of each connected component change only by gravity, gases,
-  walls and sources.
+  walls, bodies, sources and inflow.
 - Two liquids slip along their interface. The normal velocity is common to both. If both are
   viscous, friction resists the slip. So the relative velocity vanishes where the mesh resolves the
   viscosity. Where three media meet, liquids have a common velocity.
@@ -170,24 +171,27 @@ public:
   /// \param behavior the boundary conditions of liquids at the solid
   /// \return the number of the body, from 0 on
   /// \throws Error if the contact angle is not in [0, 180] degrees, if the mass is not positive, if
-  /// the tensor of inertia is not symmetric and positive definite, or if a number is not finite
+  /// the tensor of inertia is not symmetric and positive definite, if a number is not finite, or if
+  /// the initial motion is not along the free axes
   template <class Solid>
   std::size_t add_body(const Solid& solid, const Rigid_body_3& body,
                        const Wall_behavior& behavior = {}) {
     auto any = any_solid(solid, behavior);
-    internal::require_body(body);
+    internal::require_body(body, dimension);
     any.body = body;
     any.initial_center = body.center;
     m_solids.push_back(std::move(any));
     return number_of_bodies() - 1;
   }
 
-  /// Sets the boundary condition at a side of the domain, slip by default. `relax()` ignores
-  /// inflows. It applies to liquids
+  /// Sets the boundary condition at a side of the domain, slip by default. It applies to liquids
   /// that are on the side at the beginning, and has no effect if the domain is not a box. Where
   /// several no-slip sides meet, the first one determines the velocity, in the order x minimum, x
   /// maximum, y minimum, and so on. `state()` does not contain the conditions, so set them again
   /// after `restore()` into a new fluid.
+  ///
+  /// `relax()` ignores inflows. `advance()` throws the exceptions of an inflow function, and an
+  /// `Error` if a velocity of an inflow is not finite or if an outflow empties a component.
   /// \param axis the axis perpendicular to the side: 0 for x, 1 for y, 2 for z
   /// \param is_upper whether the side has the larger coordinate
   /// \param behavior the boundary condition

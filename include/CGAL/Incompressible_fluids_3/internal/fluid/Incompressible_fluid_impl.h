@@ -165,6 +165,10 @@ void Incompressible_fluid<Complex, Solver>::add_source_volumes(const Flow& flow,
     report.gained_volume += dt * gains[k];
     volumes.at(flow.mesh.cells[k].component) += dt * gains[k];
   }
+  for (const auto& [component, volume] : volumes)
+    if (!(volume > 0))
+      throw Error("sources or outflows remove more than the volume of a component: use a shorter "
+                  "time step, or end the outflow before the component is empty");
   m_liquids.set_volumes(volumes);
 }
 
@@ -234,8 +238,14 @@ void Incompressible_fluid<Complex, Solver>::make_admissible(double dt, unsigned 
         return !solid.body ||
                (solid.body->velocity == NULL_VECTOR && solid.body->angular_velocity == NULL_VECTOR);
       });
-  if (bodies_rest && std::all_of(flow.velocities.begin(), flow.velocities.end(),
-                                 [](const Eigen::Vector3d& v) { return v.isZero(0); }))
+  const bool sides_rest =
+      std::all_of(m_sides.begin(), m_sides.end(), [](const Side_behavior& side) {
+        return !side.inflow &&
+               side.velocity.value_or(std::array<double, 3>()) == std::array<double, 3>();
+      });
+  if (bodies_rest && sides_rest &&
+      std::all_of(flow.velocities.begin(), flow.velocities.end(),
+                  [](const Eigen::Vector3d& v) { return v.isZero(0); }))
     return;
   Step step(m_complex, flow, {inviscid, m_solids, m_sides, m_gases.components_of(flow.mesh), {}},
             {m_time, m_time + dt, {dt, 1}}, m_solver, number_of_threads);
@@ -334,7 +344,9 @@ void Incompressible_fluid<Complex, Solver>::restore(const State& state) {
   for (const auto& [vertex, label, numbers] : state.deviations)
     fits = fits && vertex < vertices.size() && m_properties.liquid(label) && is_finite(numbers);
   fits = fits && state.bodies.size() == number_of_bodies() &&
-         std::all_of(state.bodies.begin(), state.bodies.end(), is_finite);
+         std::all_of(state.bodies.begin(), state.bodies.end(), [&](const auto& numbers) {
+           return is_finite(numbers) && internal::has_rotation(numbers);
+         });
   if (!fits)
     throw Error(
         "the state of the fluid does not match the complex or the bodies: first restore the "

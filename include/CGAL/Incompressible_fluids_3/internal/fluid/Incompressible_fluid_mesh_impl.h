@@ -98,13 +98,14 @@ Incompressible_fluid<Complex, Solver>::move(const Flow& flow, const Contacts& co
   const Vertex_numbers number(
       m_complex,
       {mesh.vertices.begin(), mesh.vertices.begin() + std::ptrdiff_t(mesh.number_of_vertices())});
+  const auto inflow = inflow_velocities(mesh, m_sides, flow.positions, m_time);
   const auto from = interface_.snapshot().positions(m_complex);
   auto to = from;
   std::vector<char> is_constrained(to.size(), false);
   for (std::size_t k = 0; k < to.size(); ++k)
     if (const std::size_t i = number(interface_.snapshot().vertices[k]); i < mesh.vertices.size()) {
       to[k] = point(destinations[i]);
-      is_constrained[k] = contacts.is_constrained(i);
+      is_constrained[k] = contacts.is_constrained(i) || internal::is_inflow(inflow, i);
     }
   m_motion.set_wetting(mesh, [&contacts](std::size_t v) { return contacts.is_constrained(v); });
   interface_.restore(
@@ -184,6 +185,7 @@ auto Incompressible_fluid<Complex, Solver>::move_interface(const Flow& flow,
   for (std::size_t k = 0; k < vertices.size(); ++k)
     if (const auto found = number.find(vertices[k]->time_stamp()); found != number.end())
       positions[found->second] = coordinates.segment<3>(3 * Eigen::Index(k));
+  const auto inflow = inflow_velocities(mesh, m_sides, flow.positions, m_time);
   std::vector<char> returns(positions.size(), false); // to a wall
   for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
     if (m_motion.is_from_wall(mesh.vertices[v])) {
@@ -200,7 +202,8 @@ auto Incompressible_fluid<Complex, Solver>::move_interface(const Flow& flow,
     to.push_back(found != number.end() ? point(positions[found->second])
                                        : m_complex.position(vertices[k]));
     is_constrained[k] =
-        found != number.end() && (contacts.touches(found->second) || returns[found->second]);
+        found != number.end() && (contacts.touches(found->second) || returns[found->second] ||
+                                  internal::is_inflow(inflow, found->second));
   }
   interface_.restore(
       m_liquids.volumes(), interface_.snapshot().positions(m_complex),

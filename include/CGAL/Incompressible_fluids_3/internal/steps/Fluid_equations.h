@@ -11,6 +11,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Facet_tension.h>
 #include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/Linear_element.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Incompressible_fluids_3/Fluid_properties.h>
 #include <CGAL/Incompressible_fluids_3/Saddle_point_system.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
@@ -23,6 +24,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -84,7 +86,7 @@ public:
     bool is_viscous = false;
     for (const auto& cell : mesh.cells) {
       m_elements.push_back(element(cell, positions));
-      is_viscous = is_viscous || cell.liquid->viscosity > 0;
+      is_viscous = is_viscous || cell.liquid->viscosity > 0 || cell.liquid->viscosity_at_shear_rate;
       for (auto v : cell.vertices)
         m_masses[v] += cell.liquid->density * m_elements.back().lumped_mass();
     }
@@ -126,10 +128,15 @@ public:
 
   // Assembles the matrices with the vertices at positions near the midpoint of the step.
   // `tension_of(f)` is the surface tension of facet f, or its energy of wetting per unit of area.
-  // `gas_pressures` are the pressures of gases on facets.
+  // `gas_pressures` are the pressures of gases on facets. `velocities` determine viscosities that
+  // depend on the shear rate.
+  // \throws Error if a viscosity is negative or not finite
   template <class TensionOf>
-  void assemble(const Vectors_3& midpoint_positions, const TensionOf& tension_of,
-                const std::vector<double>& gas_pressures) {
+  void assemble(const Vectors_3& midpoint_positions, const Vectors_3& velocities,
+                const TensionOf& tension_of, const std::vector<double>& gas_pressures) {
+    m_viscosities.clear(); // by one thread, because functions of users determine them
+    for (std::size_t k = 0; k < m_mesh.cells.size(); ++k)
+      m_viscosities.push_back(viscosity(k, velocities));
     m_for_each(m_terms.size(), [&](std::size_t k) { m_terms[k] = terms(k, midpoint_positions); });
     using Scalar = Eigen::Matrix<double, 1, 1>;
     m_rows_of_vertices.template sum<1, 1>(
@@ -176,9 +183,9 @@ public:
     for (std::size_t k = 0; k < m_mesh.cells.size(); ++k)
       for (auto p : m_mesh.cells[k].pressures) {
         volumes(p) += m_elements[k].lumped_mass();
-        m_system.viscosity(p) = m_mesh.cells[k].liquid->viscosity;
+        m_system.viscosity(p) += m_viscosities[k] * m_elements[k].lumped_mass();
       }
-    m_system.viscosity.array() /= volumes.array();
+    m_system.viscosity.array() /= volumes.array().square();
     m_forces = m_pushes = Vector::Zero(3 * Eigen::Index(m_masses.size()));
     for (std::size_t f = 0; f < m_mesh.facets.size(); ++f) {
       const auto& facet = m_mesh.facets[f];
@@ -254,6 +261,25 @@ private:
 
   using Element = Linear_element<Complex>;
 
+  // Returns the viscosity of a cell. Its shear rate is that of the positions at the beginning.
+  double viscosity(std::size_t k, const Vectors_3& velocities) const {
+    const auto& cell = m_mesh.cells[k];
+    if (!cell.liquid->viscosity_at_shear_rate)
+      return cell.liquid->viscosity;
+    Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();
+    if (has_gradients(m_elements[k], cell, m_positions))
+      for (std::size_t i = 0; i < Mesh::corners; ++i)
+        gradient +=
+            velocities[cell.vertices[i]] * eigen_vector(m_elements[k].gradient(int(i))).transpose();
+    const Eigen::Matrix3d d = (gradient + gradient.transpose()) / 2;
+    const double result = cell.liquid->viscosity_at_shear_rate(std::sqrt(2 * d.squaredNorm()));
+    if (!(result >= 0) || !std::isfinite(result))
+      throw Error("the viscosity at a shear rate of " +
+                  std::to_string(std::sqrt(2 * d.squaredNorm())) +
+                  " is negative or not finite: bound the function for small and large shear rates");
+    return result;
+  }
+
   static Element element(const typename Mesh::Cell& cell, const Vectors_3& positions) {
     typename Element::Corners corners;
     for (std::size_t i = 0; i < Mesh::corners; ++i)
@@ -314,9 +340,9 @@ private:
       result.gradients[i] = eigen_vector(e.gradient(int(i)));
       steepest = (std::max)(steepest, result.gradients[i].squaredNorm());
     }
-    result.viscosity = e.measure() * cell.liquid->viscosity;
+    result.viscosity = e.measure() * m_viscosities[k];
     result.stabilization = e.measure() / (cell.liquid->density / (part * m_step.dt) +
-                                          viscous * cell.liquid->viscosity * steepest);
+                                          viscous * m_viscosities[k] * steepest);
     return result;
   }
 
@@ -385,8 +411,9 @@ private:
   Rows m_rows_of_vertices, m_rows_of_pressures;
   std::vector<double> m_masses; // by vertex
   Slip_transform m_slips;
-  std::vector<Element> m_elements; // at the beginning
-  std::vector<Terms> m_terms;      // by cell
+  std::vector<Element> m_elements;   // at the beginning
+  std::vector<Terms> m_terms;        // by cell
+  std::vector<double> m_viscosities; // by cell
   struct Matrices
   {
     System::Matrix nodal, coupling, b;

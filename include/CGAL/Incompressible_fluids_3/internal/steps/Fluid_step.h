@@ -189,7 +189,10 @@ public:
       const Eigen::Vector3d pushed =
           m_step.dt * (mass * gravity + share * m_reactions.segment<3>(3 * Eigen::Index(v)));
       result.linear += pushed;
-      result.angular += (m_positions[v] + time_of_arms * moving[v]).cross(pushed);
+      const Eigen::Vector3d arm = is_inflow(m_inflow, v)
+                                      ? m_positions[v]
+                                      : Eigen::Vector3d(m_positions[v] + time_of_arms * moving[v]);
+      result.angular += arm.cross(pushed);
       const Vector& pushes = m_equations.pushes();
       const Eigen::Vector3d push = m_step.dt * share * pushes.segment<3>(3 * Eigen::Index(v));
       result.linear += push;
@@ -339,7 +342,9 @@ private:
           m_bodies.final_velocities(m_contacts.velocities_of_bodies(), m_step.dt),
           m_unstopped_velocities, m_equations.masses(), m_contacts.stops(m_destinations, m_end));
     m_contacts.stop(m_final_velocities, m_destinations, m_end, m_final_velocities_of_bodies);
-    const Inflow_velocities inflow = inflow_velocities(m_mesh, m_sides, m_destinations, m_end);
+    const Inflow_velocities inflow = m_end > m_begin
+                                         ? inflow_velocities(m_mesh, m_sides, m_destinations, m_end)
+                                         : Inflow_velocities();
     stop_on_sides(m_mesh, m_sides, inflow, m_final_velocities);
     for (std::size_t v = 0; v < m_final_velocities.size(); ++v)
       m_final_accelerations.push_back((m_final_velocities[v] - m_before[v]) / m_step.dt);
@@ -377,7 +382,8 @@ private:
     for (std::size_t k = 0; k < m_gases.size(); ++k)
       pressures.push_back(m_gases[k].pressure(volumes[k]));
     m_equations.assemble(
-        m_midpoint_positions, [&](std::size_t f) { return m_contacts.tension(f); }, pressures);
+        m_midpoint_positions, m_velocities, [&](std::size_t f) { return m_contacts.tension(f); },
+        pressures);
     m_gains =
         gains_of_cells(m_sources, m_mesh, m_midpoint_positions, (m_begin + m_end) / 2, m_step.dt);
     m_is_assembled = false;

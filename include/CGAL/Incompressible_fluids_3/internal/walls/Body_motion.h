@@ -21,9 +21,9 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Checks the numbers of a body.
+// Checks the numbers of a new body in a space of a dimension.
 // \throws Error
-inline void require_body(const Rigid_body_3& body) {
+inline void require_body(const Rigid_body_3& body, int dimension) {
   const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> inertia(body.inertia.data());
   const auto is_finite = [](const auto& v) {
     return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
@@ -38,6 +38,14 @@ inline void require_body(const Rigid_body_3& body) {
       !(inertia.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff() > 0))
     throw Error("the tensor of inertia of a body is not symmetric and positive definite: see "
                 "rigid_body_of_mesh()");
+  for (int axis = 0; axis < 3; ++axis) {
+    const bool in_plane = dimension == 3 || axis < 2;
+    if ((body.velocity[axis] != 0 && !(body.translates[std::size_t(axis)] && in_plane)) ||
+        (body.angular_velocity[axis] != 0 &&
+         !(body.rotates[std::size_t(axis)] && (dimension == 3 || axis == 2))))
+      throw Error("a body has an initial motion along an axis that is not free: set the velocity "
+                  "along the axis to 0");
+  }
   if (body.rotation != std::array<double, 4>{1, 0, 0, 0})
     throw Error("the rotation of a new body is not the identity: rotate the solid instead");
 }
@@ -138,6 +146,12 @@ inline std::array<double, 13> motion_of(const Rigid_body_3& body) {
   const auto& [c, q, v, w] =
       std::tie(body.center, body.rotation, body.velocity, body.angular_velocity);
   return {c.x(), c.y(), c.z(), q[0], q[1], q[2], q[3], v.x(), v.y(), v.z(), w.x(), w.y(), w.z()};
+}
+
+// Returns whether the quaternion in the numbers of `Fluid_state::bodies` is a rotation.
+inline bool has_rotation(const std::array<double, 13>& n) {
+  static constexpr double rounding = 1e-9;
+  return std::abs(n[3] * n[3] + n[4] * n[4] + n[5] * n[5] + n[6] * n[6] - 1) <= rounding;
 }
 
 // Sets the place and motion of a body to the numbers of `Fluid_state::bodies`.
