@@ -64,11 +64,11 @@ def test_free_fall_in_the_plane():
 
 def test_a_pool_rests():
     fluid = pool()
-    before = fluid.complex.interface().points
     for _ in range(3):
         report = fluid.step(0.05)
     assert report.greatest_velocity < 1e-9
-    assert np.sort(fluid.complex.interface().points[:, 1]) == pytest.approx(np.full(len(before), 0.5))
+    heights = fluid.complex.interface().points[:, 1]  # remeshing leaves fewer points
+    assert heights == pytest.approx(np.full(len(heights), 0.5))
 
 
 def test_hydrostatic_pressure():

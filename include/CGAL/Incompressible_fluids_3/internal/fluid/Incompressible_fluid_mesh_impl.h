@@ -16,15 +16,21 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
 // Adapts the mesh before a step. The interface and the edges inside liquids are remeshed, except if
-// the treatment is `improved`. Triangles are improved. Tetrahedra are improved before the first
-// step and before repeated attempts.
+// the treatment is `improved`. Cells are improved before the first step and
+// before repeated attempts, and triangles of viscous liquids always.
 template <class Complex, class Solver>
 void Incompressible_fluid<Complex, Solver>::adapt(const Options& chosen,
                                                   internal::Mesh_treatment treatment,
                                                   Report& report) {
-  // The quality of tetrahedra is that of new meshes. In the plane, flips undo the shear by the flow
-  // at each adaptation. Velocities of sheared triangles are less accurate.
-  static constexpr double quality = Complex::dimension == 2 ? .6 : .3;
+  static constexpr double quality = .3; // of new meshes
+  // In the plane, flips undo the shear by viscous flows at each adaptation: viscous forces in
+  // sheared triangles are less accurate.
+  static constexpr double quality_of_viscous = .6;
+  const auto& liquids = m_properties.liquids();
+  const bool undoes_shear =
+      Complex::dimension == 2 && std::any_of(liquids.begin(), liquids.end(), [](const auto& entry) {
+        return entry.second.viscosity > 0 || entry.second.viscosity_at_shear_rate;
+      });
   if (m_complex.interface_vertices().empty())
     return;
   require_interface_edge(m_complex);
@@ -40,9 +46,9 @@ void Incompressible_fluid<Complex, Solver>::adapt(const Options& chosen,
     if (treatment != Treatment::improved)
       result = result + adapt_lengths(chosen.interface_tolerance, visitor);
     Mesh_improvement_options<Complex> improvement;
-    improvement.quality_threshold = quality;
+    improvement.quality_threshold = undoes_shear ? quality_of_viscous : quality;
     improvement.visitor = visitor;
-    if (Complex::dimension == 2 || m_steps == 0 || treatment != Treatment::chosen)
+    if (undoes_shear || m_steps == 0 || treatment != Treatment::chosen)
       result = result + improve_mesh(m_complex, improvement);
   });
   restore_components(chosen, report);
