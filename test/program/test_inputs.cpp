@@ -285,7 +285,8 @@ TEST_F(Inputs, that_are_misspelt_get_advice) {
   for (const auto& [arguments, text] :
        {std::pair("advct x.off", "unknown command 'advct'; did you mean 'advect'?"),
         std::pair("fluid droplet --stesp 3", "unknown option '--stesp'; did you mean '--steps'?"),
-        std::pair("fluid droplet --paint red", "unknown option '--paint'; see dsc fluid --help"),
+        std::pair("fluid droplet --frobnicate red",
+                  "unknown option '--frobnicate'; see dsc fluid --help"),
         std::pair("advect x.off --velocity 'x=-y,y=x,z=0'", "'=='"),
         std::pair("advect x.wkt --velocity z,0", "'z'"),
         std::pair("cut-locus --point 0,0 --surface 'u,v,w'", "'w'")}) {
