@@ -291,7 +291,7 @@ TEST(Fluid_equations, of_flat_cells_are_finite) {
       (positions[corners[0]] + positions[corners[1]] + positions[corners[2]]) / 3;
   const DSC::For_each_index for_each(1);
   Equations equations(for_each, mesh, properties, {.01, .5}, positions);
-  equations.assemble(positions, [](std::size_t) { return .5; }, {});
+  equations.assemble(positions, positions, [](std::size_t) { return .5; }, {});
   EXPECT_GE(equations.number_of_flat_cells(), 1u);
   const auto is_finite = [](const auto& matrix) { return matrix.coeffs().allFinite(); };
   EXPECT_TRUE(is_finite(equations.system().nodal));
