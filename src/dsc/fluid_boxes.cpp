@@ -265,47 +265,52 @@ std::vector<std::vector<Labelled_box>> groups_of_boxes(const Fluid_scene& scene,
   return result;
 }
 
-std::vector<Surface> surfaces_of_boxes(const std::vector<Labelled_box>& boxes, double edge) {
+namespace {
+
+/// Returns the boundary of the region of each label in boxes. `add(number, boundary, axis, at)`
+/// adds the facet at a place, perpendicular to an axis. `number(place)` is the number of a point.
+template <class Boundary, class Add>
+std::vector<Boundary> boundaries_of_boxes(const std::vector<Labelled_box>& boxes, double edge,
+                                          const Add& add) {
   const Grid_of_boxes grid(boxes, edge);
-  std::vector<Surface> result;
+  std::vector<Boundary> result;
   for (int label : grid.labels()) {
-    Surface surface;
-    surface.label = label;
-    Numbered_points number(grid, surface.points);
-    grid.for_each_facet(label, [&](std::size_t axis, const Place& at) {
-      const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
-      const std::size_t a = number(at), b = number(next(at, u)), c = number(next(next(at, u), v)),
-                        d = number(next(at, v));
-      // Alternating diagonals, so that no direction is preferred.
-      if ((at[u] + at[v]) % 2 == 0) {
-        surface.triangles.push_back({a, b, c});
-        surface.triangles.push_back({a, c, d});
-      } else {
-        surface.triangles.push_back({a, b, d});
-        surface.triangles.push_back({b, c, d});
-      }
-    });
-    if (!surface.triangles.empty())
-      result.push_back(std::move(surface));
+    Boundary boundary;
+    boundary.label = label;
+    Numbered_points number(grid, boundary.points);
+    grid.for_each_facet(
+        label, [&](std::size_t axis, const Place& at) { add(number, boundary, axis, at); });
+    if (!boundary.points.empty())
+      result.push_back(std::move(boundary));
   }
   return result;
 }
 
+} // namespace
+
+std::vector<Surface> surfaces_of_boxes(const std::vector<Labelled_box>& boxes, double edge) {
+  return boundaries_of_boxes<Surface>(
+      boxes, edge, [](auto& number, Surface& surface, std::size_t axis, const Place& at) {
+        const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+        const std::size_t a = number(at), b = number(next(at, u)), c = number(next(next(at, u), v)),
+                          d = number(next(at, v));
+        // Alternating diagonals, so that no direction is preferred.
+        if ((at[u] + at[v]) % 2 == 0) {
+          surface.triangles.push_back({a, b, c});
+          surface.triangles.push_back({a, c, d});
+        } else {
+          surface.triangles.push_back({a, b, d});
+          surface.triangles.push_back({b, c, d});
+        }
+      });
+}
+
 std::vector<Curve> curves_of_boxes(const std::vector<Labelled_box>& boxes, double edge) {
-  const Grid_of_boxes grid(boxes, edge);
-  std::vector<Curve> result;
-  for (int label : grid.labels()) {
-    Curve curve;
-    curve.label = label;
-    Numbered_points number(grid, curve.points);
-    grid.for_each_facet(label, [&](std::size_t axis, const Place& at) {
-      const std::size_t a = number(at), b = number(next(at, 1 - axis));
-      curve.segments.push_back({a, b});
-    });
-    if (!curve.segments.empty())
-      result.push_back(std::move(curve));
-  }
-  return result;
+  return boundaries_of_boxes<Curve>(
+      boxes, edge, [](auto& number, Curve& curve, std::size_t axis, const Place& at) {
+        const std::size_t a = number(at), b = number(next(at, 1 - axis));
+        curve.segments.push_back({a, b});
+      });
 }
 
 } // namespace dsc

@@ -12,6 +12,8 @@
 #include <CGAL/Incompressible_fluids_3/Rigid_body_3.h>
 #include <CGAL/Incompressible_fluids_3/Solids_3.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -31,39 +33,24 @@ Solid_vector solid_vector(const std::array<double, 3>& v) { return {v[0], v[1], 
 
 std::array<double, 3> array_of(const Solid_vector& v) { return {v.x(), v.y(), v.z()}; }
 
-/// Returns a vector rotated by a rotation vector, by Rodrigues' formula.
-Solid_vector turned(const Solid_vector& v, const Solid_vector& rotation) {
-  const double angle = std::sqrt(rotation.squared_length());
-  if (!(angle > 0))
-    return v;
-  const Solid_vector axis = rotation / angle;
-  return std::cos(angle) * v + std::sin(angle) * CGAL::cross_product(axis, v) +
-         (1 - std::cos(angle)) * (axis * v) * axis;
+/// Returns the rotation by a rotation vector.
+Eigen::Quaterniond quaternion_of(const Solid_vector& rotation) {
+  const Eigen::Vector3d v(rotation.x(), rotation.y(), rotation.z());
+  return Eigen::Quaterniond(Eigen::AngleAxisd(v.norm(), v.stableNormalized()));
 }
 
-/// A rotation as a quaternion.
-struct Quaternion
-{
-  double real;
-  Solid_vector imaginary;
+/// Returns a vector rotated by a rotation vector.
+Solid_vector turned(const Solid_vector& v, const Solid_vector& rotation) {
+  const Eigen::Vector3d result = quaternion_of(rotation) * Eigen::Vector3d(v.x(), v.y(), v.z());
+  return {result.x(), result.y(), result.z()};
+}
 
-  explicit Quaternion(const Solid_vector& rotation) {
-    const double angle = std::sqrt(rotation.squared_length());
-    real = std::cos(angle / 2);
-    imaginary = angle > 0 ? std::sin(angle / 2) / angle * rotation : Solid_vector(0, 0, 0);
-  }
-
-  /// Returns the rotation vector from another rotation to this one.
-  Solid_vector rotation_from(const Quaternion& other) const {
-    const double r = real * other.real + imaginary * other.imaginary;
-    Solid_vector i = other.real * imaginary - real * other.imaginary -
-                     CGAL::cross_product(imaginary, other.imaginary);
-    const double sine = std::sqrt(i.squared_length());
-    if (!(sine > 0))
-      return Solid_vector(0, 0, 0);
-    return 2 * std::atan2(r < 0 ? -sine : sine, std::abs(r)) / sine * i;
-  }
-};
+/// Returns the rotation vector between two rotations.
+Solid_vector rotation_between(const Solid_vector& before, const Solid_vector& after) {
+  const Eigen::AngleAxisd result(quaternion_of(after) * quaternion_of(before).conjugate());
+  const Eigen::Vector3d v = result.angle() * result.axis();
+  return {v.x(), v.y(), v.z()};
+}
 
 /// The displacement and rotation of a solid at a time.
 struct Solid_placement
@@ -119,8 +106,7 @@ private:
     result.displacement = now.displacement;
     result.rotation = now.rotation;
     result.velocity = (after.displacement - before.displacement) / dt;
-    result.angular_velocity =
-        Quaternion(after.rotation).rotation_from(Quaternion(before.rotation)) / dt;
+    result.angular_velocity = rotation_between(before.rotation, after.rotation) / dt;
     return result;
   }
 

@@ -15,12 +15,31 @@ protected:
     write("scene.json", json.dump());
     return path("scene.json").string();
   }
+  // Runs a scene and returns the steps of its report.
+  Json steps_of(const Json& json, const std::string& options = "") {
+    const Outcome outcome = run("fluid " + write_scene(json) + " --report " +
+                                path("report.json").string() + " " + options);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome.exit_code == 0 ? report("report.json").at("steps") : Json::array();
+  }
   void expect_refusal(const Json& json, const std::string& text) {
     const Outcome outcome = run("fluid " + write_scene(json));
     EXPECT_NE(outcome.exit_code, 0) << text;
     EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
     EXPECT_EQ(outcome.err.substr(0, 5), "dsc: ");
     EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err; // one line
+  }
+  // Expects that a scene is refused after a change, given as a JSON merge patch.
+  void expect_refusal_of_patch(Json json, const std::string& patch, const std::string& text) {
+    SCOPED_TRACE(patch);
+    json.merge_patch(Json::parse(patch));
+    expect_refusal(json, text);
+  }
+  // Expects that a scene is refused with another shape of its first liquid.
+  void expect_refusal_of_shape(Json json, const std::string& shape, const std::string& text) {
+    SCOPED_TRACE(shape);
+    json["liquids"][0]["shape"] = Json::parse(shape);
+    expect_refusal(json, text);
   }
 };
 

@@ -367,16 +367,10 @@ TEST_F(Fluids, fields_are_there_once_in_json_without_comments) {
 
 TEST_F(Fluids, what_has_no_effect_is_refused) {
   const auto expect = [&](const std::string& patch, const std::string& message) {
-    SCOPED_TRACE(patch);
-    Json json = scene();
-    json.merge_patch(Json::parse(patch));
-    expect_refusal(json, message);
+    expect_refusal_of_patch(scene(), patch, message);
   };
   const auto expect_shape = [&](const std::string& shape, const std::string& message) {
-    SCOPED_TRACE(shape);
-    Json json = scene();
-    json["liquids"][0]["shape"] = Json::parse(shape);
-    expect_refusal(json, message);
+    expect_refusal_of_shape(scene(), shape, message);
   };
   expect_shape(R"({"type": "ball", "center": [0, 0, 0], "radius": 1, "mode": 2})", "'amplitude'");
   expect_shape(R"({"type": "ball", "center": [0, 0, 0], "radius": 1, "amplitude": 0.1})", "'mode'");

@@ -58,14 +58,6 @@ Json wheel() {
 class Fluid_solids : public program::Fluid_program_test
 {
 protected:
-  // Runs a scene and returns the steps of its report.
-  Json steps_of(const Json& json, const std::string& options = "") {
-    const Outcome outcome = run("fluid " + write_scene(json) + " --report " +
-                                path("report.json").string() + " " + options);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    return outcome.exit_code == 0 ? report("report.json").at("steps") : Json::array();
-  }
-
   // Expects that a field of a solid of floating() is refused, or that a combination is.
   void expect_refusal_of_solid(std::size_t solid, const std::string& patch,
                                const std::string& text) {

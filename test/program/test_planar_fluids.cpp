@@ -36,14 +36,6 @@ Json scene() {
 
 class Planar_fluids : public program::Fluid_program_test
 {
-protected:
-  // Runs a scene and returns the steps of its report.
-  Json steps_of(const Json& json, const std::string& options = "") {
-    const Outcome outcome = run("fluid " + write_scene(json) + " --report " +
-                                path("report.json").string() + " " + options);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    return outcome.exit_code == 0 ? report("report.json").at("steps") : Json::array();
-  }
 };
 
 } // namespace
@@ -177,16 +169,10 @@ TEST_F(Planar_fluids, liquid_lies_between_solids) {
 
 TEST_F(Planar_fluids, wrong_scenes_are_refused) {
   const auto expect = [&](const std::string& patch, const std::string& message) {
-    SCOPED_TRACE(patch);
-    Json json = scene();
-    json.merge_patch(Json::parse(patch));
-    expect_refusal(json, message);
+    expect_refusal_of_patch(scene(), patch, message);
   };
   const auto expect_shape = [&](const std::string& shape, const std::string& message) {
-    SCOPED_TRACE(shape);
-    Json json = scene();
-    json["liquids"][0]["shape"] = Json::parse(shape);
-    expect_refusal(json, message);
+    expect_refusal_of_shape(scene(), shape, message);
   };
   expect(R"({"domain": [0, 0, 1]})", "'domain'");
   expect(R"({"domain": [0, 0, 1, 0]})", "two minimum coordinates");

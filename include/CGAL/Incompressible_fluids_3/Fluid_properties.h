@@ -34,6 +34,9 @@ struct Liquid
   /// more and has the unit 1 / time. If the function is empty, `viscosity` applies. The friction
   /// between two liquids depends on `viscosity` only.
   std::function<double(double)> viscosity_at_shear_rate = {};
+
+  /// Returns whether the liquid can have a viscosity other than 0.
+  bool is_viscous() const { return viscosity > 0 || viscosity_at_shear_rate; }
 };
 
 /// \ingroup PkgIncompressibleFluids3Ref

@@ -512,13 +512,12 @@ private:
         velocities.push_back(fluid.m_motion.velocity(mesh.vertices[v], mesh.labels[v]));
         accelerations.push_back(fluid.m_motion.acceleration(mesh.vertices[v], mesh.labels[v]));
       }
-      const Vectors stored = velocities;
       mesh.keep_on_sides(velocities);
       mesh.keep_on_sides(accelerations);
       const auto inflow = internal::inflow_velocities(mesh, fluid.m_sides, positions, fluid.m_time);
       for (std::size_t v = 0; v < inflow.size(); ++v)
         if (inflow[v])
-          velocities[v] = stored[v];
+          velocities[v] = fluid.m_motion.velocity(mesh.vertices[v], mesh.labels[v]);
     }
 
     Balance balance(const Incompressible_fluid& fluid, const Vectors& at, const Vectors& with,

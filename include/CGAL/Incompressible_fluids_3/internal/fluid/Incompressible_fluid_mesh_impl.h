@@ -16,8 +16,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
 // Adapts the mesh before a step. The interface and the edges inside liquids are remeshed, except if
-// the treatment is `improved`. Cells are improved before the first step and
-// before repeated attempts, and triangles of viscous liquids always.
+// the treatment is `improved`. Cells are improved before the first step and before repeated
+// attempts, and triangles of viscous liquids always.
 template <class Complex, class Solver>
 void Incompressible_fluid<Complex, Solver>::adapt(const Options& chosen,
                                                   internal::Mesh_treatment treatment,
@@ -29,7 +29,7 @@ void Incompressible_fluid<Complex, Solver>::adapt(const Options& chosen,
   const auto& liquids = m_properties.liquids();
   const bool undoes_shear =
       Complex::dimension == 2 && std::any_of(liquids.begin(), liquids.end(), [](const auto& entry) {
-        return entry.second.viscosity > 0 || entry.second.viscosity_at_shear_rate;
+        return entry.second.is_viscous();
       });
   if (m_complex.interface_vertices().empty())
     return;

@@ -86,7 +86,7 @@ public:
     bool is_viscous = false;
     for (const auto& cell : mesh.cells) {
       m_elements.push_back(element(cell, positions));
-      is_viscous = is_viscous || cell.liquid->viscosity > 0 || cell.liquid->viscosity_at_shear_rate;
+      is_viscous = is_viscous || cell.liquid->is_viscous();
       for (auto v : cell.vertices)
         m_masses[v] += cell.liquid->density * m_elements.back().lumped_mass();
     }
@@ -261,7 +261,8 @@ private:
 
   using Element = Linear_element<Complex>;
 
-  // Returns the viscosity of a cell. Its shear rate is that of the positions at the beginning.
+  // Returns the viscosity of a cell. The gradient of the velocity is computed with the vertices at
+  // their positions at the beginning.
   double viscosity(std::size_t k, const Vectors_3& velocities) const {
     const auto& cell = m_mesh.cells[k];
     if (!cell.liquid->viscosity_at_shear_rate)
@@ -272,10 +273,10 @@ private:
         gradient +=
             velocities[cell.vertices[i]] * eigen_vector(m_elements[k].gradient(int(i))).transpose();
     const Eigen::Matrix3d d = (gradient + gradient.transpose()) / 2;
-    const double result = cell.liquid->viscosity_at_shear_rate(std::sqrt(2 * d.squaredNorm()));
+    const double shear_rate = std::sqrt(2 * d.squaredNorm()),
+                 result = cell.liquid->viscosity_at_shear_rate(shear_rate);
     if (!(result >= 0) || !std::isfinite(result))
-      throw Error("the viscosity at a shear rate of " +
-                  std::to_string(std::sqrt(2 * d.squaredNorm())) +
+      throw Error("the viscosity at a shear rate of " + std::to_string(shear_rate) +
                   " is negative or not finite: bound the function for small and large shear rates");
     return result;
   }

@@ -318,7 +318,8 @@ private:
   // solution.
   // \throws Convergence_error if the residual is above its bound
   void check_residual() {
-    const System system = constrained_system();
+    System system = constrained_system();
+    system.closed = m_closed;
     const Solution& last = m_last_solution;
     m_residual = relative_residual(system, last.f, last.s, last.v, last.p);
     if (!(m_residual <= largest_residual))
@@ -464,7 +465,7 @@ private:
     m_bodies = {moving_bodies(), m_step.theta * m_step.dt,
                 Eigen::Vector3d(m_properties.gravity().data()), m_positions.size(), m_constraints};
     System system = constrained_system();
-    m_closed = system.closed;
+    system.closed = m_closed = closed_sets(system);
     if (m_is_factorized)
       m_solver.update(std::move(system));
     else
@@ -472,13 +473,12 @@ private:
     m_is_factorized = m_is_assembled = true;
   }
 
-  // Returns the system with the constraints and the bodies.
+  // Returns the system with the constraints and the bodies, but without closed sets.
   System constrained_system() const {
     System result = m_equations.system();
     result.b = m_b;
     result.constrained = m_constraints.constrained();
     m_bodies.extend(result, m_slip_flux.of_bodies);
-    result.closed = closed_sets(result);
     return result;
   }
 

@@ -25,9 +25,9 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 /*
-The equations of motion of rigid bodies, which are solved together with those of the liquids. Each
-body adds two unknowns to a system: the velocity of its center, and its angular velocity times a
-length. A vertex that a body constrains has the velocity
+The equations of motion of rigid bodies. They are solved together with the equations of the liquids.
+Each body adds two unknowns to a system: the velocity of its center, and its angular velocity times
+a length. A vertex that a body constrains has the velocity
 
    prescribed + sum of (matrix of the attachment) (velocity of the body at the vertex) + P u,
 
@@ -52,8 +52,8 @@ public:
 
   Body_equations() = default;
 
-  // Prepares the equations of a step. Forces act at the time `time`, which is theta dt. The
-  // constraints are those of the velocities of `number_of_velocities` vertices, after `close()`.
+  // Prepares the equations of a step. Forces act at the time `time`, which is theta dt.
+  // `constraints` are the constraints on `number_of_velocities` velocities, after `close()`.
   Body_equations(std::vector<Body> bodies, double time, const Eigen::Vector3d& gravity,
                  std::size_t number_of_velocities, const Vertex_constraints& constraints)
       : m_bodies(std::move(bodies)), m_time(time), m_gravity(gravity),
@@ -98,7 +98,7 @@ public:
     return result;
   }
 
-  // Returns unknowns of an extended system, given those of a system and velocities of bodies.
+  // Returns the unknowns of an extended system for given velocities of vertices and of bodies.
   Vector unknowns(const Vector& velocities, const std::vector<Body_velocity>& of_bodies) const {
     Vector result(m_first + Eigen::Index(m_columns.size()));
     for (std::size_t k = 0; k < m_bodies.size(); ++k)
@@ -242,7 +242,7 @@ inline void Body_equations::extend(System& system, const std::vector<Flux>& flux
     for (int part : {0, 1}) {
       const Eigen::Matrix3d projection =
           part == 0 ? m_bodies[k].inertia.translations() : m_bodies[k].inertia.rotations();
-      // The mean inertia of the directions, with that of the attached vertices.
+      // The mean inertia of the three directions, including the inertia of the attached vertices.
       double mean = block.block<3, 3>(3 * part, 3 * part).trace() / 3;
       for (int axis = 0; axis < 3; ++axis) {
         const std::size_t c = 6 * k + std::size_t(3 * part + axis);

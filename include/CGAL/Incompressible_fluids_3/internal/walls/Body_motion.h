@@ -100,7 +100,7 @@ public:
   // Returns the angular velocity of a rotated body with an angular momentum about its free axes.
   Eigen::Vector3d angular_velocity(const Eigen::Quaterniond& rotation,
                                    const Eigen::Vector3d& momentum) const {
-    // The unit is that of an inertia, so that the axes that are not free do not matter.
+    // A multiple of the inertia on the axes that are not free, so that the matrix is well scaled.
     const Eigen::Matrix3d rest =
         m_inertia.trace() * (Eigen::Matrix3d::Identity() - m_rotates).eval();
     return (m_rotates * inertia(rotation) * m_rotates + rest).ldlt().solve(m_rotates * momentum);
