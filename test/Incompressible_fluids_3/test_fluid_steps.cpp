@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
@@ -266,10 +267,11 @@ TEST(Minimal_residuals, tell_that_they_stagnate) {
   const Eigen::VectorXd diagonal = Eigen::Vector4d(1, 2, 3, 0), right = Eigen::Vector4d(1, 1, 1, 1);
   const DSC::For_each_index for_each(1);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(4);
-  const auto multiply = [&](const Eigen::VectorXd& in, Eigen::VectorXd& out) {
-    out = diagonal.cwiseProduct(in);
+  const auto multiply = [&](const auto& in, auto& out) {
+    using Scalar = typename std::decay_t<decltype(out)>::Scalar;
+    out = diagonal.cast<Scalar>().cwiseProduct(in);
   };
-  const auto precondition = [](const Eigen::VectorXd& in, Eigen::VectorXd& out) { out = in; };
+  const auto precondition = [](const Eigen::VectorXf& in, Eigen::VectorXf& out) { out = in; };
   try {
     dsc::internal::minimal_residuals(for_each, multiply, precondition, right, 1e-12, x);
     ADD_FAILURE();

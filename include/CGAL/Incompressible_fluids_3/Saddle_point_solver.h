@@ -14,15 +14,19 @@
 #include <CGAL/Incompressible_fluids_3/Saddle_point_system.h>
 #include <CGAL/Incompressible_fluids_3/fluid_errors.h>
 #include <CGAL/Incompressible_fluids_3/internal/solvers/Incomplete_factorization.h>
+#include <CGAL/Incompressible_fluids_3/internal/solvers/Multilevel_preconditioner.h>
+#include <CGAL/Incompressible_fluids_3/internal/solvers/Saddle_point_operator.h>
 #include <CGAL/Incompressible_fluids_3/internal/solvers/minimal_residuals.h>
 #include <CGAL/Incompressible_fluids_3/internal/solvers/pressure_matrix.h>
 #include <CGAL/Incompressible_fluids_3/internal/solvers/relative_residual.h>
+#include <CGAL/Incompressible_fluids_3/internal/solvers/unit_of.h>
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -178,10 +182,11 @@ M. A. Saunders, "Solution of sparse indefinite systems of linear equations", SIA
 element solvers for the generalized Stokes problem", Int. J. Numer. Methods Fluids 8, 1988):
 
 - For velocities, it is an incomplete Cholesky factorization of the matrix `nodal`.
-- For pressures, it is an incomplete Cholesky factorization of the Schur complement of the masses,
-  plus a term of the viscosity.
+- For pressures, it is an approximate inverse of the Schur complement of the masses, plus a term of
+  the viscosity. The inverse has several levels, so that the number of iterations is almost
+  independent of the number of unknowns.
 
-Memory is linear in the number of unknowns, and time is almost linear. The result is deterministic
+Memory and time are almost linear in the number of unknowns. The result is deterministic
 and does not depend on the number of threads.
 
 \cgalModels `SaddlePointSolver`
@@ -192,20 +197,20 @@ public:
   using System = Saddle_point_system; ///< the system to be solved
   using Vector = System::Vector;      ///< a vector of unknowns
 
-  /// Computes the incomplete factorizations of a system. Takes about linear time.
+  /// Computes the factorizations and the levels of a system. Takes about linear time.
   /// \throws Convergence_error if a factorization does not exist, because its matrix is not
   /// positive definite
   void factorize(System&& system, unsigned number_of_threads = 1) {
     m_for_each.emplace(number_of_threads);
+    m_units = units_of(system);
     update(std::move(system));
     std::array<bool, 2> exists;
     (*m_for_each)(
         2,
         [&](std::size_t k) {
-          exists[k] =
-              k == 0
-                  ? m_of_pressures.compute(internal::pressure_matrix(*m_for_each, m_system, m_bt))
-                  : m_of_velocities.compute(free_part(m_system));
+          exists[k] = k == 0 ? compute_pressure_preconditioner()
+                             : m_of_velocities.compute(free_part(m_system) * m_units.velocity *
+                                                       m_units.velocity);
         },
         2);
     if (!exists[0] || !exists[1])
@@ -215,7 +220,8 @@ public:
   /// Replaces the system by a similar one, and keeps the factorizations. Takes linear time.
   void update(System&& system) {
     m_system = std::move(system);
-    m_bt = m_system.b.transpose();
+    m_matrix = internal::Saddle_point_operator<double>(*m_for_each, m_system);
+    m_single = internal::Saddle_point_operator<float>(*m_for_each, m_matrix, m_units);
   }
 
   /// Solves for the velocities v and the pressures p. Returns the number of iterations.
@@ -228,57 +234,82 @@ public:
     const Eigen::Index n = f.size(), m = s.size();
     Vector x(n + m), right(n + m);
     m_system.project(v);
-    x << v, p;
-    right << f, -s;
+    x << v / m_units.velocity, p / m_units.pressure;
+    right << f * m_units.velocity, -s * m_units.pressure;
     m_system.project(right);
     const unsigned result = internal::minimal_residuals(
-        *m_for_each, [this](const Vector& in, Vector& out) { multiply(in, out); },
-        [this](const Vector& in, Vector& out) { precondition(in, out); }, right, tolerance, x);
-    v = x.head(n);
-    p = x.tail(m);
+        *m_for_each, [this](const auto& in, auto& out) { multiply(in, out); },
+        [this](const auto& in, auto& out) { precondition(in, out); }, right, tolerance, x);
+    v = x.head(n) * m_units.velocity;
+    p = x.tail(m) * m_units.pressure;
     return result;
   }
 
 private:
-  // Computes the product of the matrix and a vector.
-  void multiply(const Vector& x, Vector& y) const {
-    const Eigen::Index n = m_system.nodal.rows(), m = m_system.c.rows();
-    const bool has_coupling = m_system.coupling.rows() > 0;
-    internal::for_each_block(*m_for_each, n + m, [&](Eigen::Index begin, Eigen::Index size) {
-      for (Eigen::Index i = begin; i < begin + size; ++i)
-        if (i < n) {
-          Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-          for (Row k(m_system.nodal, i); k; ++k)
-            sum += k.value() * x.segment<3>(3 * k.col());
-          for (int axis = 0; axis < 3; ++axis) {
-            const Eigen::Index row = 3 * i + axis;
-            y(row) = sum(axis) - product(m_bt, row, x, 3 * n) +
-                     (has_coupling ? product(m_system.coupling, row, x, 0) : 0);
-          }
-        } else
-          y(2 * n + i) = -product(m_system.b, i - n, x, 0) - product(m_system.c, i - n, x, 3 * n);
-    });
+  using Single_vector = Eigen::VectorXf;
+
+  // Returns the units in which the entries of the matrix are near 1.
+  static internal::System_units units_of(const System& system) {
+    const Vector velocities = system.nodal.diagonal();
+    Vector pressures = system.c.diagonal();
+    for (Eigen::Index p = 0; p < system.b.rows(); ++p)
+      for (System::Matrix::InnerIterator k(system.b, p); k; ++k)
+        pressures(p) += k.value() * k.value() / system.inertia(k.col() / 3);
+    const auto unit = [](const Vector& diagonal) {
+      return 1 / internal::unit_of(std::sqrt(diagonal.size() > 0 ? diagonal.maxCoeff() : 0));
+    };
+    return {unit(velocities), unit(pressures)};
+  }
+
+  bool compute_pressure_preconditioner() {
+    const double square = m_units.pressure * m_units.pressure;
+    m_viscosity = (m_system.viscosity / square).cast<float>();
+    m_result.resize(m_viscosity.size());
+    return m_of_pressures.compute(
+        internal::pressure_matrix(*m_for_each, m_system, m_matrix, square),
+        m_system.c.triangularView<Eigen::Lower>());
+  }
+
+  // Computes the products of the matrix and a vector, in the units.
+  void multiply(const Vector& x, Vector& y) {
+    const Eigen::Index n = 3 * m_system.nodal.rows(), m = m_system.c.rows();
+    m_scaled.resize(n + m);
+    m_scaled << x.head(n) * m_units.velocity, x.tail(m) * m_units.pressure;
+    m_matrix.multiply(*m_for_each, m_scaled, y);
+    y.head(n) *= m_units.velocity;
+    y.tail(m) *= m_units.pressure;
+    complete_product(x, y);
+  }
+  void multiply(const Single_vector& x, Single_vector& y) {
+    m_single.multiply(*m_for_each, x, y);
+    complete_product(x, y);
+  }
+
+  // Adds the term of closed sets to a product, and projects it.
+  template <class Values> void complete_product(const Values& x, Values& y) const {
+    const double square = m_units.pressure * m_units.pressure;
+    const Eigen::Index n = 3 * m_system.nodal.rows();
     for (const auto& set : m_system.closed)
-      set.add(-set.weight * set.mean(x, 3 * n), y, 3 * n);
+      set.add(-square * set.weight * set.mean(x, n), y, n);
     m_system.project(y);
   }
 
   // Applies the preconditioner to a vector.
-  void precondition(const Vector& x, Vector& y) {
+  void precondition(const Single_vector& x, Single_vector& y) {
     const Eigen::Index n = 3 * m_system.nodal.rows(), m = m_system.c.rows();
+    const double square = m_units.pressure * m_units.pressure;
     (*m_for_each)(
         2,
         [&](std::size_t k) {
           if (k == 0) {
-            Vector pressures = x.tail(m);
-            remove_means(pressures);
-            Vector result(m);
-            m_of_pressures.solve(pressures, result);
-            result += m_system.viscosity.cwiseProduct(pressures);
-            remove_means(result);
-            y.tail(m) = result;
+            m_pressures = x.tail(m);
+            remove_means(m_pressures);
+            m_of_pressures.solve(m_pressures, m_result);
+            m_result += m_viscosity.cwiseProduct(m_pressures);
+            remove_means(m_result);
+            y.tail(m) = m_result;
             for (const auto& set : m_system.closed)
-              set.add(set.mean(x, n) / set.weight, y, n);
+              set.add(set.mean(x, n) / (square * set.weight), y, n);
           } else
             m_of_velocities.solve(x.head(n), y.head(n));
         },
@@ -287,18 +318,9 @@ private:
   }
 
   // Removes the means of closed sets. The preconditioner scales these means separately.
-  void remove_means(Vector& pressures) const {
+  void remove_means(Single_vector& pressures) const {
     for (const auto& set : m_system.closed)
       set.add(-set.mean(pressures), pressures);
-  }
-
-  // Returns the product of a row and of the entries of x that begin at `from`.
-  static double product(const System::Matrix& matrix, Eigen::Index row, const Vector& x,
-                        Eigen::Index from) {
-    double result = 0;
-    for (Row k(matrix, row); k; ++k)
-      result += k.value() * x(from + k.col());
-    return result;
   }
 
   // Returns the lower triangle of the matrix `nodal`. Entries that couple a vertex without any free
@@ -314,12 +336,14 @@ private:
     return result;
   }
 
-  using Row = System::Matrix::InnerIterator;
-
   System m_system;
-  System::Matrix m_bt; // the transpose of b
+  internal::System_units m_units;
+  internal::Saddle_point_operator<double> m_matrix;
+  internal::Saddle_point_operator<float> m_single; // in the units
   internal::Incomplete_factorization<3> m_of_velocities;
-  internal::Incomplete_factorization<1> m_of_pressures;
+  internal::Multilevel_preconditioner m_of_pressures;
+  Single_vector m_viscosity, m_pressures, m_result;
+  Vector m_scaled;
   std::optional<For_each_index> m_for_each;
 };
 

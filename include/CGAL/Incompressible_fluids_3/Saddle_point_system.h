@@ -54,23 +54,27 @@ struct Saddle_point_system
     double weight = 0;                   ///< the weight of the mean, greater than 0
 
     /// Returns the mean of the pressures of the set. The pressures begin at `begin` in the vector.
-    double mean(const Vector& vector, Eigen::Index begin = 0) const {
+    template <class Scalar>
+    double mean(const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>& vector,
+                Eigen::Index begin = 0) const {
       double sum = 0;
       for (Eigen::Index p : pressures)
         sum += vector(begin + p);
       return sum / double(pressures.size());
     }
     /// Adds a value to each pressure of the set. The pressures begin at `begin` in the vector.
-    void add(double value, Vector& vector, Eigen::Index begin = 0) const {
+    template <class Scalar>
+    void add(double value, Eigen::Matrix<Scalar, Eigen::Dynamic, 1>& vector,
+             Eigen::Index begin = 0) const {
       for (Eigen::Index p : pressures)
-        vector(begin + p) += value;
+        vector(begin + p) += Scalar(value);
     }
   };
 
   /// n x n, the part of `a` that is the same for each coordinate: mass over time, surface tension,
   /// and half of the viscosity; positive definite.
   Matrix nodal;
-  /// 3 n x 3 n, the rest of `a`; it has no rows if no liquid is viscous.
+  /// 3 n x 3 n, the rest of `a`; it has no rows if there is no rest.
   Matrix coupling;
   /// m x 3 n, the gradients of volumes; each row has all three entries of a vertex or none.
   Matrix b;
@@ -89,9 +93,10 @@ struct Saddle_point_system
   Eigen::Index velocities_of_bodies = 0;
 
   /// Replaces v by P v. Takes linear time in the number of constrained velocities.
-  void project(Vector& v) const {
+  template <class Scalar> void project(Eigen::Matrix<Scalar, Eigen::Dynamic, 1>& v) const {
     for (const Constrained_velocity& h : constrained)
-      v.segment<3>(3 * h.vertex) = (h.projection * v.segment<3>(3 * h.vertex)).eval();
+      v.template segment<3>(3 * h.vertex) =
+          (h.projection.cast<Scalar>() * v.template segment<3>(3 * h.vertex)).eval();
   }
 
   /// Returns a v. Takes linear time.

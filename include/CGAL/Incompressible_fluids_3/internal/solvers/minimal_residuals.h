@@ -11,50 +11,18 @@
 #include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Incompressible_fluids_3/fluid_errors.h>
+#include <CGAL/Incompressible_fluids_3/internal/solvers/blocks_of_vectors.h>
 #include <CGAL/Incompressible_fluids_3/internal/solvers/unit_of.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <limits>
-#include <numeric>
-#include <vector>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
-
-constexpr Eigen::Index block_size = 8192; // entries; a block fits into the cache
-
-// Returns the number of blocks of n entries.
-inline std::size_t number_of_blocks(Eigen::Index n) {
-  return std::size_t((n + block_size - 1) / block_size);
-}
-
-// Calls `f(begin, size)` for each block of n entries. The blocks do not depend on the number of
-// threads.
-template <class Function>
-void for_each_block(const For_each_index& for_each, Eigen::Index n, const Function& f) {
-  for_each(
-      number_of_blocks(n),
-      [&](std::size_t k) {
-        const Eigen::Index begin = Eigen::Index(k) * block_size;
-        f(begin, (std::min)(block_size, n - begin));
-      },
-      2);
-}
-
-// Returns the sum of `f(begin, size)` over all blocks. The result is bitwise reproducible.
-template <class Function>
-double sum_of_blocks(const For_each_index& for_each, Eigen::Index n, const Function& f) {
-  std::vector<double> parts(number_of_blocks(n));
-  for_each_block(for_each, n, [&](Eigen::Index begin, Eigen::Index size) {
-    parts[std::size_t(begin / block_size)] = f(begin, size);
-  });
-  return std::accumulate(parts.begin(), parts.end(), 0.);
-}
 
 // The method of minimal residuals, see `minimal_residuals()`.
 template <class Multiply, class Precondition> class Minimal_residual_method
@@ -65,17 +33,14 @@ public:
   Minimal_residual_method(const For_each_index& for_each, const Multiply& multiply,
                           const Precondition& precondition, const Vector& right, double tolerance)
       : m_for_each(for_each), m_multiply(multiply), m_precondition(precondition), m_right(right),
-        m_least_bound((std::max)(tolerance, rounding)), m_size(right.size()), m_r(m_size),
-        m_r_before(m_size), m_z(m_size), m_q(m_size), m_next(m_size), m_w(m_size),
-        m_w_before(m_size) {
-    precondition(right, m_z);
-    const double square = dot(right, m_z);
-    if (!std::isfinite(square))
+        m_least_bound((std::max)(tolerance, rounding)), m_size(right.size()), m_residual(right),
+        m_r(m_size), m_r_before(m_size), m_z(m_size), m_q(m_size), m_next(m_size), m_w(m_size),
+        m_w_before(m_size), m_correction(m_size) {
+    m_norm_of_right = norm_of_residual();
+    if (!std::isfinite(m_norm_of_right))
       throw Convergence_error("the equations of the flow are not finite: the time step may be too "
                               "short or too long, or cells may be flat",
                               infinite, m_least_bound);
-    m_unit = unit_of(square);
-    m_norm_of_right = norm(square);
     m_bound = tolerance * m_norm_of_right;
   }
 
@@ -87,7 +52,11 @@ public:
       return 0;
     }
     for (double last = infinite;;) {
-      const double residual = restart(x);
+      m_multiply(x, m_residual);
+      m_residual = m_right - m_residual;
+      const double residual = norm_of_residual();
+      if (!std::isfinite(residual))
+        throw_no_solution();
       if (residual <= m_bound)
         return m_iterations;
       if (residual > less * last) {
@@ -99,11 +68,14 @@ public:
             residual / m_norm_of_right, m_least_bound);
       }
       last = residual;
-      iterate(residual, x);
+      iterate(residual / m_unit, m_bound / m_unit);
+      x += m_unit * m_correction.cast<double>();
     }
   }
 
 private:
+  using Single_vector = Eigen::VectorXf;
+
   static constexpr double infinite = std::numeric_limits<double>::infinity();
   static constexpr double rounding = 1e-9; // relative to the right side
   // The recurrence is used up to this residual, relative to the residual at the last restart.
@@ -112,42 +84,41 @@ private:
   static constexpr double less = .5;
   static constexpr unsigned most = 3000; // iterations
 
-  double dot(const Vector& a, const Vector& b) const {
+  double dot(const Single_vector& a, const Single_vector& b) const {
     return sum_of_blocks(m_for_each, m_size, [&](Eigen::Index begin, Eigen::Index size) {
-      return a.segment(begin, size).dot(b.segment(begin, size));
+      return a.segment(begin, size).cast<double>().dot(b.segment(begin, size).cast<double>());
     });
   }
 
-  double norm(double square) const { return std::sqrt((std::max)(0., square / m_unit)); }
+  static double norm(double square) { return std::sqrt((std::max)(0., square)); }
 
-  // Computes the true residual vector, and returns its norm.
-  double restart(const Vector& x) {
-    m_multiply(x, m_next);
-    m_r = m_right - m_next;
+  // Converts the residual to single precision, in a unit in which its entries are near 1. Returns
+  // its norm.
+  double norm_of_residual() {
+    m_unit = unit_of(m_residual.size() > 0 ? m_residual.lpNorm<Eigen::Infinity>() : 0);
+    m_r = (m_residual / m_unit).cast<float>();
     m_precondition(m_r, m_z);
     const double square = dot(m_r, m_z);
-    if (!std::isfinite(square))
-      throw_no_solution();
-    return norm(square);
+    return std::isnan(square) ? infinite : m_unit * norm(square);
   }
 
-  // Iterates until the residual of the recurrence is small enough. The names are those of Paige and
-  // Saunders. The vectors r are the Lanczos vectors, not normalized.
-  void iterate(double beta, Vector& x) {
-    const double enough = (std::max)(m_bound, trusted * beta);
+  // Solves for the correction until the residual of the recurrence is below the bound. The names
+  // are those of Paige and Saunders. The vectors r are the Lanczos vectors, not normalized.
+  void iterate(double beta, double bound) {
+    const double enough = (std::max)(bound, trusted * beta);
     double beta_before = 1, eta = beta;
     double cosine = -1, sine = 0, epsilon = 0, delta_bar = 0;
     m_r_before.setZero();
     m_w.setZero();
     m_w_before.setZero();
+    m_correction.setZero();
     while (!(std::abs(eta) <= enough)) { // the negation also ends the loop for NaN
       Progress_scope::check();
       if (++m_iterations > most)
         throw Convergence_error("the iterative solver of the equations of the flow does not "
                                 "converge: cells may be too flat, or the time step may be too long",
-                                std::abs(eta) / m_norm_of_right, m_least_bound);
-      const double back = beta / beta_before;
-      const double alpha = next_lanczos_vector(beta, back);
+                                m_unit * std::abs(eta) / m_norm_of_right, m_least_bound);
+      const double alpha = next_lanczos_vector(beta, beta / beta_before);
       beta_before = beta;
       const double square = dot(m_r, m_z);
       if (std::isnan(square))
@@ -160,7 +131,7 @@ private:
       const double gamma = std::hypot(gamma_bar, beta);
       cosine = gamma_bar / gamma;
       sine = beta / gamma;
-      update_solution(epsilon_before, delta, gamma, cosine * eta, x);
+      update_correction(float(epsilon_before), float(delta), float(gamma), float(cosine * eta));
       eta *= sine;
       if (!(beta > 0))
         break;
@@ -169,30 +140,30 @@ private:
 
   // Replaces the Lanczos vectors, and returns alpha.
   double next_lanczos_vector(double beta, double back) {
-    m_q = m_z / (m_unit * beta);
+    m_q = m_z / float(beta);
     m_multiply(m_q, m_next);
     const double alpha =
         sum_of_blocks(m_for_each, m_size, [&](Eigen::Index begin, Eigen::Index size) {
           auto part = m_next.segment(begin, size);
-          part -= back * m_r_before.segment(begin, size);
-          return m_q.segment(begin, size).dot(part);
+          part -= float(back) * m_r_before.segment(begin, size);
+          return m_q.segment(begin, size).cast<double>().dot(part.template cast<double>());
         });
     m_r_before.swap(m_r);
     for_each_block(m_for_each, m_size, [&](Eigen::Index begin, Eigen::Index size) {
       m_r.segment(begin, size) =
-          m_next.segment(begin, size) - alpha / beta * m_r_before.segment(begin, size);
+          m_next.segment(begin, size) - float(alpha / beta) * m_r_before.segment(begin, size);
     });
     m_precondition(m_r, m_z);
     return alpha;
   }
 
-  void update_solution(double epsilon, double delta, double gamma, double phi, Vector& x) {
+  void update_correction(float epsilon, float delta, float gamma, float phi) {
     m_w_before.swap(m_w);
     for_each_block(m_for_each, m_size, [&](Eigen::Index begin, Eigen::Index size) {
       auto part = m_w.segment(begin, size);
       part = (m_q.segment(begin, size) - epsilon * part - delta * m_w_before.segment(begin, size)) /
              gamma;
-      x.segment(begin, size) += phi * part;
+      m_correction.segment(begin, size) += phi * part;
     });
   }
 
@@ -208,7 +179,8 @@ private:
   const Vector& m_right;
   double m_least_bound;
   Eigen::Index m_size;
-  Vector m_r, m_r_before, m_z, m_q, m_next, m_w, m_w_before;
+  Vector m_residual; // the true one
+  Single_vector m_r, m_r_before, m_z, m_q, m_next, m_w, m_w_before, m_correction;
   double m_unit, m_norm_of_right, m_bound;
   unsigned m_iterations = 0;
 };
@@ -216,14 +188,16 @@ private:
 // Solves a symmetric system by the method of minimal residuals (C. C. Paige and M. A. Saunders,
 // "Solution of sparse indefinite systems of linear equations", SIAM J. Numer. Anal. 12, 1975).
 // Returns the number of iterations. The vector x is the initial guess and then the solution.
-// `multiply(in, out)` applies the matrix, and `precondition(in, out)` applies a positive definite
-// preconditioner. The norm of the preconditioner defines the residual, and `tolerance` is relative
-// to the right side.
+// `multiply(in, out)` applies the matrix, for vectors of either precision. `precondition(in, out)`
+// applies a positive definite preconditioner in single precision. The norm of the preconditioner
+// defines the residual, and `tolerance` is relative to the right side.
 //
-// The preconditioner may use single precision, so the residual of the recurrence is accurate to
-// some digits only. The method therefore restarts with the true residual, right - A x. It ends only
-// if the true residual is below the bound. Rounding can prevent convergence to the tolerance. If
-// the method stagnates, a residual below `rounding` times the right side is also accepted.
+// The iterations use single precision, because they are limited by the memory. The method therefore
+// restarts with the true residual, right - A x, in double precision. It ends only if the true
+// residual is below the bound. Rounding can prevent convergence to the tolerance. If the method
+// stagnates, a residual below `rounding` times the right side is also accepted.
+//
+// \pre the entries of the matrix and of the preconditioner are near 1, see `System_units`
 // \throws Convergence_error if the true residual stays above these bounds, or if there is no finite
 // solution
 template <class Multiply, class Precondition>

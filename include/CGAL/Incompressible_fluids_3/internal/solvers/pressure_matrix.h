@@ -10,6 +10,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Incompressible_fluids_3/Saddle_point_system.h>
+#include <CGAL/Incompressible_fluids_3/internal/solvers/Saddle_point_operator.h>
 
 #include <Eigen/SparseCore>
 
@@ -24,20 +25,19 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // Returns the lower triangle of b P D^-1 P b^T + c, an approximation of the Schur complement of
-// pressures. D is the inertia of velocities, and bt is b^T. The velocities of bodies are omitted:
-// each one would add a dense block of rank 1. The rows of b determine the result directly. A
-// general product of sparse matrices would not use that the three columns of a vertex have the same
-// pattern, nor that the result is symmetric.
+// pressures, multiplied by `factor`. D is the inertia of velocities. The velocities of bodies are
+// omitted: each one would add a dense block of rank 1. A general product of sparse matrices would
+// not use that the result is symmetric.
 inline Eigen::SparseMatrix<double> pressure_matrix(const For_each_index& for_each,
                                                    const Saddle_point_system& system,
-                                                   const Saddle_point_system::Matrix& bt) {
+                                                   const Saddle_point_operator<double>& matrix,
+                                                   double factor) {
   // Without a free surface, a constant pressure has no effect, and the matrix is singular. The
   // factor is above the rounding of single precision, which is used for the factorization.
   static constexpr double above_zero = 1 + 1e-6;
   static constexpr std::size_t parts = 16; // each part has a vector of the size of all pressures
-  using Row = Saddle_point_system::Matrix::InnerIterator;
   using Index = Eigen::SparseMatrix<double>::StorageIndex;
-  const Eigen::Index n = system.nodal.rows(), m = system.c.rows(),
+  const Eigen::Index n = matrix.nodal().rows(), m = matrix.c().rows(),
                      vertices = n - system.velocities_of_bodies;
   std::vector<const Eigen::Matrix3d*> projections(std::size_t(n), nullptr);
   for (const auto& h : system.constrained)
@@ -62,24 +62,22 @@ inline Eigen::SparseMatrix<double> pressure_matrix(const For_each_index& for_eac
         };
         const Eigen::Index end = m * Eigen::Index(part + 1) / Eigen::Index(parts);
         for (Eigen::Index p = m * Eigen::Index(part) / Eigen::Index(parts); p < end; ++p) {
-          for (Row k(system.b, p); k;) {
-            const Eigen::Index v = k.col() / 3;
-            Eigen::Vector3d gradient;
-            for (int axis = 0; axis < 3; ++axis, ++k)
-              gradient(axis) = k.value();
+          matrix.b().for_each_in_row(p, [&](Eigen::Index v, const auto& of_volume) {
             if (v >= vertices)
-              continue;
+              return;
+            Eigen::Vector3d gradient = of_volume;
             if (projections[std::size_t(v)])
               gradient = (*projections[std::size_t(v)] * gradient).eval();
-            gradient /= system.inertia(v);
-            for (Row x(bt, 3 * v), y(bt, 3 * v + 1), z(bt, 3 * v + 2); x; ++x, ++y, ++z)
-              if (x.col() >= p)
-                add(x.col(),
-                    gradient.x() * x.value() + gradient.y() * y.value() + gradient.z() * z.value());
-          }
-          for (Row k(system.c, p); k; ++k)
-            if (k.col() >= p)
-              add(k.col(), k.value());
+            gradient *= factor / system.inertia(v);
+            matrix.bt().for_each_in_row(v, [&](Eigen::Index q, const auto& other) {
+              if (q >= p)
+                add(q, gradient.dot(other));
+            });
+          });
+          matrix.c().for_each_in_row(p, [&](Eigen::Index q, const auto& value) {
+            if (q >= p)
+              add(q, factor * value(0));
+          });
           sums[std::size_t(p)] *= above_zero;
           std::sort(met.begin(), met.end());
           for (Index q : met) {

@@ -156,6 +156,7 @@ public:
                                   (direction.dot(expected[v] - m_positions[v]) - remaining) / dt,
                                   (walls_move ? 1. : 0.) * eigen_vector(w.velocity),
                                   is_known ? known->is_active : touches || w.distance < 0,
+                                  is_known && known->was_released,
                                   {}});
             if (walls_move && is_body(solid))
               attach(m_contacts.back(), middles[v], time_of_middle);
@@ -193,8 +194,8 @@ public:
 
   // Activates contacts at which a vertex would enter a wall, and releases contacts with a negative
   // normal force. Vertices of wetted facets are not released, because this would gain surface
-  // energy from nothing. Returns whether a contact has changed. After some rounds, no contact is
-  // released, so that the iteration ends.
+  // energy from nothing. Returns whether a contact has changed. A contact is released once at most
+  // in a step, and no contact is released after some rounds, so that the iteration ends.
   bool revise(const Eigen::VectorXd& velocities, const Eigen::VectorXd& reactions, unsigned round) {
     static constexpr unsigned rounds_of_release = 8;
     static constexpr double rounding = 1e-9;
@@ -207,13 +208,15 @@ public:
       if (c.body)
         excess -= c.direction.dot(m_bodies[c.body->body].velocity.at(c.body->arm));
       if (!c.is_active ? excess < -slowest
-                       : round < rounds_of_release && separates(c.solid) && !m_adheres[c.vertex] &&
-                             push(c, reactions) < -weakest) {
+                       : round < rounds_of_release && !c.was_released && separates(c.solid) &&
+                             !m_adheres[c.vertex] && push(c, reactions) < -weakest) {
         revised.push_back(&c);
       }
     }
-    for (Contact* c : revised)
+    for (Contact* c : revised) {
       c->is_active = !c->is_active;
+      c->was_released = c->was_released || !c->is_active;
+    }
     return !revised.empty();
   }
 
@@ -362,6 +365,7 @@ private:
     double least; // least velocity along the direction, relative to the body if there is one
     Eigen::Vector3d wall_velocity;
     bool is_active;
+    bool was_released;                                     // in this step
     std::optional<Vertex_constraints::Attached_body> body; // a moving body
 
     Place place() const { return {vertex, solid, wall}; }

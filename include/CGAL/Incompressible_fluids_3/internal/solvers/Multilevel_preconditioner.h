@@ -1,0 +1,168 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Incompressible_fluids_3, written for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_MULTILEVEL_PRECONDITIONER_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_MULTILEVEL_PRECONDITIONER_H
+
+#include <CGAL/Incompressible_fluids_3/internal/solvers/Incomplete_factorization.h>
+#include <CGAL/Incompressible_fluids_3/internal/solvers/aggregates.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <cstddef>
+#include <iterator>
+#include <list>
+#include <utility>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Returns the lower triangle of the near part of a symmetric matrix: the entries with the pattern
+// of `near`. Positive sums of the other entries of a row are added to the diagonal. Both matrices
+// are given by their lower triangles, with sorted entries.
+inline Eigen::SparseMatrix<double> near_part(const Eigen::SparseMatrix<double>& lower,
+                                             const Eigen::SparseMatrix<double>& near) {
+  using Entry = Eigen::SparseMatrix<double>::InnerIterator;
+  Eigen::SparseMatrix<double> result = near;
+  Eigen::VectorXd far = Eigen::VectorXd::Zero(lower.cols());
+  for (Eigen::Index j = 0; j < lower.cols(); ++j) {
+    Entry to(result, j);
+    for (Entry from(lower, j); from; ++from) {
+      for (; to && to.row() < from.row(); ++to)
+        to.valueRef() = 0;
+      if (to && to.row() == from.row()) {
+        to.valueRef() = from.value();
+        ++to;
+      } else {
+        far(from.row()) += from.value();
+        far(j) += from.value();
+      }
+    }
+    for (; to; ++to)
+      to.valueRef() = 0;
+  }
+  result.diagonal() += far.cwiseMax(0.);
+  return result;
+}
+
+// An approximation of the inverse of a symmetric positive definite matrix. It is the mean of two
+// parts:
+//
+// - For short waves, an incomplete factorization of the near part of the matrix.
+// - For long waves, the matrix between aggregates of unknowns, see `aggregates()`. It is solved by
+//   one V-cycle with incomplete factorizations as smoothers, and directly on the coarsest level.
+//
+// Vectors have single precision, so the entries of the matrix must be near 1.
+//
+// The number of iterations of a solver is nearly independent of the number of unknowns. The sum
+// of the two parts needs no product with the matrix, whose rows can be long.
+class Multilevel_preconditioner
+{
+public:
+  using Matrix = Eigen::SparseMatrix<double>; // the lower triangle of a symmetric matrix
+  using Vector = Eigen::VectorXf;
+
+  // Computes the levels of a matrix. The near part has the pattern of the matrix `near`. Returns
+  // whether all factorizations exist. Takes about linear time.
+  bool compute(const Matrix& matrix, const Matrix& near) {
+    const Matrix near_matrix = near_part(matrix, near);
+    m_aggregates = aggregates(near_matrix.selfadjointView<Eigen::Lower>());
+    m_coarse_in.resize(m_aggregates.number);
+    m_coarse_out.resize(m_aggregates.number);
+    return m_of_near_part.compute(near_matrix) &&
+           compute_levels(matrix_of_aggregates(matrix, m_aggregates));
+  }
+
+  // Applies the approximate inverse. Only one thread at a time can call it.
+  void solve(const Vector& in, Vector& out) {
+    m_of_near_part.solve(in, out);
+    restrict(m_aggregates, in, m_coarse_in);
+    cycle(m_levels.begin(), m_coarse_in, m_coarse_out);
+    add_prolongation(m_aggregates, m_coarse_out, out);
+    out *= .5;
+  }
+
+private:
+  struct Level
+  {
+    Eigen::SparseMatrix<float> matrix; // both triangles
+    Incomplete_factorization<1> smoother;
+    Aggregates aggregates;
+    Vector residual, correction, coarse_in, coarse_out;
+  };
+  using Levels = std::list<Level>;
+
+  bool compute_levels(Matrix lower) {
+    // Of neighbors, see `strong_entries()`. With smaller values, aggregates are too large.
+    static constexpr double strong = .25;
+    static constexpr Eigen::Index small = 200; // unknowns; a direct solution takes no time
+    m_levels.clear();
+    while (lower.cols() > small) {
+      Aggregates of_level = aggregates(strong_entries(lower, strong));
+      if (2 * of_level.number > lower.cols()) // aggregation makes no progress
+        break;
+      Level& level = m_levels.emplace_back();
+      level.aggregates = std::move(of_level);
+      if (!level.smoother.compute(lower))
+        return false;
+      level.matrix = Matrix(lower.selfadjointView<Eigen::Lower>()).cast<float>();
+      level.residual.resize(lower.cols());
+      level.correction.resize(lower.cols());
+      level.coarse_in.resize(level.aggregates.number);
+      level.coarse_out.resize(level.aggregates.number);
+      lower = matrix_of_aggregates(lower, level.aggregates);
+    }
+    // The matrix is singular up to rounding if a constant vector has no effect.
+    static constexpr double above_zero = 1 + 1e-8;
+    lower.diagonal() *= above_zero;
+    m_of_coarsest.compute(lower);
+    return m_of_coarsest.info() == Eigen::Success;
+  }
+
+  // Applies a V-cycle that begins at a level.
+  void cycle(Levels::iterator at, const Vector& in, Vector& out) {
+    if (at == m_levels.end()) {
+      out = m_of_coarsest.solve(in.cast<double>()).cast<float>();
+      return;
+    }
+    Level& level = *at;
+    level.smoother.solve(in, out);
+    level.residual = in - level.matrix * out;
+    restrict(level.aggregates, level.residual, level.coarse_in);
+    cycle(std::next(at), level.coarse_in, level.coarse_out);
+    add_prolongation(level.aggregates, level.coarse_out, out);
+    level.residual = in - level.matrix * out;
+    level.smoother.solve(level.residual, level.correction);
+    out += level.correction;
+  }
+
+  static void restrict(const Aggregates& aggregates, const Vector& fine, Vector& coarse) {
+    coarse.setZero();
+    for (Eigen::Index i = 0; i < fine.size(); ++i)
+      coarse(aggregates.of_unknown[std::size_t(i)]) += fine(i);
+  }
+
+  static void add_prolongation(const Aggregates& aggregates, const Vector& coarse, Vector& fine) {
+    for (Eigen::Index i = 0; i < fine.size(); ++i)
+      fine(i) += coarse(aggregates.of_unknown[std::size_t(i)]);
+  }
+
+  Incomplete_factorization<1> m_of_near_part;
+  Aggregates m_aggregates; // of the finest level
+  Vector m_coarse_in, m_coarse_out;
+  Levels m_levels; // without the finest and the coarsest level
+  Eigen::SimplicialLDLT<Matrix> m_of_coarsest;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_MULTILEVEL_PRECONDITIONER_H
