@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -45,6 +46,9 @@ struct Adaptation_options
   bool only_if_worn = true;
   /// Whether junctions of more than three phases are split, in the plane.
   bool splits_junctions = false;
+  /// Upper bound on target edge lengths, in mean edges of the initial interface, at least
+  /// `Adaptation_rule::shortest`. The default is `Adaptation_rule::longest`.
+  std::optional<double> longest = {};
 };
 
 /*!
@@ -85,9 +89,9 @@ template <int dimension> struct Adaptation_rule
   /// @{
   static constexpr double many_long_ones = .015, ///< bound on the part of the long edges
       many_short_ones = .003;                    ///< bound on the part of the short edges
-  /// Upper bound on target edge lengths for this test of long edges, in mean edges of the initial
-  /// interface. A flat part that was only stretched does not need more vertices.
-  static constexpr double longest_if_flat = 3 * longest;
+  /// Upper bound on target edge lengths for this test of long edges, as a multiple of the other
+  /// upper bound. A flat part that was only stretched does not need more vertices.
+  static constexpr double longest_if_flat = 3;
   /// @}
 };
 
@@ -140,12 +144,12 @@ public:
         m_edge(complex.mean_interface_edge()), m_options(options),
         m_lengths(interface_, m_positions, options.tolerance * m_edge, Rule::shortest * m_edge,
                   options.feature_angle),
-        m_sizes(sizes(Rule::longest)) {}
+        m_sizes(sizes(longest())) {}
 
   /// Returns whether the interface is worn: too many of its edges are much longer than their target
   /// edge length, or much shorter. n log n in the size of the interface.
   bool is_worn() const {
-    const std::vector<double> sizes_if_flat = sizes(Rule::longest_if_flat);
+    const std::vector<double> sizes_if_flat = sizes(Rule::longest_if_flat * longest());
     std::size_t edges = 0, short_ones = 0, long_ones = 0;
     internal::for_each_edge_of(m_interface.facets(), [&](std::size_t a, std::size_t b) {
       const double length =
@@ -171,7 +175,7 @@ public:
   ///         `Interrupted_error` leave a valid complex.
   Improvement_report apply(Complex& complex, Any_visitor<Complex>* visitor) const {
     const Curvature_sizing_field<Complex::dimension> field(m_interface, m_positions, m_sizes,
-                                                           Rule::longest * m_edge);
+                                                           longest() * m_edge);
     Interface_improvement_options<Complex> options;
     options.sizing_field = std::cref(field);
     options.interface_split_length = Rule::split;
@@ -188,6 +192,9 @@ public:
 
 private:
   using Rule = Adaptation_rule<Complex::dimension>;
+
+  // Returns the upper bound on target edge lengths, in mean edges.
+  double longest() const { return m_options.longest.value_or(Rule::longest); }
 
   // Returns the target edge lengths of the vertices. `longest` is in mean edges.
   std::vector<double> sizes(double longest) const {

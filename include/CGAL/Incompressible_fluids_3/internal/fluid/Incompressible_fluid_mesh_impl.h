@@ -66,8 +66,10 @@ Incompressible_fluid<Complex, Solver>::adapt_lengths(double tolerance,
   // longer than the bound for collapses.
   static constexpr double longest_of_new = 1.7, longest = 2.5, shortest = .3;
   using Defaults = defaults::Adaptive_advection<Complex::dimension>;
-  const Improvement_report result = keep_interface_fit(
-      m_complex, {tolerance, Defaults::feature_angle}, [](const auto&) { return true; }, visitor);
+  Adaptation_options adaptation{tolerance, Defaults::feature_angle};
+  adaptation.longest = 1; // the flow at a straight wall needs vertices, too
+  const Improvement_report result =
+      keep_interface_fit(m_complex, adaptation, [](const auto&) { return true; }, visitor);
   const bool is_new = m_steps == 0;
   Detail_options<Complex> detail;
   detail.sizing_field = [edge = m_complex.mean_interface_edge()](const auto&) { return edge; };
