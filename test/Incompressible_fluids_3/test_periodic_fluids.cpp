@@ -9,8 +9,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -119,7 +117,6 @@ TEST(Periodic_fluid, vortices_decay_at_their_rate) {
       (k == 0 ? begin : end) = energy(report.after);
     }
     const double rate = std::log(begin / end) / (steps * dt);
-    RecordProperty("rate", std::to_string(rate));
     EXPECT_NEAR(rate, 4 * viscosity * two_pi * two_pi, .03 * 4 * viscosity * two_pi * two_pi);
     EXPECT_TRUE(complex.is_valid(true));
   }
@@ -236,7 +233,6 @@ TEST(Periodic_fluid, capillary_waves_run_across_the_seam) {
     EXPECT_NEAR(report.after.momentum.x(), 0, 1e-10);
     EXPECT_NEAR(report.after.momentum.y(), 0, 1e-10);
   }
-  RecordProperty("wave", std::to_string(wave() / begin));
   EXPECT_NEAR(wave(), -begin, .05 * begin);
 }
 
@@ -369,7 +365,6 @@ TEST(Periodic_fluid, vortices_decay_in_space) {
     (k == 0 ? begin : end) = report.after.kinetic_energy - .125;
   }
   const double rate = std::log(begin / end) / (steps * dt);
-  RecordProperty("rate", std::to_string(rate));
   EXPECT_NEAR(rate, 4 * viscosity * two_pi * two_pi, .1 * 4 * viscosity * two_pi * two_pi);
   EXPECT_TRUE(complex.is_valid(true));
 }
