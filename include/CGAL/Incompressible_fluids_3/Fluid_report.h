@@ -32,13 +32,13 @@ struct Fluid_balance
   double volume = 0;           ///< volume of all liquids
   double mass = 0;             ///< mass: density times volume
   double kinetic_energy = 0;   ///< kinetic energy
-  double potential_energy = 0; ///< potential energy of gravity, 0 at the origin
+  double potential_energy = 0; ///< potential energy of gravity, 0 at the origin; 0 on a torus
   /// Surface energy: surface tension times area; the term of a wetted wall can be negative.
   double surface_energy = 0;
   double gas_energy = 0; ///< the work of gases that expand without bound; for exponents up to 1, it
                          ///< is defined up to a constant
   Vector momentum = Vector(0, 0, 0);         ///< momentum: mass times velocity
-  Vector angular_momentum = Vector(0, 0, 0); ///< angular momentum about the origin
+  Vector angular_momentum = Vector(0, 0, 0); ///< angular momentum about the origin; 0 on a torus
 
   /// Returns the sum of the four energies.
   double energy() const { return kinetic_energy + potential_energy + surface_energy + gas_energy; }
@@ -79,8 +79,8 @@ template <class Complex> struct Fluid_report
   double greatest_velocity = 0;
   /// The greatest change of a velocity by the equations of motion.
   double greatest_change_of_velocity = 0;
-  /// The greatest change of a velocity by the rigid motion that restores the momenta of a connected
-  /// component after changes of the mesh.
+  /// The greatest change of a velocity by the rigid motion, on a torus the translation, that
+  /// restores the momenta of a connected component after changes of the mesh.
   double greatest_correction = 0;
   /// The greatest relative error of a volume of a connected component, before the volumes were
   /// restored.
@@ -107,7 +107,8 @@ template <class Complex> struct Fluid_report
   /// The mean force of liquids on each solid in the step, in the order of `add_solid()` and
   /// `add_body()`.
   std::vector<Vector> forces_on_solids;
-  /// The mean torque of liquids about the origin on each solid, in the same order.
+  /// The mean torque of liquids about the origin on each solid, in the same order. On a torus, the
+  /// positions of vertices are images next to the body, or in the box.
   std::vector<Vector> torques_on_solids;
   double seconds_of_solver = 0,  ///< wall-clock time (s) of linear systems; not deterministic
       seconds_of_mesh = 0;       ///< wall-clock time (s) of all other work; not deterministic

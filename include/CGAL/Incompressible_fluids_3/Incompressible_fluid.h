@@ -98,13 +98,22 @@ and masses, forces and energies are those of a layer of thickness 1. The reports
 have three coordinates nevertheless. A solid is intersected with the plane in which the third
 coordinate is 0.
 
+The complex can have the domain `Torus_domain`. A flow on a torus is periodic along each axis, and
+differs as follows.
+
+- A liquid can fill the torus, without an interface.
+- Angular momentum and the potential of gravity do not exist. The reports contain 0 for both, and no
+  angular momentum is restored. Gravity acts, and its work enters the energy check.
+- Positions of vertices lie in the box from the origin to the periods. Solids, sources and functions
+  of users get points of this box or near it. A solid acts at its own place only, not at its images.
+  Bodies cross the seams. They are smaller than half a period.
+- `set_side()` has no effect, because there are no sides.
+
 \tparam Complex an instance of `Deformable_simplicial_complex_2` or `Deformable_simplicial_complex_3`
 \tparam Solver a model of `SaddlePointSolver`
 */
 template <class Complex, class Solver = Saddle_point_solver> class Incompressible_fluid
 {
-  static_assert(Complex::Domain::has_outside, "fluids on tori are not supported");
-
 public:
   static constexpr int dimension = Complex::dimension; ///< the dimension, 2 or 3
   /// A point: `Simple_cartesian<double>::Point_2` or `Simple_cartesian<double>::Point_3`.
@@ -129,13 +138,13 @@ public:
   /// preserved. The complex must outlive the fluid, and only the fluid may change it. Takes O(n log
   /// n) time.
   /// \throws Error if no label is a liquid, if no cell has the label of a liquid, or if the liquids
-  /// have no interface
+  /// have no interface and the domain is not a torus
   Incompressible_fluid(Complex& complex, const Properties& properties)
       : m_complex(complex), m_properties(properties) {
     if (properties.liquids().empty())
       throw Error("there is no liquid: set the density of at least one label");
     const Flow flow(*this, m_properties);
-    if (flow.mesh.facets.empty())
+    if (!flow.mesh.can_move())
       throw Error(
           flow.mesh.cells.empty()
               ? "no cell has the label of a liquid: set the density of a label of the complex"
@@ -346,8 +355,9 @@ public:
   Returns the longest time step in which no vertex of a liquid moves by more than a fraction of an
   edge. It uses the present velocities and the accelerations of the last step. At a vertex of the
   interface, the length of an edge is the length when the surface was built or last remeshed. At
-  other vertices, it is `mean_interface_edge()`. Returns infinity for a fluid at rest. Takes linear
-  time.
+  other vertices, it is `mean_interface_edge()`. If the complex was built without an interface on a
+  torus, it is the edge length of a regular simplex with the mean measure of the cells. Returns
+  infinity for a fluid at rest. Takes linear time.
   \param fraction the fraction of an edge, also called CFL number. Use at most 0.25 if liquids
          collide.
   */
@@ -369,7 +379,8 @@ public:
 
   Both bounds are relative to an amount of energy. This amount is the sum of the kinetic energy, the
   absolute surface energy, the potential energy above the lowest vertex, and the products of
-  pressure and volume of compressible gases.
+  pressure and volume of compressible gases. On a torus, the potential energy is replaced by the
+  weight of the liquids, multiplied by half of the period along gravity.
 
   The next attempt depends on the cause of the failure:
 
@@ -451,7 +462,7 @@ public:
          rounding.
   \param np the named parameters of `advance()`
   \return the greatest velocity of a vertex in the last step
-  \throws Error as `advance()` does
+  \throws Error as `advance()` does, or if there is gravity on a torus
   \throws Convergence_error if the equations have no accurate solution. The complex is then valid,
           and the fluid is at rest.
   */
@@ -537,8 +548,16 @@ private:
       double springs = 0;
       for (const auto& gas : fluid.m_gases.components_of(mesh))
         springs += gas.gas.exponent > 0 ? gas.pressure() * gas.volume : 0;
-      return {balance(fluid, positions, velocities, fluid.m_time),
-              Eigen::Vector3d(fluid.m_properties.gravity().data()), positions, springs};
+      const Balance begin = balance(fluid, positions, velocities, fluid.m_time);
+      Eigen::Vector3d gravity(fluid.m_properties.gravity().data());
+      if constexpr (Mesh::is_periodic) {
+        // Gravity has no potential. The scale of energies is the same as for a full box.
+        const auto periods = fluid.m_complex.domain().template periods<dimension>();
+        for (std::size_t axis = 0; axis < periods.size(); ++axis)
+          springs += begin.mass * std::abs(gravity[Eigen::Index(axis)]) * periods[axis] / 2;
+        gravity.setZero();
+      }
+      return {begin, gravity, positions, springs};
     }
 
     typename Liquid_bookkeeping::Volumes volumes() const {
@@ -589,8 +608,21 @@ private:
 
   // Returns the length of an edge at a vertex: the initial length for vertices of the interface,
   // and the mean length of an edge of the initial interface for others.
-  double edge_at(Vertex_handle v) const {
-    return v->spacing() > 0 ? v->spacing() : m_complex.mean_interface_edge();
+  double edge_at(Vertex_handle v) const { return v->spacing() > 0 ? v->spacing() : mean_edge(); }
+
+  // Returns the mean length of an edge of the initial interface. If there was none, because a
+  // liquid fills a torus, returns the edge length of a regular simplex with the mean measure of the
+  // cells.
+  double mean_edge() const {
+    // of a regular triangle and of a regular tetrahedron with edges of length 1
+    static constexpr double measure = dimension == 2 ? .4330127018922193 : .1178511301977579;
+    const double result = m_complex.mean_interface_edge();
+    if constexpr (Mesh::is_periodic)
+      if (!(result > 0))
+        return std::pow(m_complex.domain().measure() /
+                            (measure * double(m_complex.number_of_cells())),
+                        1. / dimension);
+    return result;
   }
 
   // Returns the complex with its components up to date. They are a cache.
@@ -648,7 +680,7 @@ private:
   Flow move_interface(const Flow& flow, const Eigen::VectorXd& coordinates, const Options& chosen,
                       Report& report);
   std::vector<std::size_t> stamps_of_interface() const;
-  Eigen::VectorXd coordinates_of_interface() const;
+  Eigen::VectorXd coordinates_of_interface(const Eigen::VectorXd& near = {}) const;
   double update_components(const Flow& now);
   double restore_momenta(Flow& flow);
   template <class MomentumOf> void record_momenta(const Flow& flow, const MomentumOf& momentum_of);

@@ -149,7 +149,7 @@ auto Incompressible_fluid<Complex, Solver>::flattest_cell() const -> Fluid_repet
       lowest = c->quality();
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
       for (int i = 0; i < Complex::corners; ++i)
-        sum += internal::eigen_vector(m_complex.position(c->vertex(i))) / Complex::corners;
+        sum += internal::eigen_vector(m_complex.corner(c, i)) / Complex::corners;
       result = internal::from_eigen<Fluid_repetition::Point>(sum);
     }
   return result;

@@ -22,6 +22,9 @@ double Incompressible_fluid<Complex, Solver>::relax(double dt, unsigned steps, O
   chosen.check();
   chosen.implicitness = 1;
   require_step(dt);
+  if (Mesh::is_periodic && m_properties.gravity() != std::array<double, 3>())
+    throw Error("relax() needs the potential of gravity, which does not exist on a torus: set "
+                "gravity to 0, or call advance()");
   Report report;
   const auto stop = [this](void*) {
     m_motion = internal::Fluid_motion();
@@ -33,9 +36,10 @@ double Incompressible_fluid<Complex, Solver>::relax(double dt, unsigned steps, O
     adapt(chosen, internal::Mesh_treatment::chosen, report);
   double first = 0, velocity = 0;
   internal::Fixed_point_accelerator accelerator;
+  Eigen::VectorXd last; // the coordinates of the interface after the previous step
   for (unsigned k = 0; k < steps; ++k) {
     const std::vector<std::size_t> before = stamps_of_interface();
-    const Eigen::VectorXd from = coordinates_of_interface();
+    const Eigen::VectorXd from = coordinates_of_interface(last);
     report = {};
     step(dt, m_time, chosen, longest_displacement, report, nullptr);
     stop(this);
@@ -47,7 +51,7 @@ double Incompressible_fluid<Complex, Solver>::relax(double dt, unsigned steps, O
       accelerator.forget();
       continue;
     }
-    const Eigen::VectorXd to = coordinates_of_interface();
+    const Eigen::VectorXd to = last = coordinates_of_interface(from);
     const double energy = balance().energy();
     move_interface(Flow(*this, m_properties), accelerator.next(from, to), chosen, report);
     if (before != stamps_of_interface()) {
@@ -71,14 +75,21 @@ std::vector<std::size_t> Incompressible_fluid<Complex, Solver>::stamps_of_interf
   return result;
 }
 
-// Returns the coordinates of the vertices of the interface.
+// Returns the coordinates of the vertices of the interface. On a torus, they are those of the
+// images that are nearest to the points with the coordinates `near`, if this vector has the same
+// size.
 template <class Complex, class Solver>
-Eigen::VectorXd Incompressible_fluid<Complex, Solver>::coordinates_of_interface() const {
+Eigen::VectorXd
+Incompressible_fluid<Complex, Solver>::coordinates_of_interface(const Eigen::VectorXd& near) const {
   const auto vertices = m_complex.interface_vertices();
   Eigen::VectorXd result(3 * Eigen::Index(vertices.size()));
-  for (std::size_t v = 0; v < vertices.size(); ++v)
-    result.segment<3>(3 * Eigen::Index(v)) =
-        internal::eigen_vector(m_complex.position(vertices[v]));
+  const bool has_images = Mesh::is_periodic && near.size() == result.size();
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    const Eigen::Index row = 3 * Eigen::Index(v);
+    const auto position = m_complex.position(vertices[v]);
+    result.segment<3>(row) = internal::eigen_vector(
+        has_images ? m_complex.position_near(point(near.segment<3>(row)), vertices[v]) : position);
+  }
   return result;
 }
 
@@ -96,7 +107,7 @@ void Incompressible_fluid<Complex, Solver>::step(double dt, double end, const Op
   report.after = report.before;
   report.forces_on_solids.assign(m_solids.size(), NULL_VECTOR);
   report.torques_on_solids = report.forces_on_solids;
-  if (flow.mesh.facets.empty()) { // nothing can move
+  if (!flow.mesh.can_move()) {
     m_time = end;
     return;
   }
@@ -122,7 +133,7 @@ void Incompressible_fluid<Complex, Solver>::step(double dt, double end, const Op
     if (!judge->budget)
       judge->budget = flow.budget(*this);
     judge->budget->supply(step.work_of_walls() + step.work_of_bodies() +
-                          step.work_of_sources(judge->budget->level()));
+                          step.work_of_sources(judge->budget->level()) + step.work_of_gravity());
     // The volumes of gases are not restored yet, so their energies are not exact.
     if (m_properties.gases().empty())
       judge->check(report, report.moved);

@@ -31,7 +31,7 @@ void Incompressible_fluid<Complex, Solver>::adapt(const Options& chosen,
       Complex::dimension == 2 && std::any_of(liquids.begin(), liquids.end(), [](const auto& entry) {
         return entry.second.is_viscous();
       });
-  if (m_complex.interface_vertices().empty())
+  if (!Mesh::is_periodic && m_complex.interface_vertices().empty())
     return;
   require_interface_edge(m_complex);
   const Flow flow(*this, m_properties);
@@ -72,7 +72,7 @@ Incompressible_fluid<Complex, Solver>::adapt_lengths(double tolerance,
       keep_interface_fit(m_complex, adaptation, [](const auto&) { return true; }, visitor);
   const bool is_new = m_steps == 0;
   Detail_options<Complex> detail;
-  detail.sizing_field = [edge = m_complex.mean_interface_edge()](const auto&) { return edge; };
+  detail.sizing_field = [edge = mean_edge()](const auto&) { return edge; };
   detail.where = [this](typename Complex::Cell_handle c) {
     return m_properties.liquid(c->label()) != nullptr;
   };
@@ -168,7 +168,8 @@ void Incompressible_fluid<Complex, Solver>::restore_volumes(Flow& flow, const Op
     report.volume_error = m_liquids.error(flow.volumes());
     if (k == 0)
       report.volume_correction = (std::max)(report.volume_correction, report.volume_error);
-    if (k == rounds || (report.volume_error <= rounding && flow.fits_solids(*this)))
+    if (k == rounds || flow.mesh.facets.empty() ||
+        (report.volume_error <= rounding && flow.fits_solids(*this)))
       break;
     flow = move_interface(flow, coordinates_of_interface(), chosen, report);
   }
@@ -192,7 +193,8 @@ auto Incompressible_fluid<Complex, Solver>::move_interface(const Flow& flow,
   const auto& vertices = interface_.snapshot().vertices;
   for (std::size_t k = 0; k < vertices.size(); ++k)
     if (const auto found = number.find(vertices[k]->time_stamp()); found != number.end())
-      positions[found->second] = coordinates.segment<3>(3 * Eigen::Index(k));
+      positions[found->second] =
+          mesh.near(positions[found->second], coordinates.segment<3>(3 * Eigen::Index(k)));
   const auto inflow = inflow_velocities(mesh, m_sides, flow.positions, m_time);
   std::vector<char> returns(positions.size(), false); // to a wall
   for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
@@ -263,8 +265,8 @@ double Incompressible_fluid<Complex, Solver>::update_components(const Flow& now)
   return m_liquids.update(lineage, now.volumes());
 }
 
-// Restores the momenta of connected components by rigid motions. Returns the greatest change of a
-// velocity.
+// Restores the momenta of connected components by rigid motions, on a torus by translations.
+// Returns the greatest change of a velocity.
 template <class Complex, class Solver>
 double Incompressible_fluid<Complex, Solver>::restore_momenta(Flow& flow) {
   // Components that touch now share vertices, so they are corrected together.

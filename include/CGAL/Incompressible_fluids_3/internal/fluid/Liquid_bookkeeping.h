@@ -42,7 +42,7 @@ public:
     for (const auto& cell : mesh.cells) {
       if (last == result.end() || last->first != cell.component)
         last = result.emplace(cell.component, 0.).first;
-      last->second += volume(cell.vertices, positions);
+      last->second += volume(mesh.corners_at(cell.vertices, positions));
     }
     return result;
   }

@@ -67,11 +67,12 @@ public:
     auto directions = changer.gradients(missing, to);
     std::vector<double> areas(to.size(),
                               0); // by vertex: equal shares of the areas of the facets around
-    Vectors_3 positions;
-    for (const Point& p : to)
-      positions.push_back(eigen_vector(p));
     for (const auto& facet : m_snapshot.facets()) {
-      const double area = area_vector(facet.vertices, positions).norm() / Complex::dimension;
+      Corners_3<std::size_t(Complex::dimension)> corners;
+      for (std::size_t i = 0; i < corners.size(); ++i)
+        corners[i] =
+            eigen_vector(m_snapshot.domain.near(to[facet.vertices[0]], to[facet.vertices[i]]));
+      const double area = area_vector(corners).norm() / Complex::dimension;
       for (std::size_t v : facet.vertices)
         areas[v] += area;
     }

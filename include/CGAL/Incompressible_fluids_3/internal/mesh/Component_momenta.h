@@ -23,7 +23,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The momentum and the angular momentum about the origin.
+// The momentum and the angular momentum about the origin. On a torus, the angular momentum has no
+// meaning and is not used.
 struct Momentum
 {
   Eigen::Vector3d linear = Eigen::Vector3d::Zero(), angular = Eigen::Vector3d::Zero();
@@ -57,7 +58,7 @@ std::vector<Masses> masses_of_sets(const Mesh& mesh, const Vectors_3& positions,
   for (std::size_t k = 0; k < mesh.cells.size(); ++k) {
     const auto& cell = mesh.cells[k];
     const std::size_t set = set_of(cell.component);
-    const double mass = cell.liquid->density * volume(cell.vertices, positions);
+    const double mass = cell.liquid->density * volume(mesh.corners_at(cell.vertices, positions));
     result[set].of_middles.emplace_back(k, Mesh::part_at_middle * mass);
     for (auto v : cell.vertices) {
       masses[v] += (1 - Mesh::part_at_middle) * mass / Mesh::corners;
@@ -83,7 +84,8 @@ Momentum momentum(const Mesh& mesh, const Masses& masses, const Vectors_3& posit
 }
 
 // Returns the balance of all liquids, without the energy of gases. The function `tension_of` is as
-// in `Fluid_equations::assemble()`.
+// in `Fluid_equations::assemble()`. On a torus, the angular momentum and the potential energy are
+// 0.
 template <class Mesh, class TensionOf>
 Fluid_balance balance(const Mesh& mesh, const Fluid_properties& properties,
                       const Vectors_3& positions, const Vectors_3& velocities,
@@ -97,17 +99,20 @@ Fluid_balance balance(const Mesh& mesh, const Fluid_properties& properties,
     return Fluid_balance::Vector(v.x(), v.y(), v.z());
   };
   result.momentum = vector(sum.linear);
-  result.angular_momentum = vector(sum.angular);
+  if (!Mesh::is_periodic)
+    result.angular_momentum = vector(sum.angular);
   for_each_mass(mesh, masses, positions, velocities,
                 [&](double m, const Eigen::Vector3d& p, const Eigen::Vector3d& v) {
                   result.mass += m;
                   result.kinetic_energy += m * v.squaredNorm() / 2;
-                  result.potential_energy -= m * gravity.dot(p);
+                  if (!Mesh::is_periodic)
+                    result.potential_energy -= m * gravity.dot(p);
                 });
   for (const auto& cell : mesh.cells)
-    result.volume += volume(cell.vertices, positions);
+    result.volume += volume(mesh.corners_at(cell.vertices, positions));
   for (std::size_t f = 0; f < mesh.facets.size(); ++f)
-    result.surface_energy += tension_of(f) * area_vector(mesh.facets[f].vertices, positions).norm();
+    result.surface_energy +=
+        tension_of(f) * area_vector(mesh.corners_at(mesh.facets[f].vertices, positions)).norm();
   return result;
 }
 
@@ -120,8 +125,8 @@ struct Rigid_velocity
   Eigen::Vector3d at(const Eigen::Vector3d& p) const { return linear + angular.cross(p - center); }
 };
 
-// Returns the rigid motion by which masses have the given momenta. Returns zero velocities if there
-// is no mass.
+// Returns the rigid motion by which masses have the given momenta. On a torus, it is a translation.
+// Returns zero velocities if there is no mass.
 template <class Mesh>
 Rigid_velocity rigid_velocity(const Mesh& mesh, const Masses& masses, const Vectors_3& positions,
                               const Momentum& momentum) {
@@ -137,13 +142,15 @@ Rigid_velocity rigid_velocity(const Mesh& mesh, const Masses& masses, const Vect
   });
   if (!(mass > 0))
     return result;
+  result.linear = momentum.linear / mass;
+  if (Mesh::is_periodic)
+    return result;
   result.center /= mass;
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
   for_each([&](double m, const Eigen::Vector3d& p) {
     const Eigen::Vector3d r = p - result.center;
     inertia += m * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
   });
-  result.linear = momentum.linear / mass;
   result.angular = inertia.completeOrthogonalDecomposition().solve(
       momentum.angular - result.center.cross(momentum.linear));
   return result;

@@ -22,7 +22,6 @@
 #include <cstdint>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -43,7 +42,8 @@ template <class Complex> struct Fluid_mesh
   using Cell_handle = typename Complex::Cell_handle;
   using Index = std::uint32_t;
   static constexpr int dimension = Complex::dimension;
-  static constexpr int corners = Complex::corners; // of a cell
+  static constexpr int corners = Complex::corners;                   // of a cell
+  static constexpr bool is_periodic = !Complex::Domain::has_outside; // whether space is a torus
 
   struct Cell
   {
@@ -103,7 +103,8 @@ template <class Complex> struct Fluid_mesh
 
   // Constructs the mesh. Takes O(n log n) time.
   // \pre The components are up to date.
-  Fluid_mesh(const Complex& complex, const Fluid_properties& properties) {
+  Fluid_mesh(const Complex& complex, const Fluid_properties& properties)
+      : m_domain(complex.domain()) {
     sides.fill(std::numeric_limits<double>::infinity());
     for (Vertex_handle v : complex.finite_vertices()) {
       for (std::size_t side = 0; side < sides.size(); ++side)
@@ -171,6 +172,42 @@ template <class Complex> struct Fluid_mesh
       result.push_back(eigen_vector(complex.position(v)));
     return result;
   }
+
+  // Returns the image of q that is nearest to p. Except on a torus, this is q.
+  Eigen::Vector3d near(const Eigen::Vector3d& p, const Eigen::Vector3d& q) const {
+    if constexpr (is_periodic) {
+      using Point = typename Complex::Approximate_point;
+      return eigen_vector(m_domain.near(from_eigen<Point>(p), from_eigen<Point>(q)));
+    } else
+      return q;
+  }
+
+  // Returns the positions of the corners of a cell, a facet or an edge. On a torus, these are the
+  // images that are nearest to the first corner.
+  template <std::size_t n>
+  Corners_3<n> corners_at(const std::array<Index, n>& vertices_of_simplex,
+                          const Vectors_3& positions) const {
+    Corners_3<n> result;
+    result[0] = positions[vertices_of_simplex[0]];
+    for (std::size_t i = 1; i < n; ++i)
+      result[i] = near(result[0], positions[vertices_of_simplex[i]]);
+    return result;
+  }
+
+  // Returns the barycenter of a cell. On a torus, this is the image in the box.
+  Eigen::Vector3d barycenter(std::size_t cell, const Vectors_3& positions) const {
+    if constexpr (is_periodic) {
+      Eigen::Vector3d result = Eigen::Vector3d::Zero();
+      for (const Eigen::Vector3d& p : corners_at(cells[cell].vertices, positions))
+        result += p / corners;
+      using Point = typename Complex::Approximate_point;
+      return eigen_vector(m_domain.canonical(from_eigen<Point>(result)));
+    } else
+      return middle(cell, positions);
+  }
+
+  // Returns whether liquids can move. On a torus, this includes a liquid that fills the torus.
+  bool can_move() const { return is_periodic ? !cells.empty() : !facets.empty(); }
 
   // The fraction of the mass of a cell that is located at its barycenter, and moves with the mean
   // velocity of its vertices. The remaining mass is located at the vertices. With 0.8, the mass
@@ -282,12 +319,12 @@ private:
                          const Fluid_properties& properties) {
     static constexpr double layers = 20; // number in a cell; only one of them resists
     double resistance = 0;               // of the layers on both sides
-    Vectors_3 ends;
-    for (Vertex_handle v : complex.facet_vertices(f))
-      ends.push_back(eigen_vector(complex.position(v)));
-    std::array<std::size_t, dimension> order;
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    const double area = area_vector(order, ends).norm();
+    const auto ends = complex.facet_vertices(f);
+    const auto first = complex.position(ends[0]);
+    Corners_3<std::size_t(dimension)> positions;
+    for (std::size_t i = 0; i < positions.size(); ++i)
+      positions[i] = eigen_vector(complex.position_near(first, ends[i]));
+    const double area = area_vector(positions).norm();
     for (Cell_handle c : {f.first, f.first->neighbor(f.second)}) {
       const double viscosity = properties.liquid(c->label())->viscosity;
       if (!(viscosity > 0))
@@ -331,7 +368,7 @@ private:
           around[v].is_shared = true;
     const Vectors_3 at = positions(complex);
     for (const Cell& cell : cells) {
-      const double mass = cell.liquid->density * volume(cell.vertices, at);
+      const double mass = cell.liquid->density * volume(corners_at(cell.vertices, at));
       for (Index v : cell.vertices)
         around[v].masses[cell.label != around[v].least] += mass;
     }
@@ -384,6 +421,7 @@ private:
         cell.pressures[i] = pressure(cell.vertices[i], cell.label);
   }
 
+  typename Complex::Domain m_domain;
   std::vector<Index> m_second;             // the second occurrence, by the first; 0 if none
   std::vector<Index> m_pressure_of_vertex; // the first one
 };

@@ -47,7 +47,8 @@ struct Gas_component
 };
 
 // Returns the volumes of gases after the vertices of liquids have moved from some positions to
-// others. A volume is at least a tenth of its present value.
+// others, along the differences of these positions. A volume is at least a tenth of its present
+// value.
 template <class Mesh>
 std::vector<double> volumes_of_gases(const Mesh& mesh, const std::vector<Gas_component>& gases,
                                      const Vectors_3& from, const Vectors_3& to) {
@@ -58,16 +59,15 @@ std::vector<double> volumes_of_gases(const Mesh& mesh, const std::vector<Gas_com
     if (facet.gas != Mesh::no_gas) {
       // The area at the midpoint, multiplied by the mean displacement, is the swept volume up to
       // terms of third order.
-      Vectors_3 middles;
+      Corners_3<std::size_t(Mesh::dimension)> middles;
       Eigen::Vector3d displacement = Eigen::Vector3d::Zero();
-      std::array<std::size_t, Mesh::dimension> order;
-      for (std::size_t i = 0; i < order.size(); ++i) {
+      for (std::size_t i = 0; i < middles.size(); ++i) {
         const auto v = facet.vertices[i];
-        order[i] = i;
-        middles.push_back((from[v] + to[v]) / 2);
+        const Eigen::Vector3d middle = (from[v] + to[v]) / 2;
+        middles[i] = i == 0 ? middle : mesh.near(middles[0], middle);
         displacement += (to[v] - from[v]) / Mesh::dimension;
       }
-      const double swept = area_vector(order, middles).dot(displacement);
+      const double swept = area_vector(middles).dot(displacement);
       result[facet.gas] -= facet.is_gas_in_front ? swept : -swept;
     }
   static constexpr double least = .1; // of the present volume: the least volume of a prediction

@@ -38,27 +38,22 @@ template <class Coordinates> Coordinates from_eigen(const Eigen::Vector3d& v) {
     return Coordinates(v.x(), v.y(), v.z());
 }
 
-// Returns the volume of a tetrahedron, or the area of a triangle in the plane, with its vertices at
-// the given positions.
-template <class Index> double volume(const std::array<Index, 4>& v, const Vectors_3& positions) {
-  const Eigen::Vector3d& o = positions[v[0]];
-  return (positions[v[1]] - o).cross(positions[v[2]] - o).dot(positions[v[3]] - o) / 6;
+// The positions of the corners of a simplex. On a torus, they are images next to each other.
+template <std::size_t n> using Corners_3 = std::array<Eigen::Vector3d, n>;
+
+// Returns the volume of a tetrahedron, or the area of a triangle in the plane.
+inline double volume(const Corners_3<4>& p) {
+  return (p[1] - p[0]).cross(p[2] - p[0]).dot(p[3] - p[0]) / 6;
 }
-template <class Index> double volume(const std::array<Index, 3>& v, const Vectors_3& positions) {
-  const Eigen::Vector3d& o = positions[v[0]];
-  return (positions[v[1]] - o).cross(positions[v[2]] - o).z() / 2;
-}
+inline double volume(const Corners_3<3>& p) { return (p[1] - p[0]).cross(p[2] - p[0]).z() / 2; }
 
 // Returns the normal towards the front of a triangle, or of a segment in the plane, with its area
 // or length as the length.
-template <class Index>
-Eigen::Vector3d area_vector(const std::array<Index, 3>& v, const Vectors_3& positions) {
-  const Eigen::Vector3d& o = positions[v[0]];
-  return (positions[v[1]] - o).cross(positions[v[2]] - o) / 2;
+inline Eigen::Vector3d area_vector(const Corners_3<3>& p) {
+  return (p[1] - p[0]).cross(p[2] - p[0]) / 2;
 }
-template <class Index>
-Eigen::Vector3d area_vector(const std::array<Index, 2>& v, const Vectors_3& positions) {
-  const Eigen::Vector3d along = positions[v[1]] - positions[v[0]];
+inline Eigen::Vector3d area_vector(const Corners_3<2>& p) {
+  const Eigen::Vector3d along = p[1] - p[0];
   return {along.y(), -along.x(), 0};
 }
 

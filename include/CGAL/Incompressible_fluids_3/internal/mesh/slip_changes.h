@@ -68,7 +68,8 @@ std::vector<Velocity_change> changes_by_slip(const Mesh& mesh, const Vectors_3& 
         Eigen::Matrix<double, 3, others> edges, differences;
         for (int k = 0; k < others; ++k) {
           const Index corner = corners[std::size_t(k)];
-          edges.col(k) = positions[corner] - positions[slip.first];
+          const auto ends = mesh.corners_at(std::array<Index, 2>{slip.first, corner}, positions);
+          edges.col(k) = ends[1] - ends[0];
           differences.col(k) = velocities[mesh.occurrence(corner, *mesh.labels[v])] - velocities[v];
         }
         // The coordinates of the shift in the facet, which minimize the distance to it.

@@ -23,11 +23,12 @@ namespace internal {
 // is the mean diagonal entry of c for its pressures. Takes almost linear time.
 inline std::vector<Saddle_point_system::Closed_set> closed_sets(const Saddle_point_system& system) {
   static constexpr double rounding = 1e-4; // of the force of a constant pressure
+  // The greatest force of a constant pressure on a liquid without any boundary, which fills a
+  // torus, relative to the forces of the pressures of single vertices.
+  static constexpr double rounding_of_sums = 1e-12;
   using Vector = Saddle_point_system::Vector;
   using Closed_set = Saddle_point_system::Closed_set;
   const Eigen::Index n = system.nodal.rows(), m = system.c.rows();
-  if (system.constrained.empty())
-    return {};
   // The forces of a constant pressure 1 on vertices, before and after the projection.
   const Vector pushes = system.b.transpose() * Vector::Ones(m);
   Vector free_pushes = pushes;
@@ -40,7 +41,7 @@ inline std::vector<Saddle_point_system::Closed_set> closed_sets(const Saddle_poi
       groups.join(std::size_t(p), group_of_vertex(i.col() / 3));
   struct Sums
   {
-    double area = 0, free_area = 0; // sums of squares of forces
+    double area = 0, free_area = 0, all = 0; // sums of squares of forces
     Closed_set set;
   };
   std::vector<Sums> sums(groups.size());
@@ -51,12 +52,15 @@ inline std::vector<Saddle_point_system::Closed_set> closed_sets(const Saddle_poi
   }
   for (Eigen::Index p = 0; p < m; ++p) {
     Sums& s = sums[groups.of(std::size_t(p))];
+    for (Saddle_point_system::Matrix::InnerIterator i(system.b, p); i; ++i)
+      s.all += i.value() * i.value();
     s.set.pressures.push_back(p);
     s.set.weight += system.c.coeff(p, p);
   }
   std::vector<Closed_set> result;
   for (Sums& s : sums)
-    if (!s.set.pressures.empty() && s.free_area <= rounding * rounding * s.area) {
+    if (!s.set.pressures.empty() && (s.free_area <= rounding * rounding * s.area ||
+                                     s.free_area <= rounding_of_sums * rounding_of_sums * s.all)) {
       s.set.weight /= double(s.set.pressures.size());
       result.push_back(std::move(s.set));
     }

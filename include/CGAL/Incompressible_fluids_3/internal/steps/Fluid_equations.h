@@ -85,7 +85,7 @@ public:
         m_masses(mesh.vertices.size(), 0), m_slips(mesh) {
     bool is_viscous = false;
     for (const auto& cell : mesh.cells) {
-      m_elements.push_back(element(cell, positions));
+      m_elements.push_back(element(mesh.corners_at(cell.vertices, positions)));
       is_viscous = is_viscous || cell.liquid->is_viscous();
       for (auto v : cell.vertices)
         m_masses[v] += cell.liquid->density * m_elements.back().lumped_mass();
@@ -268,7 +268,7 @@ private:
     if (!cell.liquid->viscosity_at_shear_rate)
       return cell.liquid->viscosity;
     Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();
-    if (has_gradients(m_elements[k], cell, m_positions))
+    if (has_gradients(m_elements[k], m_mesh.corners_at(cell.vertices, m_positions)))
       for (std::size_t i = 0; i < Mesh::corners; ++i)
         gradient +=
             velocities[cell.vertices[i]] * eigen_vector(m_elements[k].gradient(int(i))).transpose();
@@ -281,10 +281,12 @@ private:
     return result;
   }
 
-  static Element element(const typename Mesh::Cell& cell, const Vectors_3& positions) {
+  using Corners = Corners_3<std::size_t(Mesh::corners)>;
+
+  static Element element(const Corners& positions) {
     typename Element::Corners corners;
     for (std::size_t i = 0; i < Mesh::corners; ++i)
-      corners[i] = from_eigen<typename Complex::Approximate_point>(positions[cell.vertices[i]]);
+      corners[i] = from_eigen<typename Complex::Approximate_point>(positions[i]);
     return Element(corners);
   }
 
@@ -299,8 +301,7 @@ private:
 
   // Returns whether the gradients of the basis functions of a cell can be computed. The result does
   // not depend on the unit of length.
-  static bool has_gradients(const Element& e, const typename Mesh::Cell& cell,
-                            const Vectors_3& positions) {
+  static bool has_gradients(const Element& e, const Corners& positions) {
     // The least volume, relative to the cube of the longest edge. A regular tetrahedron has 0.12.
     // In the plane, it is the least area, relative to the square, and a regular triangle has 0.43.
     // Gradients of basis functions are then at most about 1e5 times as steep as in a regular
@@ -309,8 +310,7 @@ private:
     double square = 0; // of the longest edge
     for (std::size_t i = 0; i < Mesh::corners; ++i)
       for (std::size_t j = 0; j < i; ++j)
-        square = (std::max)(
-            square, (positions[cell.vertices[i]] - positions[cell.vertices[j]]).squaredNorm());
+        square = (std::max)(square, (positions[i] - positions[j]).squaredNorm());
     return e.measure() > flattest * std::pow(square, .5 * Mesh::dimension);
   }
 
@@ -322,15 +322,17 @@ private:
     static constexpr double viscous = 12; // factor of Hughes and others, for h^2 / viscosity
     static constexpr double flat = .1;    // relative to the volume at the beginning
     const auto& cell = m_mesh.cells[k];
-    const Element moved = element(cell, midpoint_positions);
-    const bool uses_moved = moved.measure() > flat * m_elements[k].measure() &&
-                            has_gradients(moved, cell, midpoint_positions);
+    const Corners corners = m_mesh.corners_at(cell.vertices, midpoint_positions);
+    const Element moved = element(corners);
+    const bool uses_moved =
+        moved.measure() > flat * m_elements[k].measure() && has_gradients(moved, corners);
     const Element& e = uses_moved ? moved : m_elements[k];
     Terms result;
     result.inertia = Mesh::part_at_middle / Mesh::corners * rate(share_of_mass(k));
     for (std::size_t i = 0; i < Mesh::corners; ++i)
       result.changes[i] = eigen_vector(moved.measure_gradient(int(i)));
-    result.is_flat = !uses_moved && !has_gradients(e, cell, m_positions);
+    result.is_flat =
+        !uses_moved && !has_gradients(e, m_mesh.corners_at(cell.vertices, m_positions));
     if (result.is_flat) {
       result.gradients.fill(Eigen::Vector3d::Zero());
       result.viscosity = result.stabilization = 0;
@@ -350,8 +352,9 @@ private:
   // Adds the force of a gas on a facet.
   void add_push(const typename Mesh::Facet& facet, const Vectors_3& midpoint_positions,
                 double pressure) {
-    const Eigen::Vector3d share = (facet.is_gas_in_front ? -1 : 1) * pressure / Mesh::dimension *
-                                  area_vector(facet.vertices, midpoint_positions);
+    const Eigen::Vector3d share =
+        (facet.is_gas_in_front ? -1 : 1) * pressure / Mesh::dimension *
+        area_vector(m_mesh.corners_at(facet.vertices, midpoint_positions));
     for (auto corner : facet.vertices)
       at(m_pushes, corner) += share;
   }
@@ -364,16 +367,17 @@ private:
       return;
     static constexpr std::size_t n = Mesh::dimension;
     using Point = typename Complex::Approximate_point;
+    const auto at_midpoint = m_mesh.corners_at(facet.vertices, midpoint_positions);
+    const auto from = tension > 0 ? m_mesh.corners_at(facet.vertices, m_positions) : at_midpoint;
     std::array<Point, n> corners;
     for (std::size_t i = 0; i < n; ++i)
-      corners[i] = from_eigen<Point>(midpoint_positions[facet.vertices[i]]);
+      corners[i] = from_eigen<Point>(at_midpoint[i]);
     const Facet_tension<Mesh::dimension> forces(corners);
     for (std::size_t i = 0; i < forces.weights.size(); ++i) {
       const std::size_t v = facet.vertices[i], w = facet.vertices[(i + 1) % n];
       const double weight = tension * forces.weights[i],
                    implicit = tension > 0 ? m_step.theta * m_step.dt * weight : 0;
-      const Vectors_3& from = tension > 0 ? m_positions : midpoint_positions;
-      const Eigen::Vector3d pull = weight * (from[w] - from[v]);
+      const Eigen::Vector3d pull = weight * (from[(i + 1) % n] - from[i]);
       at(m_forces, v) += pull;
       at(m_forces, w) -= pull;
       for (const auto& [i, j] : {std::make_pair(v, w), std::make_pair(w, v)}) {
@@ -386,8 +390,9 @@ private:
 
   // Adds the friction of two liquids on a facet. It acts on their relative velocities.
   void add_friction(const typename Mesh::Facet& facet, const Vectors_3& midpoint_positions) {
-    const double share =
-        facet.friction * area_vector(facet.vertices, midpoint_positions).norm() / Mesh::dimension;
+    const double share = facet.friction *
+                         area_vector(m_mesh.corners_at(facet.vertices, midpoint_positions)).norm() /
+                         Mesh::dimension;
     for (auto corner : facet.vertices)
       if (const auto second = m_slips.second(corner)) {
         const auto row = Eigen::Index(*second);

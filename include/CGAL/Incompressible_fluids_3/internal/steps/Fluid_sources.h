@@ -48,8 +48,8 @@ std::vector<double> gains_of_cells(const Fluid_sources& sources, const Mesh& mes
   std::vector<double> divergences(n, 0), volumes;
   Vectors_3 middles;
   for (std::size_t k = 0; k < n; ++k) {
-    volumes.push_back(volume(mesh.cells[k].vertices, positions));
-    middles.push_back(mesh.middle(k, positions));
+    volumes.push_back(volume(mesh.corners_at(mesh.cells[k].vertices, positions)));
+    middles.push_back(mesh.barycenter(k, positions));
     if (sources.divergence)
       divergences[k] = sources.divergence(middles[k], time);
   }

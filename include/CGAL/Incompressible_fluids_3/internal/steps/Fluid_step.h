@@ -141,12 +141,26 @@ public:
     return m_step.dt * power + (std::max)(0., by_stop);
   }
 
+  // Returns the work of gravity on liquids in the step if they are on a torus, where gravity has no
+  // potential. Otherwise, returns 0.
+  double work_of_gravity() const {
+    if (!Mesh::is_periodic)
+      return 0;
+    const Eigen::Vector3d gravity(m_properties.gravity().data());
+    double power = 0;
+    for (std::size_t v = 0; v < m_velocities.size(); ++v)
+      power += m_equations.masses()[v] * gravity.dot(m_velocities[v]);
+    return m_step.dt * power;
+  }
+
   // Returns an upper bound of the energy that sources supply in the step, less the energy that
   // drains remove. It consists of the kinetic and potential energy of the new liquid, and of the
-  // work of its pressure. The potential of gravity is 0 at `level`.
+  // work of its pressure. The potential of gravity is 0 at `level`, and everywhere on a torus.
   double work_of_sources(const Eigen::Vector3d& level) const {
     const std::vector<double> gains = this->gains();
-    const Eigen::Vector3d gravity(m_properties.gravity().data());
+    const Eigen::Vector3d gravity = Mesh::is_periodic
+                                        ? Eigen::Vector3d(Eigen::Vector3d::Zero())
+                                        : Eigen::Vector3d(m_properties.gravity().data());
     double power = m_pressures.dot(m_equations.sources(m_gains));
     for (std::size_t k = 0; k < gains.size(); ++k)
       power += m_mesh.cells[k].liquid->density * gains[k] *
@@ -287,15 +301,10 @@ private:
     const auto& velocity = m_inflow[cell.vertices[i]];
     if (!velocity)
       return 0;
-    std::array<std::size_t, Mesh::corners> order;
-    Vectors_3 corners;
-    for (std::size_t c = 0; c < Mesh::corners; ++c) {
-      order[c] = c;
-      corners.push_back(m_midpoint_positions[cell.vertices[c]]);
-    }
-    const double before = volume(order, corners);
+    auto corners = m_mesh.corners_at(cell.vertices, m_midpoint_positions);
+    const double before = volume(corners);
     corners[i] += *velocity; // the volume is linear in the position of the corner
-    return before - volume(order, corners);
+    return before - volume(corners);
   }
 
   // Returns the tolerance of a solution that only determines the geometry of the next solution. It
@@ -514,7 +523,8 @@ private:
       return;
     Vectors_3 areas(m_positions.size(), Eigen::Vector3d::Zero());
     for (const auto& facet : m_mesh.facets) {
-      const Eigen::Vector3d area = area_vector(facet.vertices, m_midpoint_positions);
+      const Eigen::Vector3d area =
+          area_vector(m_mesh.corners_at(facet.vertices, m_midpoint_positions));
       for (auto corner : facet.vertices)
         areas[corner] += m_mesh.is_first_behind(facet) ? area : Eigen::Vector3d(-area);
     }

@@ -43,10 +43,10 @@ public:
       tensions[slip.second] = tensions[slip.first];
     for (const auto& cell : mesh.cells) {
       Part part;
-      const Eigen::Vector3d& o = positions[cell.vertices[0]];
+      const auto corners = mesh.corners_at(cell.vertices, positions);
       part.edges.setIdentity(); // in the plane, the last column is the normal
       for (int i = 0; i < Mesh::dimension; ++i)
-        part.edges.col(i) = positions[cell.vertices[std::size_t(i) + 1]] - o;
+        part.edges.col(i) = corners[std::size_t(i) + 1] - corners[0];
       // The destinations can invert the cell, because they are not yet those of the mesh.
       part.volume = (std::max)(0., part.edges.determinant() / factorial);
       part.tension = 0;

@@ -228,7 +228,7 @@ public:
         result.push_back({c.body->body, c.vertex,
                           sticks(c.solid) ? Eigen::Matrix3d(Eigen::Matrix3d::Identity())
                                           : Eigen::Matrix3d(c.normal * c.normal.transpose()),
-                          positions[c.vertex] - place_of_body(c.body->body, time).center});
+                          arm_of(place_of_body(c.body->body, time), positions[c.vertex])});
     return result;
   }
 
@@ -242,7 +242,7 @@ public:
         Eigen::Vector3d &v = velocities[c.vertex], of_wall = c.wall_velocity;
         if (c.body) {
           const std::size_t k = c.body->body;
-          of_wall = of_bodies[k].at(positions[c.vertex] - place_of_body(k, time).center);
+          of_wall = of_bodies[k].at(arm_of(place_of_body(k, time), positions[c.vertex]));
         }
         v = sticks(c.solid) ? of_wall : Eigen::Vector3d(v - c.normal * c.normal.dot(v - of_wall));
       }
@@ -329,7 +329,10 @@ public:
     std::vector<Load> result(m_solids.size());
     for_each_reaction(reactions, [&](const Contact& c, const Eigen::Vector3d& reaction) {
       result[c.solid].force -= reaction;
-      result[c.solid].torque -= positions[c.vertex].cross(reaction);
+      Eigen::Vector3d position = positions[c.vertex];
+      if (is_body(c.solid))
+        position = m_mesh.near(m_bodies[m_body_of_solid[c.solid]].place.center, position);
+      result[c.solid].torque -= position.cross(reaction);
     });
     return result;
   }
@@ -383,10 +386,15 @@ private:
     return !is_side(solid) && m_body_of_solid[solid] != no_body;
   }
 
+  // Returns the vector from the center of a body to a point. On a torus, it is the shortest one.
+  Eigen::Vector3d arm_of(const Body_place& place, const Eigen::Vector3d& p) const {
+    return m_mesh.near(place.center, p) - place.center;
+  }
+
   // Attaches a contact to the body of its solid.
   void attach(Contact& contact, const Eigen::Vector3d& middle, double time_of_middle) const {
     const std::size_t k = m_body_of_solid[contact.solid];
-    const Eigen::Vector3d arm = middle - place_of_body(k, time_of_middle).center;
+    const Eigen::Vector3d arm = arm_of(place_of_body(k, time_of_middle), middle);
     contact.body = {k, arm};
     contact.least -= contact.direction.dot(m_bodies[k].velocity.at(arm));
   }
@@ -404,7 +412,7 @@ private:
     const std::size_t k = m_body_of_solid[solid];
     const Body_place place = place_of_body(k, time);
     const Eigen::Matrix3d turn = place.rotation.toRotationMatrix();
-    const Eigen::Vector3d arm = p - place.center;
+    const Eigen::Vector3d arm = arm_of(place, p);
     any.walls(point(eigen_vector(any.initial_center) + turn.transpose() * arm), time, walls);
     for (Wall_3& wall : walls) {
       const Eigen::Vector3d normal = turn * eigen_vector(wall.normal);
@@ -432,7 +440,7 @@ private:
       if (!m_wall_of_facet[f])
         continue;
       const auto& facet = m_mesh.facets[f];
-      const Eigen::Vector3d area = area_vector(facet.vertices, positions);
+      const Eigen::Vector3d area = area_vector(m_mesh.corners_at(facet.vertices, positions));
       for (auto v : facet.vertices)
         if (m_is_covered[v])
           result

@@ -69,7 +69,7 @@ Slip_flux slip_flux(const Fluid_mesh<Complex>& mesh, const Wall_contacts<Complex
     if (projections[unknown] == nullptr)
       return;
     const Eigen::Vector3d outward =
-        (is_behind ? factor : -factor) * area_vector(facet.vertices, positions);
+        (is_behind ? factor : -factor) * area_vector(mesh.corners_at(facet.vertices, positions));
     const Eigen::Vector3d along = *projections[unknown] * outward;
     const int label = is_behind ? facet.label_behind : facet.label_in_front;
     for (auto i : facet.vertices) {
