@@ -133,8 +133,9 @@ class Fluid(Solids):
     angular_velocity: constant angular velocity about the center, in radians in a unit of time: a vector
         in space, a number in the plane; by default 0
     motion: instead of both, a function of the time that returns the displacement and the rotation, see
-        `Motion`. It is called during steps, with any time, and must always return the same values.
-    motion_step: time step of the central differences of `motion`, which are the velocities of the solid;
+        `Motion`. It is called during steps, with times that are not negative, and must always return the
+        same values.
+    motion_step: time step of the differences of `motion`, which are the velocities of the solid;
         by default 1e-5. Choose it small in comparison with the time in which the velocity changes.
 
     The shape of a moving solid is given at the time 0. The center of a tank or a box is its middle.

@@ -175,9 +175,9 @@ class Solids:
         if "motion" in result:
             if "velocity" in result or "angular_velocity" in result:
                 raise ValueError("a solid with a motion has no velocity and no angular_velocity")
-            motion = _Differences(_callable(result["motion"], "motion"), step, self._dimension)
+            motion = _Places(_callable(result["motion"], "motion"), self._dimension)
             motion(float(self._compiled.time()))  # checks the values
-            result["motion"] = motion
+            result["motion"] = motion, step
         if "velocity" in result:
             result["velocity"] = _in_space(self._coordinates(result["velocity"], "velocity"))
         if "angular_velocity" in result:
@@ -220,26 +220,14 @@ class Solids:
             raise ValueError("angular_velocity must be 0 because fixed contains rotation")
 
 
-class _Differences:
-    """A motion with its velocities: central differences over twice a step."""
+class _Places:
+    """A motion with three coordinates of the displacement and of the rotation."""
 
-    def __init__(self, motion: Motion, step: float, dimension: int) -> None:
+    def __init__(self, motion: Motion, dimension: int) -> None:
         self._motion = motion
-        self._step = step
         self._dimension = dimension
 
-    def __call__(self, t: float) -> list[Points]:
-        """Returns displacement, rotation, velocity and angular velocity, three coordinates each."""
-        displacement, rotation = self._place(t)
-        before, after = t - self._step, t + self._step
-        if not after > before:
-            raise ValueError(f"motion_step is too short for the time {t}")
-        first, last = self._place(before), self._place(after)
-        velocity = (last[0] - first[0]) / (after - before)
-        angular_velocity = _rotation_from_to(first[1], last[1]) / (after - before)
-        return [displacement, rotation, velocity, angular_velocity]
-
-    def _place(self, t: float) -> tuple[Points, Points]:
+    def __call__(self, t: float) -> tuple[Points, Points]:
         place = self._motion(t)
         if not isinstance(place, (tuple, list)) or len(place) != 2:
             raise ValueError("a motion must return a displacement and a rotation")
@@ -261,24 +249,3 @@ def _rotation(value: Any, dimension: int, name: str) -> Points:
     if dimension == 2:
         return np.array([0, 0, _number(value, name)])
     return np.array(_numbers(value, 3, name))
-
-
-def _quaternion(rotation: Points) -> tuple[float, Points]:
-    """Returns the real part and the imaginary part of a rotation, an axis times an angle."""
-    angle = float(np.linalg.norm(rotation))
-    if angle == 0:
-        return 1.0, np.zeros(3)
-    imaginary: Points = np.sin(angle / 2) / angle * rotation
-    return float(np.cos(angle / 2)), imaginary
-
-
-def _rotation_from_to(first: Points, last: Points) -> Points:
-    """Returns the rotation from one rotation to another. All are axes times angles."""
-    (a, u), (b, v) = _quaternion(last), _quaternion(first)
-    real = a * b + float(u @ v)
-    imaginary = b * u - a * v - np.cross(u, v)
-    sine = float(np.linalg.norm(imaginary))
-    if sine == 0:
-        return np.zeros(3)
-    result: Points = 2 * np.arctan2(-sine if real < 0 else sine, abs(real)) / sine * imaginary
-    return result

@@ -7,6 +7,8 @@
 #include "errors.h"
 #include "fluid_of_dimension.h"
 
+#include <CGAL/Incompressible_fluids_3/Solids_3.h>
+
 #include <algorithm>
 #include <limits>
 #include <optional>
@@ -33,28 +35,18 @@ Place_of_hole displacement_at_start(const Scene_solid& solid, std::size_t index)
   return result;
 }
 
-/// Returns the signed distance of a point from the boundary of a box, negative inside, and the
-/// vector from the point to the nearest point of the boundary.
-double distance_of_box(const Box_shape& box, const Place_of_hole& p, std::size_t dimension,
+/// Return the signed distance of a point from the boundary of a box or ball, negative inside, and
+/// the vector from the point to the nearest point of the boundary.
+double distance_of_box(const Box_shape& box, const Place_of_hole& p, int dimension,
                        Place_of_hole& to_boundary) {
-  to_boundary = {};
-  double outside = 0, inside = -std::numeric_limits<double>::infinity();
-  std::size_t nearest_axis = 0;
-  for (std::size_t i = 0; i < dimension; ++i) {
-    const double below = box.from[i] - p[i], above = p[i] - box.to[i];
-    to_boundary[i] = below > 0 ? below : above > 0 ? -above : 0;
-    outside = std::hypot(outside, to_boundary[i]);
-    if (std::max(below, above) > inside) {
-      inside = std::max(below, above);
-      nearest_axis = i;
-    }
-  }
-  if (outside > 0)
-    return outside;
-  const double below = box.from[nearest_axis] - p[nearest_axis],
-               above = p[nearest_axis] - box.to[nearest_axis];
-  to_boundary[nearest_axis] = below > above ? below : -above;
-  return inside;
+  using CGAL::Deformable_simplicial_complexes::Box_solid_3;
+  const auto& [from, to] = box;
+  const Box_solid_3 solid =
+      dimension == 2 ? Box_solid_3(CGAL::Bbox_2(from[0], from[1], to[0], to[1]))
+                     : Box_solid_3(CGAL::Bbox_3(from[0], from[1], from[2], to[0], to[1], to[2]));
+  const auto wall = solid.nearest_wall({p[0], p[1], p[2]});
+  to_boundary = coordinates_of(-wall.distance * wall.normal);
+  return wall.distance;
 }
 
 double distance_of_ball(const Ball_shape& ball, const Place_of_hole& p,
@@ -72,7 +64,7 @@ double distance_of_hole(const Hole& hole, const Place_of_hole& p, int dimension,
                         Place_of_hole& to_boundary) {
   if (const auto* ball = std::get_if<Ball_shape>(&hole.shape))
     return distance_of_ball(*ball, p, to_boundary);
-  return distance_of_box(std::get<Box_shape>(hole.shape), p, std::size_t(dimension), to_boundary);
+  return distance_of_box(std::get<Box_shape>(hole.shape), p, dimension, to_boundary);
 }
 
 /// Returns the bounding box of a hole.

@@ -195,7 +195,7 @@ Json step_json(const Fluid<Complex>& fluid, const Fluid_scene& scene, unsigned s
                const std::optional<DSC::Fluid_report<Complex>>& report) {
   const Complex& complex = fluid.complex();
   Json json = {{"step", step}, {"time", fluid.time()}};
-  json.update(balance_json(report ? report->after : fluid.balance()));
+  json.update(balance_json(fluid.balance())); // with the present gravity
   json["parts"] = components_json(fluid);
   json["gases"] = gases_json(fluid);
   json["bodies"] = bodies_json(fluid, scene);

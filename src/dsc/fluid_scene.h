@@ -128,7 +128,7 @@ struct Scene_solid
   double contact_angle = 90;
   bool sticks = false, separates = true;
   /// In the plane, only the third coordinate of the angular velocity is not 0. For a body, they are
-  /// the initial motion. Other solids move with constant velocities about `point`.
+  /// the initial motion. Other solids move with constant velocities, and rotate about `center`.
   std::array<double, 3> velocity = {}, angular_velocity = {};
   std::optional<double> density; ///< of a body that liquids move
   /// For each axis: whether a body cannot move along it.
@@ -137,9 +137,11 @@ struct Scene_solid
   /// Expressions in t: the coordinates of the displacement, and of the rotation vector about
   /// `center` in radians. In the plane, the rotation is one angle.
   std::optional<Expression> displacement, rotation;
-  /// Without displacement and rotation: the center of a tank, box or ball, the centroid of the
-  /// vertices of a mesh, `point` of other solids. Without its file, a mesh has the center 0.
+  /// Without displacement and rotation: a given center of a tank, box or mesh. Otherwise, the
+  /// middle of a tank, box or ball, the mean of the vertices of a mesh, `point` of other solids.
+  /// Without its file, a mesh has the center 0.
   std::array<double, 3> center = {};
+  bool has_given_center = false; ///< of a tank, box or mesh
 
   bool is_body() const { return density.has_value(); }
   bool is_moved_by_expressions() const { return displacement || rotation; }

@@ -32,10 +32,17 @@ void require_known(const Json_fields& solid, std::vector<std::string> fields) {
   solid.require_known(fields);
 }
 
-/// Sets the center of a solid to the center of its box.
-void set_center_of_box(Scene_solid& solid) {
+/// Sets the center of a tank, box or mesh to the given one or, without it, to the middle of its
+/// box.
+void set_center(const Json_fields& solid, Scene_solid& result) {
   for (std::size_t i = 0; i < 3; ++i)
-    solid.center[i] = (solid.box[i] + solid.box[i + 3]) / 2;
+    result.center[i] = (result.box[i] + result.box[i + 3]) / 2;
+  result.has_given_center = solid.has("center");
+  if (!result.has_given_center)
+    return;
+  if (solid.has("density"))
+    solid.refuse("center", "cannot be combined with the field 'density'; remove one of them");
+  result.center = solid.point("center");
 }
 
 /// Reads the fields of a solid that depend on its type.
@@ -55,20 +62,20 @@ void read_geometry(const Json_fields& solid, Scene_solid& result) {
     result.center = result.point = solid.point("point");
     result.direction = read_direction(solid, "normal");
   } else if (type == "tank") {
-    require_known(solid, {"box", "open"});
+    require_known(solid, {"box", "open", "center"});
     result.kind = Kind::tank;
     result.box = solid.box("box");
     result.is_open = solid.flag("open", false);
-    set_center_of_box(result);
+    set_center(solid, result);
   } else if (type == "box") {
-    require_known(solid, {"from", "to"});
+    require_known(solid, {"from", "to", "center"});
     result.kind = Kind::box;
     const Box_shape box = read_corners(solid);
     for (std::size_t i = 0; i < 3; ++i) {
       result.box[i] = box.from[i];
       result.box[i + 3] = box.to[i];
     }
-    set_center_of_box(result);
+    set_center(solid, result);
   } else if (type == "ball") {
     require_known(solid, {"center", "radius", "liquid"});
     result.kind = Kind::ball;
@@ -83,9 +90,10 @@ void read_geometry(const Json_fields& solid, Scene_solid& result) {
     result.radius = solid.positive("radius");
     result.contains_liquid = read_side(solid);
   } else {
-    require_known(solid, {"file", "liquid"});
+    require_known(solid, {"file", "liquid", "center"});
     result.kind = Kind::mesh;
     result.file = solid.text("file");
+    set_center(solid, result);
     result.contains_liquid = read_side(solid);
   }
 }

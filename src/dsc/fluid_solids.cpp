@@ -12,16 +12,10 @@
 #include <CGAL/Incompressible_fluids_3/Rigid_body_3.h>
 #include <CGAL/Incompressible_fluids_3/Solids_3.h>
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <mutex>
-#include <optional>
 
 namespace dsc {
 namespace {
@@ -33,87 +27,21 @@ Solid_vector solid_vector(const std::array<double, 3>& v) { return {v[0], v[1], 
 
 std::array<double, 3> array_of(const Solid_vector& v) { return {v.x(), v.y(), v.z()}; }
 
-/// Returns the rotation by a rotation vector.
-Eigen::Quaterniond quaternion_of(const Solid_vector& rotation) {
-  const Eigen::Vector3d v(rotation.x(), rotation.y(), rotation.z());
-  return Eigen::Quaterniond(Eigen::AngleAxisd(v.norm(), v.stableNormalized()));
-}
-
-/// Returns a vector rotated by a rotation vector.
-Solid_vector turned(const Solid_vector& v, const Solid_vector& rotation) {
-  const Eigen::Vector3d result = quaternion_of(rotation) * Eigen::Vector3d(v.x(), v.y(), v.z());
-  return {result.x(), result.y(), result.z()};
-}
-
-/// Returns the rotation vector between two rotations.
-Solid_vector rotation_between(const Solid_vector& before, const Solid_vector& after) {
-  const Eigen::AngleAxisd result(quaternion_of(after) * quaternion_of(before).conjugate());
-  const Eigen::Vector3d v = result.angle() * result.axis();
-  return {v.x(), v.y(), v.z()};
-}
-
-/// The displacement and rotation of a solid at a time.
-struct Solid_placement
-{
-  Solid_vector displacement = Solid_vector(0, 0, 0), rotation = Solid_vector(0, 0, 0);
-
-  Solid_placement(const Scene_solid& solid, double t) {
-    std::array<double, 3> v = {};
-    if (solid.displacement) {
-      std::copy_n(solid.displacement->at({t}), solid.displacement->size(), v.begin());
-      displacement = solid_vector(v);
-    }
-    if (!solid.rotation)
-      return;
-    const double* angles = solid.rotation->at({t});
-    rotation = solid.rotation->size() == 1 ? Solid_vector(0, 0, angles[0])
-                                           : Solid_vector(angles[0], angles[1], angles[2]);
+/// Returns the place of a solid that expressions move.
+CGAL::Deformable_simplicial_complexes::Solid_place_3 place_at(const Scene_solid& solid, double t) {
+  CGAL::Deformable_simplicial_complexes::Solid_place_3 result;
+  std::array<double, 3> v = {};
+  if (solid.displacement) {
+    std::copy_n(solid.displacement->at({t}), solid.displacement->size(), v.begin());
+    result.displacement = solid_vector(v);
   }
-};
-
-/// The motion of a solid by expressions. Velocities are central differences. Copies share the
-/// motion at the last time. Several threads can use them.
-class Motion_by_expressions
-{
-public:
-  using Motion = CGAL::Deformable_simplicial_complexes::Solid_motion_3;
-
-  /// \param step step of the differences
-  Motion_by_expressions(const Scene_solid& solid, double step)
-      : m_solid(solid), m_step(step), m_last(std::make_shared<Last>()) {}
-
-  Motion operator()(double t) const {
-    const std::lock_guard<std::mutex> lock(m_last->mutex);
-    if (m_last->time != t) {
-      m_last->motion = motion(t);
-      m_last->time = t;
-    }
-    return m_last->motion;
-  }
-
-private:
-  struct Last
-  {
-    std::mutex mutex;
-    std::optional<double> time;
-    Motion motion;
-  };
-
-  Motion motion(double t) const {
-    const Solid_placement now(m_solid, t), before(m_solid, t - m_step), after(m_solid, t + m_step);
-    const double dt = (t + m_step) - (t - m_step);
-    Motion result;
-    result.displacement = now.displacement;
-    result.rotation = now.rotation;
-    result.velocity = (after.displacement - before.displacement) / dt;
-    result.angular_velocity = rotation_between(before.rotation, after.rotation) / dt;
+  if (!solid.rotation)
     return result;
-  }
-
-  Scene_solid m_solid;
-  double m_step;
-  std::shared_ptr<Last> m_last;
-};
+  const double* angles = solid.rotation->at({t});
+  result.rotation = solid.rotation->size() == 1 ? Solid_vector(0, 0, angles[0])
+                                                : Solid_vector(angles[0], angles[1], angles[2]);
+  return result;
+}
 
 CGAL::Deformable_simplicial_complexes::Mesh_solid_3::Mesh solid_mesh(const std::string& path) {
   CGAL::Deformable_simplicial_complexes::Mesh_solid_3::Mesh mesh;
@@ -168,18 +96,20 @@ public:
   /// \param solid its shape
   template <class Solid> void operator()(const Scene_solid& given, const Solid& solid) const {
     using CGAL::Deformable_simplicial_complexes::Moving_solid_3;
+    const Solid_point center = CGAL::ORIGIN + solid_vector(given.center);
     const CGAL::Deformable_simplicial_complexes::Wall_behavior behavior = {
         given.contact_angle, given.sticks, given.separates};
     if (given.is_body())
       m_fluid.add_body(solid, body_of(given, m_scene.dimension, m_folder), behavior);
     else if (given.is_moved_by_expressions())
       m_fluid.add_solid(
-          Moving_solid_3<Solid>(solid, CGAL::ORIGIN + solid_vector(given.center),
-                                Motion_by_expressions(given, step * m_scene.time_step)),
+          Moving_solid_3<Solid>(
+              solid, center,
+              CGAL::Deformable_simplicial_complexes::motion_of_places(
+                  [given](double t) { return place_at(given, t); }, step * m_scene.time_step)),
           behavior);
     else if (given.moves())
-      m_fluid.add_solid(Moving_solid_3<Solid>(solid, solid_vector(given.velocity),
-                                              CGAL::ORIGIN + solid_vector(given.point),
+      m_fluid.add_solid(Moving_solid_3<Solid>(solid, solid_vector(given.velocity), center,
                                               solid_vector(given.angular_velocity)),
                         behavior);
     else
@@ -198,7 +128,7 @@ private:
 
 void set_centers_of_meshes(const std::string& folder, Fluid_scene& scene) {
   for (Scene_solid& solid : scene.solids)
-    if (solid.kind == Scene_solid::Kind::mesh) {
+    if (solid.kind == Scene_solid::Kind::mesh && !solid.has_given_center) {
       const auto mesh = solid_mesh(place_of(solid.file, folder));
       Solid_vector sum(0, 0, 0);
       for (const auto v : mesh.vertices())
@@ -208,12 +138,10 @@ void set_centers_of_meshes(const std::string& folder, Fluid_scene& scene) {
 }
 
 std::array<double, 3> center_of(const Scene_solid& solid, double t) {
-  const Solid_vector center = solid_vector(solid.center);
-  if (solid.is_moved_by_expressions())
-    return array_of(center + Solid_placement(solid, t).displacement);
-  const Solid_vector pivot = solid_vector(solid.point);
-  return array_of(pivot + t * solid_vector(solid.velocity) +
-                  turned(center - pivot, t * solid_vector(solid.angular_velocity)));
+  const Solid_vector displacement = solid.is_moved_by_expressions()
+                                        ? place_at(solid, t).displacement
+                                        : t * solid_vector(solid.velocity);
+  return array_of(solid_vector(solid.center) + displacement);
 }
 
 template <class Complex>

@@ -13,8 +13,8 @@
 
 namespace dsc {
 
-/// Sets the centers of solids that are meshes. Files of the scene are searched in `folder`.
-/// \throws Input_error if a file cannot be read
+/// Sets the centers of meshes to the means of their vertices, except for given centers. Files of
+/// the scene are searched in `folder`. \throws Input_error if a file cannot be read
 void set_centers_of_meshes(const std::string& folder, Fluid_scene& scene);
 
 /// Returns the center of a solid that is no body at a time, see `Scene_solid::center`.

@@ -152,7 +152,7 @@ private:
     object.change(py::none(), [&](Owned_fluid<Complex>& owned) {
       using Moving_solid = DSC::Moving_solid_3<Solid>;
       if (chosen.motion)
-        owned.fluid->add_solid(Moving_solid(solid, center, *chosen.motion), chosen.wall);
+        owned.fluid->add_solid(Moving_solid(solid, center, chosen.motion), chosen.wall);
       else if (chosen.has_velocity())
         owned.fluid->add_solid(Moving_solid(solid, vector_in_space(chosen.velocity), center,
                                             vector_in_space(chosen.angular_velocity)),

@@ -13,56 +13,29 @@
 #include <CGAL/Incompressible_fluids_3/Moving_solid_3.h>
 
 #include <array>
-#include <memory>
-#include <mutex>
-#include <optional>
+#include <functional>
 #include <utility>
 
 namespace dsc_python {
 
-/// Motion of a solid that a Python function gives: `function(t)` returns the displacement, the
-/// rotation, the velocity and the angular velocity, with three coordinates each. Copies share the
-/// motion at the last time. Several threads can use them.
-class Motion_function
+/// The places of a solid that a Python function gives: `function(t)` returns the displacement and
+/// the rotation, with three coordinates each. Several threads can use it.
+class Place_function
 {
 public:
-  using Motion = CGAL::Deformable_simplicial_complexes::Solid_motion_3;
+  using Place = CGAL::Deformable_simplicial_complexes::Solid_place_3;
 
-  explicit Motion_function(py::function function)
-      : m_function(std::move(function)), m_last(std::make_shared<Last>()) {}
+  explicit Place_function(py::function function) : m_function(std::move(function)) {}
 
-  Motion operator()(double t) const {
-    {
-      const std::lock_guard<std::mutex> lock(m_last->mutex);
-      if (m_last->time == t)
-        return m_last->motion;
-    }
-    const Motion result = motion(t); // without the mutex: the function may use the fluid
-    const std::lock_guard<std::mutex> lock(m_last->mutex);
-    m_last->time = t;
-    m_last->motion = result;
-    return result;
+  Place operator()(double t) const {
+    using CGAL::Deformable_simplicial_complexes::point_of;
+    const py::gil_scoped_acquire lock;
+    const auto vectors = m_function(t).cast<std::array<std::array<double, 3>, 2>>();
+    return {point_of<Place::Vector>(vectors[0]), point_of<Place::Vector>(vectors[1])};
   }
 
 private:
-  struct Last
-  {
-    std::mutex mutex;
-    std::optional<double> time;
-    Motion motion;
-  };
-
-  Motion motion(double t) const {
-    using CGAL::Deformable_simplicial_complexes::point_of;
-    using Vector = Motion::Vector;
-    const py::gil_scoped_acquire lock;
-    const auto vectors = m_function(t).cast<std::array<std::array<double, 3>, 4>>();
-    return {point_of<Vector>(vectors[0]), point_of<Vector>(vectors[1]),
-            point_of<Vector>(vectors[2]), point_of<Vector>(vectors[3])};
-  }
-
   Shared_function m_function;
-  std::shared_ptr<Last> m_last;
 };
 
 /// The options of all solids of a fluid. Vectors have three coordinates in the plane, too.
@@ -76,9 +49,11 @@ struct Solid_options
     rest.read("separates", wall.separates);
     rest.read("velocity", velocity);
     rest.read("angular_velocity", angular_velocity);
-    const py::object function = rest.take("motion");
-    if (!function.is_none())
-      motion.emplace(function.cast<py::function>());
+    if (const py::object given = rest.take("motion"); !given.is_none()) {
+      const auto [function, step] = given.cast<std::pair<py::function, double>>();
+      motion =
+          CGAL::Deformable_simplicial_complexes::motion_of_places(Place_function(function), step);
+    }
     rest.require_all_read();
   }
 
@@ -90,7 +65,8 @@ struct Solid_options
   CGAL::Deformable_simplicial_complexes::Wall_behavior wall;
   std::array<double, 3> velocity = {};         ///< of a body, the initial velocity
   std::array<double, 3> angular_velocity = {}; ///< of a body, the initial angular velocity
-  std::optional<Motion_function> motion;
+  /// A motion as a function of time; empty without one.
+  std::function<CGAL::Deformable_simplicial_complexes::Solid_motion_3(double)> motion;
 };
 
 } // namespace dsc_python

@@ -1,4 +1,6 @@
 // Rigid bodies that liquids move, solids that move as a function of time, and sources with a flux.
+#include "planar_regions.h"
+
 #include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Incompressible_fluid_2.h>
 #if __has_include(<CGAL/Incompressible_fluids_3/compiled_2.h>) // if the component Compiled is used
@@ -20,44 +22,14 @@ namespace {
 
 namespace dsc = CGAL::Deformable_simplicial_complexes;
 namespace parameters = dsc::parameters;
+using planar_regions::circle;
+using planar_regions::divided;
+using planar_regions::Polygon;
+using planar_regions::region;
 using Complex = CGAL::Deformable_simplicial_complex_2<>;
 using Fluid = CGAL::Incompressible_fluid_2<Complex>;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Vector = CGAL::Simple_cartesian<double>::Vector_3;
-
-using Polygon = std::vector<Complex::Point_2>;
-
-Polygon circle(double radius, double edge) {
-  Polygon result;
-  const auto corners = std::size_t(std::lround(2 * CGAL_PI * radius / edge));
-  for (std::size_t i = 0; i < corners; ++i) {
-    const double a = 2 * CGAL_PI * double(i) / double(corners);
-    result.emplace_back(radius * std::cos(a), radius * std::sin(a));
-  }
-  return result;
-}
-
-Polygon divided(const Polygon& corners, double edge) {
-  Polygon result;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const auto p = corners[i], q = corners[(i + 1) % corners.size()];
-    const int parts = int(std::lround(std::sqrt(CGAL::squared_distance(p, q)) / edge));
-    for (int k = 0; k < parts; ++k)
-      result.push_back(p + (q - p) * (double(k) / parts));
-  }
-  return result;
-}
-
-// Returns the region inside a polygon, with label 1, and outside of a hole.
-Complex region(const Polygon& polygon, const Polygon& hole, const CGAL::Bbox_2& box) {
-  std::vector<dsc::Labelled_curve_2<Complex::Point_2>> curves;
-  curves.emplace_back().add_polyline(polygon);
-  if (!hole.empty()) {
-    curves.emplace_back().add_polyline(hole);
-    curves.back().label = 0;
-  }
-  return dsc::make_deformable_simplicial_complex_2<Complex>(curves, parameters::enclosing_box(box));
-}
 
 dsc::Fluid_properties liquid(double viscosity, double gravity) {
   dsc::Fluid_properties result;
@@ -228,6 +200,130 @@ TEST(Rigid_body, momenta_are_preserved) {
   }
 }
 
+namespace {
+
+// The outline of two disks around (-x, 0) and (x, 0), with edges of about a given length.
+Polygon outline_of_disks(double x, double radius, double edge) {
+  const double angle = std::acos(-x / radius); // of the upper vertex on both disks
+  const auto parts = std::lround(2 * angle * radius / edge);
+  Polygon result;
+  for (const double side : {1., -1.})
+    for (long k = 0; k < parts; ++k) {
+      const double a = angle * (2 * double(k) / double(parts) - 1);
+      result.emplace_back(side * (x + radius * std::cos(a)), side * radius * std::sin(a));
+    }
+  return result;
+}
+
+} // namespace
+
+// At two vertices, the surface of a drop touches two overlapping disks that move past each other.
+// The liquid there moves with both disks, so the vertices follow the points where the circles
+// intersect.
+TEST(Rigid_body, vertices_touch_two_bodies) {
+  static constexpr double x = .2, r = .3;
+  Complex complex = region(circle(1, .15), outline_of_disks(x, r, .1), {-2, -2, 2, 2});
+  Fluid fluid(complex, liquid(0, 0));
+  for (const double side : {-1., 1.}) {
+    dsc::Rigid_body_3 body = dsc::rigid_disk(Point(side * x, 0, 0), r, 2);
+    body.velocity = Vector(0, side == 1 ? .3 : -.1, 0);
+    fluid.add_body(dsc::Ball_solid_3(body.center, r, dsc::Solid_side::inside), body,
+                   attached(false));
+  }
+  const auto energy = [&] {
+    double result = fluid.balance().energy();
+    for (std::size_t k : {0, 1})
+      result += fluid.body(k).mass / 2 * fluid.body(k).velocity.squared_length();
+    return result;
+  };
+  const auto momentum = [&] {
+    Vector result = fluid.balance().momentum;
+    for (std::size_t k : {0, 1})
+      result = result + fluid.body(k).mass * fluid.body(k).velocity;
+    return result;
+  };
+  const double begin = energy();
+  const Vector given = momentum();
+  double after_impact = begin;
+  for (int k = 0; k < 20; ++k) {
+    const auto report = fluid.advance(.02);
+    EXPECT_LT(report.depth_in_solids, 1e-9);
+    if (k == 0)
+      after_impact = energy();
+    EXPECT_LT(after_impact, begin);
+    EXPECT_LT(energy(), after_impact * (1 + 2e-3)) << k;
+    EXPECT_NEAR((momentum() - given).x(), 0, 2e-4) << k;
+    EXPECT_NEAR((momentum() - given).y(), 0, 2e-4) << k;
+    const Point a = fluid.body(0).center, b = fluid.body(1).center;
+    const Vector across = (b - a) / 2, along(-across.y(), across.x(), 0);
+    const double length = std::sqrt(across.squared_length());
+    for (const double sign : {-1., 1.}) {
+      const Point p =
+          CGAL::midpoint(a, b) + sign * std::sqrt(r * r / (length * length) - 1) * along;
+      bool is_found = false;
+      for (auto v : complex.interface_vertices()) {
+        const auto q = complex.position(v);
+        if (std::hypot(q.x() - p.x(), q.y() - p.y()) > 1e-6)
+          continue;
+        is_found = true;
+        const auto velocity = fluid.velocity(v);
+        for (const Point& center : {a, b}) {
+          const Vector normal = (p - center) / r,
+                       of_body = fluid.body(center == a ? 0 : 1).velocity;
+          EXPECT_NEAR(normal.x() * velocity.x() + normal.y() * velocity.y(), normal * of_body,
+                      5e-5);
+        }
+      }
+      EXPECT_TRUE(is_found) << k;
+    }
+  }
+}
+
+// Without liquid, bodies fall freely.
+TEST(Rigid_body, falls_without_liquid) {
+  Complex complex = region(circle(1, .25), {}, {-2, -2, 2, 2});
+  Fluid fluid(complex, liquid(0, 1));
+  dsc::Rigid_body_3 body = dsc::rigid_disk(Point(0, -1.5, 0), .3, 2);
+  body.velocity = Vector(.5, 0, 0);
+  body.angular_velocity = Vector(0, 0, 1);
+  fluid.add_body(dsc::Ball_solid_3(body.center, .3, dsc::Solid_side::inside), body);
+  for (auto c : complex.cells())
+    if (c->label() == 1)
+      complex.relabel(c, 0);
+  for (int k = 0; k < 4; ++k)
+    fluid.advance(.25);
+  EXPECT_NEAR(fluid.body(0).center.x(), .5, 1e-12);
+  EXPECT_NEAR(fluid.body(0).center.y(), -2, 1e-12);
+  EXPECT_NEAR(fluid.body(0).velocity.y(), -1, 1e-12);
+  EXPECT_DOUBLE_EQ(fluid.body(0).angular_velocity.z(), 1);
+  EXPECT_NEAR(2 * std::atan2(fluid.body(0).rotation[3], fluid.body(0).rotation[0]), 1, .01);
+}
+
+// A top without symmetry keeps its angular momentum and, almost, its energy.
+TEST(Rigid_body, rotates_freely) {
+  dsc::Rigid_body_3 body = dsc::rigid_box(Point(-1, -2, -3), Point(1, 2, 3), 1);
+  body.angular_velocity = Vector(.1, 1, .2);
+  const dsc::internal::Body_inertia inertia(body, 3);
+  const auto momentum = [&] {
+    return Eigen::Vector3d(inertia.inertia(dsc::internal::place_of(body).rotation) *
+                           dsc::internal::velocity_of(body).angular);
+  };
+  const auto energy = [&] {
+    return inertia.energy(dsc::internal::place_of(body).rotation, dsc::internal::velocity_of(body));
+  };
+  const Eigen::Vector3d given = momentum();
+  const double begin = energy();
+  for (int k = 0; k < 200; ++k)
+    dsc::internal::move_freely(body, Eigen::Vector3d::Zero(), .05, 3);
+  EXPECT_LT((momentum() - given).norm(), 1e-10 * given.norm());
+  EXPECT_NEAR(energy(), begin, 1e-3 * begin);
+  body.rotates = {false, true, false};
+  const Vector before = body.angular_velocity = Vector(0, 1, 0);
+  dsc::internal::move_freely(body, Eigen::Vector3d(1, 1, 1), .05, 2);
+  EXPECT_EQ(body.velocity.z(), 0);
+  EXPECT_EQ(body.angular_velocity, Vector(0, 0, 0)) << before;
+}
+
 TEST(Rigid_body, state_is_restored_bitwise) {
   Floating_box scene(.5, .28);
   scene.fluid.advance(.1);
@@ -331,6 +427,66 @@ TEST(Moving_solid, oscillates_as_the_function_says) {
   EXPECT_THROW(broken.walls(Point(0, 0, 0), 0, walls), dsc::Error);
 }
 
+TEST(Moving_solid, motion_is_the_derivative_of_places) {
+  static constexpr double step = 1e-4;
+  double earliest = 1;
+  const auto motion = dsc::motion_of_places(
+      [&earliest](double t) {
+        earliest = (std::min)(earliest, t);
+        return dsc::Solid_place_3{{std::sin(t), 1 + t * t, 0}, {0, t + t * t, 0}};
+      },
+      step);
+  for (const double t : {0., step / 2, step, 1.}) {
+    const dsc::Solid_motion_3 at = motion(t);
+    EXPECT_EQ(at.displacement, Vector(std::sin(t), 1 + t * t, 0));
+    EXPECT_EQ(at.rotation, Vector(0, t + t * t, 0));
+    EXPECT_NEAR(at.velocity.x(), std::cos(t), step * step);
+    EXPECT_NEAR(at.velocity.y(), 2 * t, 1e-11);
+    EXPECT_NEAR(at.angular_velocity.y(), 1 + 2 * t, 1e-11);
+    EXPECT_NEAR(at.angular_velocity.x(), 0, 1e-11);
+  }
+  EXPECT_EQ(earliest, 0);
+  EXPECT_THROW(motion(1e14), dsc::Error);
+  EXPECT_THROW(dsc::motion_of_places({}, 0), dsc::Error);
+}
+
+TEST(Moving_solid, motion_is_evaluated_once_for_a_time) {
+  int calls = 0;
+  const dsc::Moving_solid_3<dsc::Plane_solid_3> solid(
+      dsc::Plane_solid_3(Point(0, 0, 0), Vector(0, 1, 0)), Point(0, 0, 0), [&calls](double) {
+        ++calls;
+        return dsc::Solid_motion_3();
+      });
+  const auto copy = solid;
+  std::vector<dsc::Wall_3> walls;
+  for (int k = 0; k < 3; ++k)
+    (k == 1 ? copy : solid).walls(Point(0, k, 0), 1, walls);
+  EXPECT_EQ(calls, 1);
+  solid.walls(Point(0, 0, 0), 2, walls);
+  EXPECT_EQ(calls, 2);
+}
+
+// A full tank that moves from the first instant takes its liquid along.
+TEST(Moving_solid, starts_impulsively) {
+  static constexpr double velocity = .5;
+  for (const bool sticks : {false, true}) {
+    SCOPED_TRACE(sticks);
+    Complex complex =
+        region(divided({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, .125), {}, {-.5, -.5, 2, 1.5});
+    Fluid fluid(complex, liquid(0, 0));
+    fluid.add_solid(dsc::Moving_solid_3<dsc::Tank_solid_3>(
+                        dsc::Tank_solid_3(CGAL::Bbox_2(0, 0, 1, 1)), Vector(velocity, 0, 0)),
+                    attached(sticks));
+    for (int k = 0; k < 4; ++k) {
+      const auto report = fluid.advance(.05);
+      EXPECT_NEAR(report.after.momentum.x(), velocity, 1e-9);
+      EXPECT_NEAR(report.after.momentum.y(), 0, 1e-9);
+      EXPECT_LT(report.after.kinetic_energy, velocity * velocity / 2 * (1 + 1e-9));
+      EXPECT_TRUE(report.repetitions.empty());
+    }
+  }
+}
+
 TEST(Box_solid, walls) {
   const dsc::Box_solid_3 box(CGAL::Bbox_3(0, 0, 0, 1, 2, 3));
   const auto walls = [&](double x, double y, double z) {
@@ -349,7 +505,16 @@ TEST(Box_solid, walls) {
   EXPECT_DOUBLE_EQ(least(walls(1.3, 2.4, 1)), .5);   // from an edge
   EXPECT_DOUBLE_EQ(least(walls(1.2, 2.3, 3.6)), .7); // from a corner
   EXPECT_DOUBLE_EQ(least(walls(.9, 1, 1)), -.1);     // inside
-  const auto edge = walls(1, 2, 1);                  // on an edge
+  const auto nearest = [&](double x, double y, double z) {
+    return box.nearest_wall(Point(x, y, z));
+  };
+  EXPECT_NEAR(nearest(1.3, 2.4, 1).distance, .5, 1e-14);
+  EXPECT_EQ(nearest(1.5, 1, 1).normal, Vector(1, 0, 0));
+  EXPECT_DOUBLE_EQ(nearest(.9, 1, 1).distance, -.1);
+  EXPECT_EQ(nearest(.9, 1, 1).normal, Vector(1, 0, 0));
+  EXPECT_NEAR(nearest(1.0003, 2.0004, 1).distance, .0005, 1e-14); // very near to an edge
+  EXPECT_NEAR(nearest(.9997, 2.0004, 1).distance, .0004, 1e-14);
+  const auto edge = walls(1, 2, 1); // on an edge
   EXPECT_EQ(edge[1].distance, 0);
   EXPECT_EQ(edge[1].normal, Vector(1, 0, 0));
   EXPECT_EQ(edge[3].distance, 0);

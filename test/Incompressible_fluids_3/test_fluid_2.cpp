@@ -1,4 +1,6 @@
 // Incompressible flow in the plane.
+#include "planar_regions.h"
+
 #include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Incompressible_fluid_2.h>
 #if __has_include(<CGAL/Incompressible_fluids_3/compiled_2.h>) // if the component Compiled is used
@@ -24,19 +26,11 @@ using Point = Fluid::Point;
 using Vector = Fluid::Vector;
 using Vertex_handle = Complex::Vertex_handle;
 
-// Returns the region inside a polygon around a center. `radius` is a function of the angle.
+// Returns the region around a center. `radius` is a function of the angle.
 Complex around(const Point& center, std::size_t corners, const CGAL::Bbox_2& box,
                const std::function<double(double)>& radius) {
-  std::vector<Complex::Point_2> polygon;
-  for (std::size_t i = 0; i < corners; ++i) {
-    const double a = 2 * CGAL_PI * double(i) / double(corners);
-    polygon.emplace_back(center.x() + radius(a) * std::cos(a),
-                         center.y() + radius(a) * std::sin(a));
-  }
-  dsc::Labelled_curve_2<Complex::Point_2> curve;
-  curve.add_polyline(polygon);
-  return dsc::make_deformable_simplicial_complex_2<Complex>({curve},
-                                                            parameters::enclosing_box(box));
+  return planar_regions::region(planar_regions::around({center.x(), center.y()}, corners, radius),
+                                {}, box);
 }
 
 Complex disk(std::size_t corners, const CGAL::Bbox_2& box) {

@@ -210,6 +210,13 @@ TEST_F(Fluid_output_3, is_drawn_in_a_cut) {
         " --picture a.png --cut x=2.5", " --picture a.png --cut x=-2", " --cut x=0.1",
         " --picture a.png --color pressure"})
     EXPECT_EQ(run(space + options).exit_code, 2) << options;
+  // A cut is checked first, before the cells of the scene.
+  Json broken = rotating_ball(3);
+  broken["liquids"].push_back(broken["liquids"][0]);
+  broken["liquids"][0]["shape"]["center"] = {99, 99, 99};
+  EXPECT_NE(run("fluid " + write_scene(broken) + " --picture a.png --cut x=2.5")
+                .err.find("--cut is outside the domain"),
+            std::string::npos);
   const std::string plane = "fluid " + write_scene(rotating_ball(2));
   EXPECT_NE(run(plane + " --picture a.svg --cut x=0").err.find("only in space"), std::string::npos);
 }

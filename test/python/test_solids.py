@@ -117,17 +117,37 @@ def test_a_wheel_has_the_torque_of_couette_flow(motion):
     assert fluid.bodies == []
 
 
-def test_velocities_of_a_motion():
+@pytest.mark.parametrize(
+    "displacement, velocity",
+    [
+        (lambda t: 0.1 * (1 - np.cos(t)), lambda t: 0.1 * np.sin(t)),  # from rest
+        (lambda t: 0.1 * np.sin(t), lambda t: 0.1 * np.cos(t)),  # impulsively
+    ],
+)
+def test_velocities_of_a_motion(displacement, velocity):
     """A liquid that fills a circle moves with it, by the derivative of the displacement."""
     c = dsc.Complex2.from_polygons([[circle(1, 0.2)]], box=[(-2, -2), (2, 2)])
     fluid = dsc.Fluid(c, {1: dsc.Liquid(1.0)})
-    fluid.add_ball(
-        (0, 0), 1, outside=True, separates=False, motion=lambda t: ((0.1 * (1 - np.cos(t)), 0), 0)
-    )
+    times = []
+
+    def motion(t):
+        times.append(t)
+        return (displacement(t), 0), 0
+
+    fluid.add_ball((0, 0), 1, outside=True, separates=False, motion=motion)
     for _ in range(3):
         fluid.step(0.05)
-    balance = fluid.balance
-    assert balance.momentum / balance.mass == pytest.approx([0.1 * np.sin(0.15), 0], abs=0.002)
+        balance = fluid.balance
+        exact = [velocity(fluid.time), 0]
+        assert balance.momentum / balance.mass == pytest.approx(exact, abs=0.002)
+    assert min(times) == 0
+
+
+def test_a_step_of_a_motion_that_changes_no_time():
+    fluid = droplet()
+    fluid.add_plane((0, -2), (0, 1), motion=still, motion_step=1e-20)
+    with pytest.raises(dsc.Error, match="too short"):
+        fluid.step(0.1)
 
 
 def test_bodies_in_space_fall_and_rotate():

@@ -564,8 +564,13 @@ private:
       return Liquid_bookkeeping::measure(mesh, positions);
     }
 
+    // Returns the contacts with solids. The flow must outlive them.
+    Contacts contacts(const Incompressible_fluid& fluid) const {
+      return Contacts(mesh, fluid.m_solids, fluid.m_complex, positions, fluid.m_time);
+    }
+
     double depth_in_solids(const Incompressible_fluid& fluid) const {
-      const Contacts contacts(mesh, fluid.m_solids, fluid.m_complex, positions, fluid.m_time);
+      const Contacts contacts = this->contacts(fluid);
       double result = 0;
       for (std::size_t v = 0; v < positions.size(); ++v)
         result = (std::max)(result, contacts.depth(v, positions[v], fluid.m_time));
@@ -574,8 +579,7 @@ private:
 
     // Returns whether no vertex is in a solid, and no change of the mesh has moved a vertex off a
     // wall.
-    bool fits_solids(const Incompressible_fluid& fluid) const {
-      const Contacts contacts(mesh, fluid.m_solids, fluid.m_complex, positions, fluid.m_time);
+    bool fits_solids(const Incompressible_fluid& fluid, const Contacts& contacts) const {
       for (std::size_t v = 0; v < positions.size(); ++v)
         if (contacts.depth(v, positions[v], fluid.m_time) > 0 ||
             (fluid.m_motion.is_from_wall(mesh.vertices[v]) &&
@@ -677,8 +681,8 @@ private:
                                    const Vectors& destinations, const Options& chosen);
   template <class Change> auto change_mesh(const Change& change);
   void restore_volumes(Flow& flow, const Options& chosen, Report& report);
-  Flow move_interface(const Flow& flow, const Eigen::VectorXd& coordinates, const Options& chosen,
-                      Report& report);
+  Flow move_interface(const Flow& flow, const Contacts& contacts,
+                      const Eigen::VectorXd& coordinates, const Options& chosen, Report& report);
   std::vector<std::size_t> stamps_of_interface() const;
   Eigen::VectorXd coordinates_of_interface(const Eigen::VectorXd& near = {}) const;
   double update_components(const Flow& now);

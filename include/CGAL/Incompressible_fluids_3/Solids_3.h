@@ -25,7 +25,9 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <memory>
 #include <string>
@@ -201,15 +203,20 @@ public:
   explicit Box_solid_3(const Bbox_2& box)
       : Box_solid_3(Bbox_3(box.xmin(), box.ymin(), -1, box.xmax(), box.ymax(), 1), 2) {}
 
+  /// Returns the wall at the nearest point of the surface. Takes constant time.
+  Wall_3 nearest_wall(const Point& p) const {
+    const int side = outermost_side(p);
+    const double distance = distance_of_plane(p, side);
+    return distance > 0 ? wall_from_outside(p, m_box) : Wall_3{distance, outward(side)};
+  }
+
   /// Appends the walls. Takes constant time.
   void walls(const Point& p, double /*t*/, std::vector<Wall_3>& result) const {
-    double outermost = -std::numeric_limits<double>::infinity();
-    for (int side = 0; side < 2 * m_dimension; ++side)
-      outermost = (std::max)(outermost, distance_of_plane(p, side));
+    const double outermost = distance_of_plane(p, outermost_side(p));
     for (int side = 0; side < 2 * m_dimension; ++side) {
       const double distance = distance_of_plane(p, side);
       if (outermost > m_width_of_edges)
-        result.push_back(wall_from_outside(p, side));
+        result.push_back(wall_from_outside(p, box_of_side(side)));
       else if (distance == outermost || std::abs(distance) <= m_width_of_edges)
         result.push_back({distance, outward(side)});
       else // the edge of the side limits motions along other sides
@@ -238,13 +245,28 @@ private:
     return side % 2 == 0 ? m_box.min(axis) - p[axis] : p[axis] - m_box.max(axis);
   }
 
-  // Returns a side of the box as the wall of a point outside.
-  Wall_3 wall_from_outside(const Point& p, int side) const {
-    Vector offset(0, 0, 0); // from the nearest point of the side
+  // Returns the side of whose plane a point is farthest outside.
+  int outermost_side(const Point& p) const {
+    int result = 0;
+    for (int side = 1; side < 2 * m_dimension; ++side)
+      if (distance_of_plane(p, side) > distance_of_plane(p, result))
+        result = side;
+    return result;
+  }
+  Bbox_3 box_of_side(int side) const {
+    std::array<double, 3> from, to;
+    for (int axis = 0; axis < 3; ++axis) {
+      from[std::size_t(axis)] = side == 2 * axis + 1 ? m_box.max(axis) : m_box.min(axis);
+      to[std::size_t(axis)] = side == 2 * axis ? m_box.min(axis) : m_box.max(axis);
+    }
+    return {from[0], from[1], from[2], to[0], to[1], to[2]};
+  }
+
+  // Returns the wall at the nearest point of a box that does not contain the point.
+  Wall_3 wall_from_outside(const Point& p, const Bbox_3& box) const {
+    Vector offset(0, 0, 0); // from the nearest point
     for (int axis = 0; axis < m_dimension; ++axis) {
-      const double least = side == 2 * axis + 1 ? m_box.max(axis) : m_box.min(axis),
-                   largest = side == 2 * axis ? m_box.min(axis) : m_box.max(axis);
-      const double d = p[axis] - std::clamp(p[axis], least, largest);
+      const double d = p[axis] - std::clamp(p[axis], box.min(axis), box.max(axis));
       offset = offset + Vector(axis == 0 ? d : 0, axis == 1 ? d : 0, axis == 2 ? d : 0);
     }
     const double distance = std::sqrt(offset.squared_length());

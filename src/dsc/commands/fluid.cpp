@@ -130,6 +130,8 @@ template <int dimension> void Reported_run<dimension>::check_places() {
     throw Usage_error("--color needs a --cut in space, like --cut x=0.5");
   if (!m_options.picture.path.empty())
     require_extension(m_options.picture.path, {dimension == 2 ? "svg" : "png"});
+  if (m_options.picture.cut && m_scene)
+    require_cut_of_domain(*m_options.picture.cut, *m_scene);
   if (!m_options.output.empty())
     m_folder.emplace(m_options.output, m_options.resume, m_options.subdivisions);
   require_place("--report", m_options.report, {m_options.resume, m_options.scene});
@@ -145,7 +147,7 @@ template <int dimension> void Reported_run<dimension>::begin() {
   Fluid<Complex>& fluid = *m_run.fluid;
   m_run.complex->arrays = {[&fluid] { return cell_arrays<Complex>(fluid); },
                            [&fluid] { return interface_arrays<Complex>(fluid); }};
-  if (m_options.picture.cut)
+  if (m_options.picture.cut && !m_scene)
     require_cut_of_domain(*m_options.picture.cut, m_run.scene);
   m_end = m_options.end > 0 ? m_options.end : m_run.scene.end;
   if (!(m_end > fluid.time()))
@@ -199,6 +201,7 @@ template <int dimension> void Reported_run<dimension>::advance() {
   const double dt = m_run.next_step(m_end);
   set_time(m_run.scene, fluid.time() + dt / 2, fluid);
   const auto report = fluid.advance(dt, options); // all or nothing
+  set_time(m_run.scene, fluid.time(), fluid);
   ++m_done;
   m_steps.push_back(step_json<Complex>(fluid, m_run.scene, step(), report));
   m_repetitions.add(report.repetitions);

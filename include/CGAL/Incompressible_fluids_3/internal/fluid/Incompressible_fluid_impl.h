@@ -37,6 +37,10 @@ double Incompressible_fluid<Complex, Solver>::relax(double dt, unsigned steps, O
   double first = 0, velocity = 0;
   internal::Fixed_point_accelerator accelerator;
   Eigen::VectorXd last; // the coordinates of the interface after the previous step
+  const auto move_interface = [&](const Eigen::VectorXd& coordinates) {
+    const Flow flow(*this, m_properties);
+    this->move_interface(flow, flow.contacts(*this), coordinates, chosen, report);
+  };
   for (unsigned k = 0; k < steps; ++k) {
     const std::vector<std::size_t> before = stamps_of_interface();
     const Eigen::VectorXd from = coordinates_of_interface(last);
@@ -53,14 +57,14 @@ double Incompressible_fluid<Complex, Solver>::relax(double dt, unsigned steps, O
     }
     const Eigen::VectorXd to = last = coordinates_of_interface(from);
     const double energy = balance().energy();
-    move_interface(Flow(*this, m_properties), accelerator.next(from, to), chosen, report);
+    move_interface(accelerator.next(from, to));
     if (before != stamps_of_interface()) {
       accelerator.forget();
       continue;
     }
     if (!(balance().energy() <= energy)) {
       accelerator.forget();
-      move_interface(Flow(*this, m_properties), to, chosen, report);
+      move_interface(to);
     }
   }
   return velocity;
@@ -107,7 +111,11 @@ void Incompressible_fluid<Complex, Solver>::step(double dt, double end, const Op
   report.after = report.before;
   report.forces_on_solids.assign(m_solids.size(), NULL_VECTOR);
   report.torques_on_solids = report.forces_on_solids;
-  if (!flow.mesh.can_move()) {
+  if (!flow.mesh.can_move()) { // only bodies can move
+    for (internal::Any_solid_3& solid : m_solids)
+      if (solid.body && end > m_time)
+        internal::move_freely(*solid.body, Eigen::Vector3d(m_properties.gravity().data()), dt,
+                              dimension);
     m_time = end;
     return;
   }
@@ -236,7 +244,8 @@ auto Incompressible_fluid<Complex, Solver>::energies_with_gases_of(const Report&
 }
 
 // Replaces given velocities by the nearest ones that preserve volumes and enter no wall, in the
-// norm of the kinetic energy. These are the velocities after a step in which only pressures act.
+// norm of the kinetic energy. These are the velocities after a step in which only pressures act. A
+// solid or a side that moves from the first instant sets the liquid in motion in this step.
 template <class Complex, class Solver>
 void Incompressible_fluid<Complex, Solver>::make_admissible(double dt, unsigned number_of_threads,
                                                             Report& report) {
@@ -244,24 +253,19 @@ void Incompressible_fluid<Complex, Solver>::make_admissible(double dt, unsigned 
   for (const auto& [label, liquid] : m_properties.liquids())
     inviscid.set_liquid(label, {liquid.density, 0});
   const Flow flow(*this, inviscid);
-  const bool bodies_rest =
-      std::all_of(m_solids.begin(), m_solids.end(), [](const internal::Any_solid_3& solid) {
-        return !solid.body ||
-               (solid.body->velocity == NULL_VECTOR && solid.body->angular_velocity == NULL_VECTOR);
-      });
   const bool sides_rest =
       std::all_of(m_sides.begin(), m_sides.end(), [](const Side_behavior& side) {
         return !side.inflow &&
                side.velocity.value_or(std::array<double, 3>()) == std::array<double, 3>();
       });
-  if (bodies_rest && sides_rest &&
+  if (sides_rest && !flow.contacts(*this).touches_moving_wall(m_time) &&
       std::all_of(flow.velocities.begin(), flow.velocities.end(),
                   [](const Eigen::Vector3d& v) { return v.isZero(0); }))
     return;
   Step step(m_complex, flow, {inviscid, m_solids, m_sides, m_gases.components_of(flow.mesh), {}},
             {m_time, m_time + dt, {dt, 1}}, m_solver, number_of_threads);
   const auto begin = Clock::now();
-  step.solve(true);
+  step.solve(false); // the stabilization needs the accelerations of an impulsive start
   report.seconds_of_solver += seconds_since(begin);
   report.solutions += step.solutions();
   report.iterations += step.iterations();

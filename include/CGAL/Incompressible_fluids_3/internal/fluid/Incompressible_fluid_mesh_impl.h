@@ -35,7 +35,7 @@ void Incompressible_fluid<Complex, Solver>::adapt(const Options& chosen,
     return;
   require_interface_edge(m_complex);
   const Flow flow(*this, m_properties);
-  const Contacts contacts(flow.mesh, m_solids, m_complex, flow.positions, m_time);
+  const Contacts contacts = flow.contacts(*this);
   m_motion.set_wetting(flow.mesh, [&contacts](std::size_t v) { return contacts.touches(v); });
   record_momenta(flow, [&](const internal::Masses& masses) {
     return internal::momentum(flow.mesh, masses, flow.positions, flow.velocities);
@@ -168,10 +168,12 @@ void Incompressible_fluid<Complex, Solver>::restore_volumes(Flow& flow, const Op
     report.volume_error = m_liquids.error(flow.volumes());
     if (k == 0)
       report.volume_correction = (std::max)(report.volume_correction, report.volume_error);
-    if (k == rounds || flow.mesh.facets.empty() ||
-        (report.volume_error <= rounding && flow.fits_solids(*this)))
+    if (k == rounds || flow.mesh.facets.empty())
       break;
-    flow = move_interface(flow, coordinates_of_interface(), chosen, report);
+    const Contacts contacts = flow.contacts(*this);
+    if (report.volume_error <= rounding && flow.fits_solids(*this, contacts))
+      break;
+    flow = move_interface(flow, contacts, coordinates_of_interface(), chosen, report);
   }
 }
 
@@ -180,12 +182,12 @@ void Incompressible_fluid<Complex, Solver>::restore_volumes(Flow& flow, const Op
 // permits this. Returns the present flow.
 template <class Complex, class Solver>
 auto Incompressible_fluid<Complex, Solver>::move_interface(const Flow& flow,
+                                                           const Contacts& contacts,
                                                            const Eigen::VectorXd& coordinates,
                                                            const Options& chosen, Report& report)
     -> Flow {
   const Mesh& mesh = flow.mesh;
   Vectors positions = flow.positions;
-  const Contacts contacts(mesh, m_solids, m_complex, positions, m_time);
   std::unordered_map<std::size_t, std::size_t> number; // in the mesh, by time stamp
   for (std::size_t v = 0; v < positions.size(); ++v)
     number.emplace(mesh.vertices[v]->time_stamp(), v);

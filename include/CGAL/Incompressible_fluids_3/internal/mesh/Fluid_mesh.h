@@ -12,6 +12,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/star_union.h>
 #include <CGAL/Incompressible_fluids_3/Fluid_properties.h>
+#include <CGAL/Incompressible_fluids_3/internal/mesh/Slip_transform.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
 
 #include <Eigen/Core>
@@ -66,15 +67,6 @@ template <class Complex> struct Fluid_mesh
     double friction; // of two viscous liquids: force per unit of area and of relative velocity
   };
   static constexpr Index no_gas = Index(-1);
-
-  // A vertex of the interface of two liquids, and of no other medium. The vertex moves with the
-  // velocity (1 - share) * u + share * w, where u and w are the velocities of the two liquids, and
-  // `share` is the part of the second liquid in the mass of the vertex.
-  struct Slip
-  {
-    Index first, second; // the two occurrences of the vertex
-    double share;
-  };
 
   // A connected component of a gas.
   struct Gas_component

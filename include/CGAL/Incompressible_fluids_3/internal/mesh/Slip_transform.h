@@ -20,6 +20,15 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
+// A vertex of the interface of two liquids, and of no other medium. The vertex moves with the
+// velocity (1 - share) * u + share * w, where u and w are the velocities of the two liquids, and
+// `share` is the part of the second liquid in the mass of the vertex.
+struct Slip
+{
+  std::uint32_t first, second; // the two occurrences of the vertex
+  double share;
+};
+
 // The transformation of velocities at vertices at which two liquids slip along each other. The
 // unknowns are the velocity v of the vertex and the relative velocity s of the liquids. With the
 // share c of the second liquid in the mass of the vertex, the velocities of the two liquids are
@@ -33,46 +42,45 @@ public:
   using Vector = Eigen::VectorXd;
   using Index = std::uint32_t;
 
+  // Prepares the transformation of the velocities of a mesh, which must outlive the object.
   template <class Mesh>
-  explicit Slip_transform(const Mesh& mesh) : m_size(Eigen::Index(mesh.vertices.size())) {
-    for (const auto& slip : mesh.slips)
-      m_pairs.push_back({slip.first, slip.second, slip.share});
-  }
+  explicit Slip_transform(const Mesh& mesh)
+      : m_size(Eigen::Index(mesh.vertices.size())), m_slips(mesh.slips) {}
 
   // Returns the second place of a vertex with two velocities, given its first place.
   std::optional<Index> second(Index first) const {
-    const auto found = std::lower_bound(m_pairs.begin(), m_pairs.end(), first,
-                                        [](const Pair& a, Index b) { return a.first < b; });
-    return found != m_pairs.end() && found->first == first ? std::optional<Index>(found->second)
+    const auto found = std::lower_bound(m_slips.begin(), m_slips.end(), first,
+                                        [](const Slip& a, Index b) { return a.first < b; });
+    return found != m_slips.end() && found->first == first ? std::optional<Index>(found->second)
                                                            : std::nullopt;
   }
 
   // Replaces velocities of liquids by unknowns.
   void to_unknowns(Vector& v) const {
-    for (const Pair& pair : m_pairs) {
-      auto [first, second] = at(v, pair);
+    for (const Slip& slip : m_slips) {
+      auto [first, second] = at(v, slip);
       const Eigen::Vector3d relative = first - second;
-      first -= pair.share * relative;
+      first -= slip.share * relative;
       second = relative;
     }
   }
 
   // Replaces unknowns by velocities of liquids.
   void to_velocities(Vector& v) const {
-    for (const Pair& pair : m_pairs) {
-      auto [first, second] = at(v, pair);
+    for (const Slip& slip : m_slips) {
+      auto [first, second] = at(v, slip);
       const Eigen::Vector3d relative = second;
-      second = first - (1 - pair.share) * relative;
-      first += pair.share * relative;
+      second = first - (1 - slip.share) * relative;
+      first += slip.share * relative;
     }
   }
 
   // Replaces forces on liquids by forces on unknowns.
   void transform_forces(Vector& f) const {
-    for (const Pair& pair : m_pairs) {
-      auto [first, second] = at(f, pair);
+    for (const Slip& slip : m_slips) {
+      auto [first, second] = at(f, slip);
       const Eigen::Vector3d sum = first + second;
-      second = pair.share * first - (1 - pair.share) * second;
+      second = slip.share * first - (1 - slip.share) * second;
       first = sum;
     }
   }
@@ -80,7 +88,7 @@ public:
   // Returns T^t a T, where T maps unknowns to velocities, and `a` has blocks of `axes` rows and
   // columns for each velocity.
   template <int axes> Matrix symmetric(const Matrix& a) const {
-    if (m_pairs.empty() || a.rows() == 0)
+    if (m_slips.empty() || a.rows() == 0)
       return a;
     const Matrix t = matrix<axes>();
     const Matrix product = a * t, transposed = t.transpose();
@@ -89,23 +97,18 @@ public:
 
   // Returns b T, where b has blocks of `axes` columns for each velocity.
   template <int axes> Matrix columns(const Matrix& b) const {
-    return m_pairs.empty() ? b : Matrix(b * matrix<axes>());
+    return m_slips.empty() ? b : Matrix(b * matrix<axes>());
   }
 
 private:
-  struct Pair
-  {
-    Index first, second;
-    double share;
-  };
   struct Ends
   {
     Eigen::Ref<Eigen::Vector3d> first, second;
   };
 
-  static Ends at(Vector& v, const Pair& pair) {
-    return {v.segment<3>(3 * Eigen::Index(pair.first)),
-            v.segment<3>(3 * Eigen::Index(pair.second))};
+  static Ends at(Vector& v, const Slip& slip) {
+    return {v.segment<3>(3 * Eigen::Index(slip.first)),
+            v.segment<3>(3 * Eigen::Index(slip.second))};
   }
 
   // Returns the matrix that maps unknowns to velocities.
@@ -116,11 +119,11 @@ private:
       for (int axis = 0; axis < axes; ++axis)
         entries.emplace_back(axes * int(row) + axis, axes * int(column) + axis, value);
     };
-    for (const Pair& pair : m_pairs) {
-      is_second[pair.second] = true;
-      add(pair.second, pair.first, 1);
-      add(pair.first, pair.second, pair.share);
-      add(pair.second, pair.second, pair.share - 1);
+    for (const Slip& slip : m_slips) {
+      is_second[slip.second] = true;
+      add(slip.second, slip.first, 1);
+      add(slip.first, slip.second, slip.share);
+      add(slip.second, slip.second, slip.share - 1);
     }
     for (Index v = 0; v < Index(m_size); ++v)
       if (!is_second[v])
@@ -130,8 +133,8 @@ private:
     return result;
   }
 
-  Eigen::Index m_size;       // number of velocities
-  std::vector<Pair> m_pairs; // by first place
+  Eigen::Index m_size; // number of velocities
+  const std::vector<Slip>& m_slips;
 };
 
 } // namespace internal

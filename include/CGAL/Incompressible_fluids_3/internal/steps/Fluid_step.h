@@ -187,8 +187,8 @@ public:
   const Vectors_3& solved_velocities() const { return m_velocities; }
 
   // Returns the momentum of a set of masses at the end of the step, without the effects of
-  // `Wall_contacts::stop()` and of new liquid. It is the initial momentum plus the impulses of
-  // gravity, gases and walls. The forces between the vertices of a set cancel.
+  // `Wall_contacts::constrain_at_end()` and of new liquid. It is the initial momentum plus the
+  // impulses of gravity, gases and walls. The forces between the vertices of a set cancel.
   Momentum pushed_momentum(const Masses& masses) const {
     if (masses.of_vertices.empty())
       return {};
@@ -228,7 +228,7 @@ public:
   }
 
   // Returns the momentum of a set of masses at the end of the step, with the effects of
-  // `Wall_contacts::stop()` and of new liquid.
+  // `Wall_contacts::constrain_at_end()` and of new liquid.
   Momentum final_momentum(const Masses& masses) const {
     if (masses.of_vertices.empty())
       return {};
@@ -347,11 +347,14 @@ private:
     const Roughness_damper<Mesh> damper(m_mesh, m_destinations);
     m_unstopped_velocities = damper.damped(velocities, m_equations.masses(), m_step.dt);
     m_final_velocities = m_unstopped_velocities;
+    Vertex_constraints constraints(m_positions.size());
+    m_contacts.constrain_at_end(m_destinations, m_end, constraints);
+    constraints.close();
     if (bodies_move())
       m_final_velocities_of_bodies = m_bodies.after_impact(
           m_bodies.final_velocities(m_contacts.velocities_of_bodies(), m_step.dt),
-          m_unstopped_velocities, m_equations.masses(), m_contacts.stops(m_destinations, m_end));
-    m_contacts.stop(m_final_velocities, m_destinations, m_end, m_final_velocities_of_bodies);
+          m_unstopped_velocities, m_equations.masses(), constraints);
+    constraints.apply(m_final_velocities_of_bodies, m_final_velocities);
     const Inflow_velocities inflow = m_end > m_begin
                                          ? inflow_velocities(m_mesh, m_sides, m_destinations, m_end)
                                          : Inflow_velocities();
@@ -494,12 +497,7 @@ private:
   bool bodies_move() const { return m_end > m_begin && m_contacts.number_of_bodies() > 0; }
 
   Body_inertia inertia_of_body(std::size_t k) const {
-    Rigid_body_3 body = *m_solids[m_contacts.solid_of_body(k)].body;
-    if (Mesh::dimension == 2) {
-      body.translates[2] = false;
-      body.rotates[0] = body.rotates[1] = false;
-    }
-    return Body_inertia(body);
+    return {*m_solids[m_contacts.solid_of_body(k)].body, Mesh::dimension};
   }
 
   // Returns the bodies that move in the step.

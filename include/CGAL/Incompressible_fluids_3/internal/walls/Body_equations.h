@@ -14,6 +14,7 @@
 #include <CGAL/Incompressible_fluids_3/internal/walls/Vertex_constraints.h>
 
 #include <Eigen/Dense>
+#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
@@ -62,14 +63,7 @@ public:
       m_lengths[a.body.body] = (std::max)(m_lengths[a.body.body], a.body.arm.norm());
     for (double& length : m_lengths)
       length = length > 0 ? length : 1; // has no effect, because no vertex is attached
-    m_columns.assign(6 * m_bodies.size(), Vector::Zero(m_first));
-    for (const auto& a : constraints.attachments()) {
-      const Eigen::Matrix3d turn = a.matrix * cross_matrix(a.body.arm) / m_lengths[a.body.body];
-      for (int axis = 0; axis < 3; ++axis) {
-        column(a.body.body, axis).segment<3>(3 * Eigen::Index(a.vertex)) += a.matrix.col(axis);
-        column(a.body.body, 3 + axis).segment<3>(3 * Eigen::Index(a.vertex)) += turn.col(axis);
-      }
-    }
+    m_columns = motions_of_vertices(constraints);
   }
 
   // A volume that a pressure gains by the velocity of a body at a point, times a vector.
@@ -85,10 +79,8 @@ public:
 
   // Returns the right side f of an extended system. The argument is f of the system.
   Vector forces(const Vector& f) const {
-    Vector result(m_first + Eigen::Index(m_columns.size()));
-    result.head(m_first) = f;
-    for (std::size_t k = 0; k < m_columns.size(); ++k)
-      result(m_first + Eigen::Index(k)) = m_columns[k].dot(f);
+    Vector result(m_first + m_columns.cols());
+    result << f, m_columns.transpose() * f;
     for (std::size_t k = 0; k < m_bodies.size(); ++k) {
       const Body& body = m_bodies[k];
       auto own = result.segment<6>(m_first + 6 * Eigen::Index(k));
@@ -100,7 +92,7 @@ public:
 
   // Returns the unknowns of an extended system for given velocities of vertices and of bodies.
   Vector unknowns(const Vector& velocities, const std::vector<Body_velocity>& of_bodies) const {
-    Vector result(m_first + Eigen::Index(m_columns.size()));
+    Vector result(m_first + m_columns.cols());
     for (std::size_t k = 0; k < m_bodies.size(); ++k)
       result.segment<6>(m_first + 6 * Eigen::Index(k)) << of_bodies[k].linear,
           m_lengths[k] * of_bodies[k].angular;
@@ -142,51 +134,56 @@ public:
     return result;
   }
 
-  // A contact of a vertex at the end of a step: the component of its velocity that the body
-  // determines, and the vector from the center of the body.
-  struct Stop
-  {
-    std::size_t body, vertex;
-    Eigen::Matrix3d projection;
-    Eigen::Vector3d arm;
-  };
-
-  // Returns velocities of bodies after an inelastic impact: then the vertices in contact move with
-  // them, and the momenta of each body and its vertices together are preserved.
+  // Returns velocities of bodies after an inelastic impact: then the constrained vertices move with
+  // the bodies. The sum of the momenta of the bodies and their vertices is preserved, except for
+  // the impulses of walls that no body moves. `constraints` are those at the end of the step, after
+  // `close()`.
   std::vector<Body_velocity> after_impact(const std::vector<Body_velocity>& before,
                                           const Vectors_3& of_vertices,
                                           const std::vector<double>& masses,
-                                          const std::vector<Stop>& stops) const {
-    using Matrix_6 = Eigen::Matrix<double, 6, 6>;
-    using Vector_6 = Eigen::Matrix<double, 6, 1>;
-    std::vector<Matrix_6> mass(before.size(), Matrix_6::Zero());
-    std::vector<Vector_6> impulse(before.size(), Vector_6::Zero());
-    for (const Stop& stop : stops) {
-      const double length = m_lengths[stop.body];
-      Eigen::Matrix<double, 3, 6> velocity; // of the contact, by the motion of the body
-      velocity << stop.projection, stop.projection * cross_matrix(stop.arm) / length;
-      mass[stop.body] += masses[stop.vertex] * velocity.transpose() * velocity;
-      impulse[stop.body] += masses[stop.vertex] * velocity.transpose() *
-                            (of_vertices[stop.vertex] - before[stop.body].at(stop.arm));
+                                          const Vertex_constraints& constraints) const {
+    const auto all = Eigen::Index(6 * m_bodies.size());
+    const Columns motions = motions_of_vertices(constraints);
+    Vector velocities(all), is_free(all), mass(m_first);
+    Entries own, fixed;
+    for (std::size_t k = 0; k < m_bodies.size(); ++k) {
+      const auto first = 6 * Eigen::Index(k);
+      const Body_inertia& inertia = m_bodies[k].inertia;
+      velocities.segment<6>(first) << before[k].linear, m_lengths[k] * before[k].angular;
+      is_free.segment<6>(first) << inertia.translations().diagonal(),
+          inertia.rotations().diagonal();
+      add_block(first, first, inertia_of_unknowns(k), own);
     }
+    for (Eigen::Index i = 0; i < all; ++i)
+      fixed.emplace_back(int(i), int(i), 1 - is_free(i));
+    for (std::size_t v = 0; v < masses.size(); ++v)
+      mass.segment<3>(3 * Eigen::Index(v)).setConstant(masses[v]);
+    Vector missing = -constraints.prescribed() - motions * velocities;
+    for (const auto& c : constraints.constrained()) {
+      const Eigen::Vector3d& v = of_vertices[std::size_t(c.vertex)];
+      missing.segment<3>(3 * c.vertex) += v - c.projection * v;
+    }
+    const Columns weighted = mass.asDiagonal() * motions;
+    Columns inertia = motions.transpose() * weighted;
+    inertia += matrix_of(own, all, all);
+    inertia = is_free.asDiagonal() * inertia;
+    inertia = inertia * is_free.asDiagonal();
+    inertia += matrix_of(fixed, all, all);
+    const Vector impulse = is_free.cwiseProduct(weighted.transpose() * missing),
+                 change = Eigen::SimplicialLDLT<Columns>(inertia).solve(impulse);
     std::vector<Body_velocity> result = before;
     for (std::size_t k = 0; k < before.size(); ++k) {
-      const Body_inertia& inertia = m_bodies[k].inertia;
-      Matrix_6 is_free = Matrix_6::Zero();
-      is_free.topLeftCorner<3, 3>() = inertia.translations();
-      is_free.bottomRightCorner<3, 3>() = inertia.rotations();
-      mass[k].topLeftCorner<3, 3>().diagonal().array() += inertia.mass();
-      mass[k].bottomRightCorner<3, 3>() += inertia_in_middle(k) / (m_lengths[k] * m_lengths[k]);
-      const Matrix_6 restricted =
-          is_free * mass[k] * is_free + inertia.mass() * (Matrix_6::Identity() - is_free);
-      const Vector_6 change = restricted.ldlt().solve(is_free * impulse[k]);
-      result[k].linear += change.head<3>();
-      result[k].angular += change.tail<3>() / m_lengths[k];
+      result[k].linear += change.segment<3>(6 * Eigen::Index(k));
+      result[k].angular += change.segment<3>(6 * Eigen::Index(k) + 3) / m_lengths[k];
     }
     return result;
   }
 
 private:
+  using Columns = Eigen::SparseMatrix<double>;
+  using Entries = std::vector<Eigen::Triplet<double>>;
+  using Matrix_6 = Eigen::Matrix<double, 6, 6>;
+
   // Returns the matrix that maps w to the cross product of w and r.
   static Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& r) {
     Eigen::Matrix3d result;
@@ -194,8 +191,40 @@ private:
     return result;
   }
 
-  Vector& column(std::size_t body, int k) { return m_columns[6 * body + std::size_t(k)]; }
+  // Appends the entries of a block whose first entry is in the given row and column.
+  template <class Block>
+  static void add_block(Eigen::Index row, Eigen::Index column, const Block& block,
+                        Entries& entries) {
+    for (int i = 0; i < Block::RowsAtCompileTime; ++i)
+      for (int j = 0; j < Block::ColsAtCompileTime; ++j)
+        entries.emplace_back(int(row) + i, int(column) + j, block(i, j));
+  }
+  static Columns matrix_of(const Entries& entries, Eigen::Index rows, Eigen::Index columns) {
+    Columns result(rows, columns);
+    result.setFromTriplets(entries.begin(), entries.end());
+    return result;
+  }
 
+  // Returns the matrix that maps the unknowns of bodies to velocities of the vertices that they
+  // constrain. It has six columns for each body.
+  Columns motions_of_vertices(const Vertex_constraints& constraints) const {
+    Entries entries;
+    for (const auto& a : constraints.attachments()) {
+      const auto row = 3 * Eigen::Index(a.vertex), column = 6 * Eigen::Index(a.body.body);
+      const Eigen::Matrix3d turn = a.matrix * cross_matrix(a.body.arm) / m_lengths[a.body.body];
+      add_block(row, column, a.matrix, entries);
+      add_block(row, column + 3, turn, entries);
+    }
+    return matrix_of(entries, m_first, Eigen::Index(6 * m_bodies.size()));
+  }
+
+  // Returns the inertia of a body alone for its six unknowns.
+  Matrix_6 inertia_of_unknowns(std::size_t k) const {
+    Matrix_6 result = Matrix_6::Zero();
+    result.topLeftCorner<3, 3>().diagonal().setConstant(m_bodies[k].inertia.mass());
+    result.bottomRightCorner<3, 3>() = inertia_in_middle(k) / (m_lengths[k] * m_lengths[k]);
+    return result;
+  }
   Eigen::Matrix3d inertia_in_middle(std::size_t k) const {
     return m_bodies[k].inertia.inertia(m_bodies[k].middle.rotation);
   }
@@ -207,10 +236,7 @@ private:
 
   // Returns the velocities of vertices by the motion of bodies.
   Vector attached(const Vector& unknowns) const {
-    Vector result = Vector::Zero(m_first);
-    for (std::size_t k = 0; k < m_columns.size(); ++k)
-      result += unknowns(m_first + Eigen::Index(k)) * m_columns[k];
-    return result;
+    return m_columns * unknowns.tail(m_columns.cols());
   }
 
   std::vector<Body> m_bodies;
@@ -218,36 +244,37 @@ private:
   Eigen::Vector3d m_gravity = Eigen::Vector3d::Zero();
   Eigen::Index m_first = 0;      // the first number of bodies in a vector of velocities
   std::vector<double> m_lengths; // by body: the unit of length of its rotation
-  std::vector<Vector> m_columns; // six for each body: velocities of vertices by unknown
+  Columns m_columns;             // see `motions_of_vertices()`
 };
 
 inline void Body_equations::extend(System& system, const std::vector<Flux>& fluxes) const {
   if (m_bodies.empty())
     return;
-  using Entries = std::vector<Eigen::Triplet<double>>;
   const Eigen::Index n = m_first / 3, all = n + 2 * Eigen::Index(m_bodies.size()),
                      pressures = system.b.rows();
-  const int first = int(m_first);
-  Entries of_nodal, of_coupling, of_b;
+  Entries of_nodal, of_coupling, of_b, of_a;
   system.inertia.conservativeResize(all);
-  std::vector<Vector> products; // a times each column
-  for (const Vector& column : m_columns)
-    products.push_back(system.multiply_a(column));
+  for (Eigen::Index v = 0; v < n; ++v)
+    for (Matrix::InnerIterator i(system.nodal, v); i; ++i)
+      for (int axis = 0; axis < 3; ++axis)
+        of_a.emplace_back(3 * int(v) + axis, 3 * int(i.col()) + axis, i.value());
+  Matrix a(m_first, m_first);
+  a.setFromTriplets(of_a.begin(), of_a.end());
+  if (system.coupling.rows() > 0)
+    a += system.coupling;
+  const Columns products = a * m_columns, own = m_columns.transpose() * products,
+                gradients = system.b * m_columns;
   // The entries of bodies.
   for (std::size_t k = 0; k < m_bodies.size(); ++k) {
-    const int row = first + 6 * int(k);
-    Eigen::Matrix<double, 6, 6> block = Eigen::Matrix<double, 6, 6>::Zero();
-    block.topLeftCorner<3, 3>().diagonal().setConstant(m_bodies[k].inertia.mass() / m_time);
-    block.bottomRightCorner<3, 3>() = inertia_in_middle(k) / (m_time * m_lengths[k] * m_lengths[k]);
+    const auto first = 6 * Eigen::Index(k);
+    Matrix_6 block = inertia_of_unknowns(k) / m_time;
     for (int part : {0, 1}) {
       const Eigen::Matrix3d projection =
           part == 0 ? m_bodies[k].inertia.translations() : m_bodies[k].inertia.rotations();
       // The mean inertia of the three directions, including the inertia of the attached vertices.
       double mean = block.block<3, 3>(3 * part, 3 * part).trace() / 3;
-      for (int axis = 0; axis < 3; ++axis) {
-        const std::size_t c = 6 * k + std::size_t(3 * part + axis);
-        mean += m_columns[c].dot(products[c]) / 3;
-      }
+      for (Eigen::Index c = first + 3 * part; c < first + 3 * part + 3; ++c)
+        mean += own.coeff(c, c) / 3;
       const int v = int(n) + 2 * int(k) + part;
       system.inertia(v) = mean;
       of_nodal.emplace_back(v, v, mean);
@@ -255,35 +282,29 @@ inline void Body_equations::extend(System& system, const std::vector<Flux>& flux
       if (!projection.isIdentity(0))
         system.constrained.push_back({v, projection});
     }
-    for (int i = 0; i < 6; ++i)
-      for (int j = 0; j < 6; ++j)
-        of_coupling.emplace_back(row + i, row + j, block(i, j));
+    add_block(m_first + first, m_first + first, block, of_coupling);
   }
   // The entries of bodies and vertices, and of two bodies at common vertices.
-  for (std::size_t k = 0; k < m_columns.size(); ++k) {
-    const int row = first + int(k);
-    for (Eigen::Index i = 0; i < m_first; ++i)
-      if (const double value = products[k](i); value != 0) {
-        of_coupling.emplace_back(row, int(i), value);
-        of_coupling.emplace_back(int(i), row, value);
-      }
-    for (std::size_t j = 0; j < m_columns.size(); ++j)
-      of_coupling.emplace_back(row, first + int(j), m_columns[j].dot(products[k]));
+  for (int k = 0; k < int(m_columns.cols()); ++k) {
+    const int row = int(m_first) + k;
+    for (Columns::InnerIterator i(products, k); i; ++i) {
+      of_coupling.emplace_back(row, int(i.row()), i.value());
+      of_coupling.emplace_back(int(i.row()), row, i.value());
+    }
+    for (Columns::InnerIterator i(own, k); i; ++i)
+      of_coupling.emplace_back(row, int(m_first + i.row()), i.value());
   }
-  // The gradients of volumes.
-  for (std::size_t k = 0; k < m_columns.size(); k += 3) {
-    Eigen::Matrix<double, Eigen::Dynamic, 3> gradients(pressures, 3);
-    for (int axis = 0; axis < 3; ++axis)
-      gradients.col(axis) = system.b * m_columns[k + std::size_t(axis)];
-    for (Eigen::Index p = 0; p < pressures; ++p)
-      for (int axis = 0; axis < 3 && !gradients.row(p).isZero(0); ++axis)
-        of_b.emplace_back(int(p), first + int(k) + axis, gradients(p, axis));
-  }
+  // The gradients of volumes. A row has all three entries of a velocity or none.
+  for (int k = 0; k < int(m_columns.cols()); ++k)
+    for (Columns::InnerIterator i(gradients, k); i; ++i)
+      for (int axis = 0; axis < 3; ++axis)
+        of_b.emplace_back(int(i.row()), int(m_first) + k - k % 3 + axis,
+                          axis == k % 3 ? i.value() : 0);
   for (const Flux& flux : fluxes) {
     const Eigen::Vector3d turn =
         cross_matrix(flux.body.arm).transpose() * flux.vector / m_lengths[flux.body.body];
     for (int axis = 0; axis < 3; ++axis) {
-      const int column = first + 6 * int(flux.body.body) + axis;
+      const int column = int(m_first) + 6 * int(flux.body.body) + axis;
       of_b.emplace_back(int(flux.pressure), column, flux.vector(axis));
       of_b.emplace_back(int(flux.pressure), column + 3, turn(axis));
     }

@@ -75,14 +75,19 @@ struct Body_place
   }
 };
 
-// The mass and inertia of a rigid body, and its free axes.
+// The mass and inertia of a rigid body, and its free axes in a space of a dimension.
 class Body_inertia
 {
 public:
-  explicit Body_inertia(const Rigid_body_3& body)
+  Body_inertia(const Rigid_body_3& body, int dimension)
       : m_mass(body.mass), m_inertia(Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(
                                body.inertia.data())),
-        m_translates(axes(body.translates)), m_rotates(axes(body.rotates)) {}
+        m_translates(axes(body.translates)), m_rotates(axes(body.rotates)) {
+    if (dimension == 2) {
+      m_translates(2, 2) = 0;
+      m_rotates(0, 0) = m_rotates(1, 1) = 0;
+    }
+  }
 
   double mass() const { return m_mass; }
 
@@ -139,6 +144,23 @@ inline void set_motion(Rigid_body_3& body, const Body_place& place, const Body_v
   body.rotation = {q.w(), q.x(), q.y(), q.z()};
   body.velocity = {velocity.linear.x(), velocity.linear.y(), velocity.linear.z()};
   body.angular_velocity = {velocity.angular.x(), velocity.angular.y(), velocity.angular.z()};
+}
+
+// Moves a body by gravity alone, by the implicit midpoint rule. The angular momentum about free
+// axes is preserved.
+inline void move_freely(Rigid_body_3& body, const Eigen::Vector3d& gravity, double dt,
+                        int dimension) {
+  static constexpr int iterations = 4; // for the rotation in the middle
+  const Body_inertia inertia(body, dimension);
+  const Body_place begin = place_of(body);
+  const Body_velocity before = velocity_of(body);
+  const Eigen::Vector3d momentum = inertia.inertia(begin.rotation) * before.angular,
+                        change = dt * inertia.translations() * gravity;
+  Body_velocity velocity{before.linear + change / 2, before.angular};
+  for (int k = 0; k < iterations; ++k)
+    velocity.angular = inertia.angular_velocity(begin.moved(velocity, dt / 2).rotation, momentum);
+  const Body_place end = begin.moved(velocity, dt);
+  set_motion(body, end, {before.linear + change, inertia.angular_velocity(end.rotation, momentum)});
 }
 
 // Returns the numbers of `Fluid_state::bodies`.

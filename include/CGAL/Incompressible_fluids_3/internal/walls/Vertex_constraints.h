@@ -9,6 +9,8 @@
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_VERTEX_CONSTRAINTS_H
 
 #include <CGAL/Incompressible_fluids_3/Saddle_point_system.h>
+#include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
+#include <CGAL/Incompressible_fluids_3/internal/walls/Body_motion.h>
 
 #include <Eigen/Dense>
 
@@ -22,7 +24,8 @@ namespace internal {
 
 // The constraints on the velocities of vertices. A velocity is the sum of a prescribed vector, of
 // vectors that are linear in the unknown velocities of rigid bodies, and of a vector v with P v =
-// v, where P is the orthogonal projection onto the free directions.
+// v, where P is the orthogonal projection onto the free directions. Several constraints of a vertex
+// hold together. If they contradict each other, the squares of their violations have the least sum.
 class Vertex_constraints
 {
 public:
@@ -87,6 +90,17 @@ public:
           m_attachments.push_back(
               {v, *body, of_components.col(Eigen::Index(i)) * m_known[v][i].direction.transpose()});
     }
+  }
+
+  // Replaces velocities of constrained vertices by the nearest ones that meet the constraints.
+  // `of_bodies` are the velocities of bodies, by number.
+  void apply(const std::vector<Body_velocity>& of_bodies, Vectors_3& velocities) const {
+    for (const auto& c : m_constrained) {
+      Eigen::Vector3d& v = velocities[std::size_t(c.vertex)];
+      v = (c.projection * v + m_prescribed.segment<3>(3 * c.vertex)).eval();
+    }
+    for (const Attachment& a : m_attachments)
+      velocities[a.vertex] += a.matrix * of_bodies[a.body.body].at(a.body.arm);
   }
 
   const Eigen::VectorXd& prescribed() const { return m_prescribed; }

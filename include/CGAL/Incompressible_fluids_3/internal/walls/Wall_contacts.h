@@ -166,14 +166,23 @@ public:
   // Adds the active contacts to the constraints.
   void constrain(Vertex_constraints& constraints) const {
     for (const Contact& c : m_contacts)
-      if (c.is_active) {
-        constraints.add(c.vertex, {c.direction, c.least, c.body});
-        if (sticks(c.solid)) {
-          const Eigen::Vector3d along = c.direction.unitOrthogonal();
-          for (const Eigen::Vector3d& d : {along, Eigen::Vector3d(c.direction.cross(along))})
-            constraints.add(c.vertex, {d, c.body ? 0 : d.dot(c.wall_velocity), c.body});
-        }
-      }
+      if (c.is_active)
+        constrain(c, c.direction, c.least, c.body, constraints);
+  }
+
+  // Adds the active contacts to the constraints on the velocities at the end of the step, with the
+  // vertices at given positions. With slip, the normal component is that of the wall. With no-slip,
+  // the velocity is that of the wall.
+  void constrain_at_end(const Vectors_3& positions, double time,
+                        Vertex_constraints& constraints) const {
+    for (const Contact& c : m_contacts) {
+      if (!c.is_active)
+        continue;
+      auto body = c.body;
+      if (body)
+        body->arm = arm_of(place_of_body(body->body, time), positions[c.vertex]);
+      constrain(c, c.normal, body ? 0 : c.normal.dot(c.wall_velocity), body, constraints);
+    }
   }
 
   // Calls `f(facet, vertex, wall_velocity, body)` for each vertex of a facet that slides along the
@@ -220,34 +229,6 @@ public:
     return !revised.empty();
   }
 
-  // Returns the contacts with bodies at the end of the step, with the vertices at given positions.
-  std::vector<Body_equations::Stop> stops(const Vectors_3& positions, double time) const {
-    std::vector<Body_equations::Stop> result;
-    for (const Contact& c : m_contacts)
-      if (c.is_active && c.body)
-        result.push_back({c.body->body, c.vertex,
-                          sticks(c.solid) ? Eigen::Matrix3d(Eigen::Matrix3d::Identity())
-                                          : Eigen::Matrix3d(c.normal * c.normal.transpose()),
-                          arm_of(place_of_body(c.body->body, time), positions[c.vertex])});
-    return result;
-  }
-
-  // Sets the velocities of constrained vertices at the end of the step, with the vertices at given
-  // positions. With slip, the normal component is that of the wall. With no-slip, the velocity is
-  // that of the wall. `of_bodies` are the velocities of bodies at this time.
-  void stop(Vectors_3& velocities, const Vectors_3& positions, double time,
-            const std::vector<Body_velocity>& of_bodies) const {
-    for (const Contact& c : m_contacts)
-      if (c.is_active) {
-        Eigen::Vector3d &v = velocities[c.vertex], of_wall = c.wall_velocity;
-        if (c.body) {
-          const std::size_t k = c.body->body;
-          of_wall = of_bodies[k].at(arm_of(place_of_body(k, time), positions[c.vertex]));
-        }
-        v = sticks(c.solid) ? of_wall : Eigen::Vector3d(v - c.normal * c.normal.dot(v - of_wall));
-      }
-  }
-
   // Moves vertices out of walls, and constrained vertices onto their walls.
   void project_out_of_solids(Vectors_3& positions, double time) const {
     static constexpr int rounds = 4; // several rounds are necessary where walls meet
@@ -280,6 +261,18 @@ public:
   }
 
   bool touches(std::size_t v) const { return !m_touched[v].empty(); }
+
+  // Returns whether a wall that a vertex touches moves at a time.
+  bool touches_moving_wall(double time) const {
+    bool result = false;
+    for (std::size_t v = 0; v < m_positions.size() && !result; ++v)
+      if (touches(v))
+        for_each_wall(
+            v, m_positions[v], time, [&](std::size_t solid, std::size_t wall, const Wall_3& w) {
+              result = result || (w.velocity != NULL_VECTOR && is_touching(v, solid, wall));
+            });
+    return result;
+  }
 
   // Returns the displacement by which a vertex that touches no wall gets onto the nearest wall. The
   // result is zero if the vertex touches a wall, or if no wall is near.
@@ -389,6 +382,18 @@ private:
   // Returns the vector from the center of a body to a point. On a torus, it is the shortest one.
   Eigen::Vector3d arm_of(const Body_place& place, const Eigen::Vector3d& p) const {
     return m_mesh.near(place.center, p) - place.center;
+  }
+
+  // Adds the constraint of a contact along a direction and, with no-slip, perpendicular to it.
+  void constrain(const Contact& c, const Eigen::Vector3d& direction, double velocity,
+                 const std::optional<Vertex_constraints::Attached_body>& body,
+                 Vertex_constraints& constraints) const {
+    constraints.add(c.vertex, {direction, velocity, body});
+    if (!sticks(c.solid))
+      return;
+    const Eigen::Vector3d along = direction.unitOrthogonal();
+    for (const Eigen::Vector3d& d : {along, Eigen::Vector3d(direction.cross(along))})
+      constraints.add(c.vertex, {d, body ? 0 : d.dot(c.wall_velocity), body});
   }
 
   // Attaches a contact to the body of its solid.

@@ -87,7 +87,7 @@ Slip_flux slip_flux(const Fluid_mesh<Complex>& mesh, const Wall_contacts<Complex
       [&](std::size_t f, std::size_t v, const Eigen::Vector3d& wall_velocity, const auto& body) {
         add(mesh.facets[f], mesh.facets[f].is_gas_in_front, v, v, 1, wall_velocity, body);
       });
-  std::vector<const typename Mesh::Slip*> slips(positions.size(), nullptr);
+  std::vector<const Slip*> slips(positions.size(), nullptr);
   for (const auto& slip : mesh.slips)
     slips[slip.first] = &slip;
   for (const auto& facet : mesh.facets) {

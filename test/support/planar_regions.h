@@ -1,0 +1,64 @@
+#ifndef DEFORMABLE_SIMPLICIAL_COMPLEX_2_TEST_PLANAR_REGIONS_H
+#define DEFORMABLE_SIMPLICIAL_COMPLEX_2_TEST_PLANAR_REGIONS_H
+
+#include <CGAL/Deformable_simplicial_complex_2.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
+
+#include <CGAL/number_utils.h>
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+// Regions of the plane that polygons bound.
+namespace planar_regions {
+
+namespace dsc = CGAL::Deformable_simplicial_complexes;
+using Complex = CGAL::Deformable_simplicial_complex_2<>;
+using Polygon = std::vector<Complex::Point_2>;
+
+// Returns a polygon around a center. `radius` is a function of the angle.
+inline Polygon around(const Complex::Point_2& center, std::size_t corners,
+                      const std::function<double(double)>& radius) {
+  Polygon result;
+  for (std::size_t i = 0; i < corners; ++i) {
+    const double a = 2 * CGAL_PI * double(i) / double(corners);
+    result.emplace_back(center.x() + radius(a) * std::cos(a), center.y() + radius(a) * std::sin(a));
+  }
+  return result;
+}
+
+// Returns a circle around the origin with edges of about a given length.
+inline Polygon circle(double radius, double edge) {
+  return around({0, 0}, std::size_t(std::lround(2 * CGAL_PI * radius / edge)),
+                [radius](double) { return radius; });
+}
+
+// Returns a polygon whose sides are divided into edges of about a given length.
+inline Polygon divided(const Polygon& corners, double edge) {
+  Polygon result;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const auto p = corners[i], q = corners[(i + 1) % corners.size()];
+    const int parts = int(std::lround(std::sqrt(CGAL::squared_distance(p, q)) / edge));
+    for (int k = 0; k < parts; ++k)
+      result.push_back(p + (q - p) * (double(k) / parts));
+  }
+  return result;
+}
+
+// Returns the region inside a polygon, with label 1, and outside of a hole.
+inline Complex region(const Polygon& polygon, const Polygon& hole, const CGAL::Bbox_2& box) {
+  std::vector<dsc::Labelled_curve_2<Complex::Point_2>> curves;
+  curves.emplace_back().add_polyline(polygon);
+  if (!hole.empty()) {
+    curves.emplace_back().add_polyline(hole);
+    curves.back().label = 0;
+  }
+  return dsc::make_deformable_simplicial_complex_2<Complex>(curves,
+                                                            dsc::parameters::enclosing_box(box));
+}
+
+} // namespace planar_regions
+
+#endif // DEFORMABLE_SIMPLICIAL_COMPLEX_2_TEST_PLANAR_REGIONS_H
