@@ -15,6 +15,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string>
@@ -22,6 +23,12 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
+
+// Returns whether liquid may pass through a side.
+inline bool have_openings(const Side_behaviors& behaviors) {
+  return std::any_of(behaviors.begin(), behaviors.end(),
+                     [](const Side_behavior& side) { return side.inflow || side.pressure; });
+}
 
 // Throws an exception if liquid cannot pass through an inlet or an open part of a side at a time,
 // because the part contains points of the surface of the liquid but no vertex. Parts smaller than
@@ -37,17 +44,13 @@ void require_vertices_in_openings(const Mesh& mesh, const Side_behaviors& behavi
     return (behaviors[side].inflow && behaviors[side].inflow(at, time)) ||
            (behaviors[side].pressure && behaviors[side].pressure(at, time));
   };
-  bool has_opening = false;
   for (std::size_t side = 0; side < behaviors.size(); ++side) {
     if (!behaviors[side].inflow && !behaviors[side].pressure)
       continue;
-    has_opening = true;
     for (std::size_t v = 0; v < mesh.number_of_vertices() && !has_vertex[side]; ++v)
       has_vertex[side] =
           (mesh.vertices[v]->boundary_class() >> side & 1) != 0 && is_in(side, positions[v]);
   }
-  if (!has_opening)
-    return;
   for_each_side_facet(mesh, [&](std::size_t k, std::size_t corner, std::size_t side) {
     if (has_vertex[side] || has_point[side])
       return;

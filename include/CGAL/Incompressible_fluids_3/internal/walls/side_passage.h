@@ -60,13 +60,15 @@ otherwise move with the liquid from `positions` to `moved`.
 
 A vertex on an open side stays on the side. Where a surface meets the side, the liquid that leaves
 takes the vertex along the surface beyond the side, so the vertex returns along the surface. The
-surface then moves as a material surface up to the side. A vertex behind an open side keeps a
-distance to it, and returns in the same way.
+surface then moves as a material surface up to the side. A vertex that would come near an open side
+on which it does not lie keeps a distance to it, and returns in the same way. Vertices one behind
+another keep their order.
 */
 template <class Mesh>
 Vectors_3 returns_from_sides(const Mesh& mesh, const Passage& passage, const Vectors_3& positions,
                              const Vectors_3& moved) {
-  // The least distance of a vertex to an open side on which it does not lie, in edges.
+  // The distance to an open side below which a vertex that does not lie on the side slows down, in
+  // edges. Edges of this length are collapsed at the next adaptation.
   static constexpr double clearance = .25;
   // The least square of the sine of the angle between the surface and the side. On a flatter
   // surface, the vertex returns along the normal of the side.
@@ -88,9 +90,13 @@ Vectors_3 returns_from_sides(const Mesh& mesh, const Passage& passage, const Vec
       const auto distance = [&](const Eigen::Vector3d& p) {
         return outward[axis] * (mesh.sides[side] - p[axis]);
       };
-      const double least =
-          is_on_side ? 0 : (std::min)(clearance * passage.edge, distance(positions[v]));
-      const double excess = least - distance(moved[v]);
+      const double near = clearance * passage.edge, moved_to = distance(moved[v]);
+      // Distances from -infinity to `near` are mapped to distances from near / 2 to `near`.
+      const double kept = moved_to < near
+                              ? (std::min)(near / 2 * (1 + std::exp(2 * (moved_to - near) / near)),
+                                           distance(positions[v]))
+                              : moved_to;
+      const double excess = (is_on_side ? 0 : kept) - moved_to;
       if (!is_on_side) {
         Eigen::Vector3d foot = positions[v];
         foot[axis] = mesh.sides[side];
