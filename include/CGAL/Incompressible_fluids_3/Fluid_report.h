@@ -89,7 +89,7 @@ template <class Complex> struct Fluid_report
   /// The greatest relative error of a volume of a connected component at the end.
   double volume_error = 0;
   double lost_volume = 0; ///< the volume of connected components that vanished
-  /// The volume that sources and inflows added, less the volume that they removed.
+  /// The volume that sources and sides added, less the volume that they removed.
   double gained_volume = 0;
   /// The volume that entered through each side of the domain, less the volume that left, in the
   /// order x minimum, x maximum, y minimum, and so on. `gained_volume` includes it.

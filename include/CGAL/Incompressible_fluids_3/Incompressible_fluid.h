@@ -82,11 +82,11 @@ all velocities and pressures.
 - With the default `implicitness`, the system is the implicit midpoint rule. Energy then changes
 only by external work, viscosity, damping, contacts and remeshing. Surface tension and viscosity are
   implicit, so they do not bound the time step.
-- The volume of each connected component of a liquid changes only by sources and inflow, up to
-  rounding. When components merge, their volumes are added. `Report::volume_error` contains the
+- The volume of each connected component of a liquid changes only by sources and through sides, up
+to rounding. When components merge, their volumes are added. `Report::volume_error` contains the
   remaining error.
 - The momentum and the angular momentum of each connected component change only by gravity, gases,
-  walls, bodies, sources and inflow.
+  walls, bodies, sources and the liquid that passes through sides.
 - Two liquids slip along their interface. The normal velocity is common to both. If both are
   viscous, friction resists the slip. So the relative velocity vanishes where the mesh resolves the
   viscosity. Where three media meet, liquids have a common velocity.
