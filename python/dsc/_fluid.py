@@ -96,7 +96,9 @@ class FluidReport:
     volume_error: float
     """Greatest error of the volume of a component, relative to the volume."""
     gained_volume: float
-    """Volume that sources and inflow added, less the volume that they removed."""
+    """Volume that sources and sides added, less the volume that they removed."""
+    volume_through_sides: npt.NDArray[np.float64]
+    """Volume that entered through each side of the domain, less the volume that left, shape (2 d,)."""
     residual: float
     """Relative residual of the linear equations."""
     contacts: int
@@ -111,6 +113,15 @@ class FluidReport:
     """Number of attempts that failed before the step succeeded."""
     deformation: Report
     """Report of the motion of the interface."""
+
+
+def _constant(value: Any) -> Callable[[Points, float], Any]:
+    """Returns a function of a point and a time that always returns the value."""
+
+    def value_at(_point: Points, _time: float) -> Any:
+        return value
+
+    return value_at
 
 
 class Fluid(Solids):
@@ -177,17 +188,31 @@ class Fluid(Solids):
     # Set-up
 
     def set_side(
-        self, side: Side, *, slip: bool = False, velocity: Sequence[float] | None = None
+        self,
+        side: Side,
+        *,
+        slip: bool = False,
+        velocity: Sequence[float] | None = None,
+        inflow: Sequence[float] | Callable[[Points, float], Any] | None = None,
+        pressure: float | Callable[[Points, float], float | None] | None = None,
     ) -> None:
         """Sets the boundary condition at a side of the domain: no-slip, or slip as initially.
+
+        Liquid can pass through the side, with a given velocity or against a given pressure.
 
         side: 'x-' for the side with the smallest x, 'x+' for the largest x, and so on
         slip: whether liquid slips along the side
         velocity: velocity of a no-slip side, by default 0; the component perpendicular to the side has
             no effect
+        inflow: velocity with which liquid enters, or leaves; or a function of a point and the time that
+            returns it, or None where the side is a wall
+        pressure: pressure outside, relative to void; or a function of a point and the time that returns
+            it, or None where the side is a wall. Liquid passes in both directions with a velocity that
+            the equations determine. With slip, no force acts along the opening; with no-slip, the
+            component along the side is that of `velocity`.
 
         The condition applies to liquids that are on the side at the beginning. It has no effect if the
-        domain is not a box.
+        domain is not a box. Then `inflow` and `pressure` raise `Error`.
         """
         sides = _SIDES[: 2 * self._dimension]
         if side not in sides:
@@ -196,8 +221,18 @@ class Fluid(Solids):
             raise ValueError("a slip side has no velocity")
         given = [0] * self._dimension if velocity is None else velocity
         axis, is_upper = divmod(sides.index(side), 2)
+        if inflow is not None and pressure is not None:
+            raise ValueError("a side has an inflow or a pressure, not both")
+        if inflow is not None and not callable(inflow):
+            inflow = _constant(self._coordinates(inflow, "inflow"))
+        if pressure is not None and not callable(pressure):
+            pressure = _constant(_number(pressure, "pressure"))
         self._compiled.set_side(
-            axis, bool(is_upper), None if slip else self._coordinates(given, "velocity")
+            axis,
+            bool(is_upper),
+            None if slip else self._coordinates(given, "velocity"),
+            inflow,
+            pressure,
         )
 
     def set_gravity(self, gravity: Sequence[float]) -> None:

@@ -210,6 +210,10 @@ Json step_json(const Fluid<Complex>& fluid, const Fluid_scene& scene, unsigned s
   Json forces = Json::array();
   for (const auto& force : report->forces_on_solids)
     forces.push_back(vector_json(force));
+  if (std::any_of(scene.inflows.begin(), scene.inflows.end(), [](const auto& s) { return s; }) ||
+      std::any_of(scene.openings.begin(), scene.openings.end(), [](const auto& s) { return s; }))
+    for (int side = 0; side < 2 * Complex::dimension; ++side)
+      json["volume_through_sides"].push_back(report->volume_through_sides[std::size_t(side)]);
   const auto& motion = report->deformation;
   json.update({{"dt", report->dt},
                {"greatest_velocity", report->greatest_velocity},

@@ -128,18 +128,44 @@ std::vector<Fluid_scene::Tension> read_tensions(const Json_fields& scene) {
   return result;
 }
 
-/// Reads an inflow. Without `from` and `to`, it fills the whole side.
-Scene_inflow read_inflow(const Json_fields& side, const std::array<double, 6>& domain) {
-  side.require_known({"inflow", "from", "to"});
-  Scene_inflow result{read_vector_in_time(side, "inflow"), domain};
+/// Reads the box of a part of a side. Without `from` and `to`, the part is the whole side.
+std::array<double, 6> read_part(const Json_fields& side, const std::array<double, 6>& domain) {
+  std::array<double, 6> result = domain;
   if (side.has("from") || side.has("to")) {
     const auto from = side.point("from"), to = side.point("to");
     for (std::size_t i = 0; i < 3; ++i) {
       if (!(to[i] >= from[i]))
         side.refuse("to", "must not be smaller than 'from' in any coordinate");
-      result.box[i] = from[i];
-      result.box[i + 3] = to[i];
+      result[i] = from[i];
+      result[i + 3] = to[i];
     }
+  }
+  return result;
+}
+
+Scene_inflow read_inflow(const Json_fields& side, const std::array<double, 6>& domain) {
+  side.require_known({"inflow", "from", "to"});
+  return {read_vector_in_time(side, "inflow"), read_part(side, domain)};
+}
+
+Scene_opening read_opening(const Json_fields& side, std::size_t axis,
+                           const std::array<double, 6>& domain) {
+  side.require_known({"pressure", "velocity", "from", "to"});
+  const bool is_planar = side.dimension() == 2;
+  const std::vector<std::string> variables = is_planar
+                                                 ? std::vector<std::string>{"x", "y", "t"}
+                                                 : std::vector<std::string>{"x", "y", "z", "t"};
+  const std::string form = is_planar ? "a number, or an expression in x, y and t like '1-y'"
+                                     : "a number, or an expression in x, y, z and t like '1-z'";
+  Scene_opening result{side.any("pressure").is_string()
+                           ? side.expression("pressure", variables, 1, form)
+                           : Expression(Json(side.number("pressure")).dump(), variables,
+                                        "pressure of " + side.name(), form),
+                       std::nullopt, read_part(side, domain)};
+  if (side.has("velocity")) {
+    result.velocity = side.point("velocity");
+    if ((*result.velocity)[axis] != 0)
+      side.refuse("velocity", "must be a velocity along the side");
   }
   return result;
 }
@@ -149,7 +175,11 @@ void read_sides(const Json_fields& sides, Fluid_scene& scene) {
   sides.require_known({names_of_sides.begin(), names_of_sides.begin() + number});
   for (std::size_t side = 0; side < number; ++side)
     if (sides.has(names_of_sides[side]) && sides.any(names_of_sides[side]).is_object()) {
-      scene.inflows[side] = read_inflow(sides.object(names_of_sides[side]), scene.domain);
+      const Json_fields given = sides.object(names_of_sides[side]);
+      if (given.has("pressure"))
+        scene.openings[side] = read_opening(given, side / 2, scene.domain);
+      else
+        scene.inflows[side] = read_inflow(given, scene.domain);
     } else if (sides.has(names_of_sides[side])) {
       const Vector_in_time velocity = read_vector_in_time(sides, names_of_sides[side]);
       if (velocity.at(0)[side / 2] != 0)
@@ -180,6 +210,14 @@ int read_dimension(const Json_fields& scene) {
 }
 
 } // namespace
+
+std::optional<double> Scene_opening::at(const std::array<double, 3>& p, double t,
+                                        int dimension) const {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (p[i] < box[i] || p[i] > box[i + 3])
+      return std::nullopt;
+  return dimension == 2 ? *pressure.at({p[0], p[1], t}) : *pressure.at({p[0], p[1], p[2], t});
+}
 
 Fluid_scene read_scene(const Json& json) {
   Json_fields scene(json, "the scene");

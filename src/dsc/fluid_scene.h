@@ -180,6 +180,18 @@ struct Scene_inflow
   std::array<double, 6> box;
 };
 
+/// The part of a side of the domain that is in a box, with a pressure outside.
+struct Scene_opening
+{
+  Expression pressure;                           ///< in x, y, z and t; in the plane in x, y and t
+  std::optional<std::array<double, 3>> velocity; ///< of the side, if it is a no-slip side
+  std::array<double, 6> box;
+
+  /// Returns the pressure at a point of the side, or nothing outside the box.
+  /// \throws Input_error if the pressure is not finite
+  std::optional<double> at(const std::array<double, 3>& p, double t, int dimension) const;
+};
+
 /// The input of `dsc fluid`.
 struct Fluid_scene
 {
@@ -201,7 +213,8 @@ struct Fluid_scene
   std::vector<Scene_solid> solids;
   /// By side of the domain: the velocity of a no-slip side.
   std::array<std::optional<Vector_in_time>, 6> sides;
-  std::array<std::optional<Scene_inflow>, 6> inflows; ///< by side of the domain
+  std::array<std::optional<Scene_inflow>, 6> inflows;   ///< by side of the domain
+  std::array<std::optional<Scene_opening>, 6> openings; ///< by side of the domain
   std::vector<Scene_probe> probes;
   double time_step; ///< maximum
   double cfl;       ///< 0 for constant time steps

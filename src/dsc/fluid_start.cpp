@@ -54,7 +54,18 @@ template <class Complex> void add_inflows(const Fluid_scene& scene, Fluid<Comple
                           if (p[i] < given.box[i] || p[i] > given.box[i + 3])
                             return std::nullopt;
                         return given.velocity.at(t);
-                      }});
+                      },
+                      {}});
+}
+
+template <class Complex> void add_openings(const Fluid_scene& scene, Fluid<Complex>& fluid) {
+  for (std::size_t side = 0; side < scene.openings.size(); ++side)
+    if (const auto& opening = scene.openings[side])
+      fluid.set_side(
+          int(side / 2), side % 2 == 1,
+          {opening->velocity, {}, [given = *opening](const std::array<double, 3>& p, double t) {
+             return given.at(p, t, Complex::dimension);
+           }});
 }
 
 } // namespace
@@ -75,6 +86,7 @@ std::unique_ptr<Fluid<Complex>> fluid_of_scene(const Fluid_scene& scene, const s
   add_sources(scene, fluid);
   add_solids(scene, folder, fluid);
   add_inflows(scene, fluid);
+  add_openings(scene, fluid);
   set_time(scene, 0, fluid);
   return result;
 }
@@ -139,9 +151,9 @@ void require_liquid_at_sides(const Fluid_scene& scene, const Complex& complex) {
       for (int i = 0; i < Complex::corners; ++i)
         met |= c->vertex(i)->boundary_class();
   for (std::size_t side = 0; side < scene.sides.size(); ++side)
-    if ((scene.sides[side] || scene.inflows[side]) && !(met >> side & 1))
+    if ((scene.sides[side] || scene.inflows[side] || scene.openings[side]) && !(met >> side & 1))
       throw Input_error("no liquid touches the side '" + std::string(names_of_sides[side]) +
-                        "' of the domain, so its velocity has no effect; remove it");
+                        "' of the domain, so the field has no effect; remove it");
 }
 
 } // namespace

@@ -9,6 +9,8 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -111,6 +113,40 @@ public:
   }
 
 private:
+  Shared_function m_function;
+};
+
+/// Function of points of a side that a Python function gives: `function(point, t)` returns a value,
+/// or None where the side is a wall. In the plane, points and vectors have two coordinates.
+template <int d> class Side_function
+{
+public:
+  explicit Side_function(py::function function) : m_function(std::move(function)) {}
+
+  /// Returns the number at a point and a time.
+  std::optional<double> number(const std::array<double, 3>& p, double t) const {
+    const py::gil_scoped_acquire lock;
+    const py::object value = call(p, t);
+    return value.is_none() ? std::nullopt : std::optional<double>(double(py::float_(value)));
+  }
+
+  /// Returns the vector at a point and a time.
+  std::optional<std::array<double, 3>> vector(const std::array<double, 3>& p, double t) const {
+    const py::gil_scoped_acquire lock;
+    const py::object value = call(p, t);
+    if (value.is_none())
+      return std::nullopt;
+    const auto coordinates = value.cast<std::array<double, d>>();
+    std::array<double, 3> result = {};
+    std::copy(coordinates.begin(), coordinates.end(), result.begin());
+    return result;
+  }
+
+private:
+  py::object call(const std::array<double, 3>& p, double t) const {
+    return m_function(array_of<double>(std::size_t(d), [&](std::size_t i) { return p[i]; }), t);
+  }
+
   Shared_function m_function;
 };
 

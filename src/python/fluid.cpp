@@ -60,10 +60,21 @@ public:
   // Set-up
 
   static void set_side(Object& object, int axis, bool is_upper,
-                       const std::optional<Coordinates>& velocity) {
+                       const std::optional<Coordinates>& velocity,
+                       const std::optional<py::function>& inflow,
+                       const std::optional<py::function>& pressure) {
     DSC::Side_behavior behavior;
     if (velocity)
       behavior.velocity = in_space(*velocity);
+    using Point = std::array<double, 3>;
+    if (inflow)
+      behavior.inflow = [given = Side_function<d>(*inflow)](const Point& p, double t) {
+        return given.vector(p, t);
+      };
+    if (pressure)
+      behavior.pressure = [given = Side_function<d>(*pressure)](const Point& p, double t) {
+        return given.number(p, t);
+      };
     object.change(py::none(),
                   [&](Owned& owned) { owned.fluid->set_side(axis, is_upper, behavior); });
   }
@@ -183,6 +194,8 @@ public:
     result["greatest_correction"] = report.greatest_correction;
     result["volume_error"] = report.volume_error;
     result["gained_volume"] = report.gained_volume;
+    result["volume_through_sides"] = array_of<double>(
+        std::size_t(2 * d), [&](std::size_t i) { return report.volume_through_sides[i]; });
     result["residual"] = report.residual;
     result["contacts"] = report.contacts;
     result["depth_in_solids"] = report.depth_in_solids;

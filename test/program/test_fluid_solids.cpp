@@ -284,6 +284,31 @@ TEST_F(Fluid_solids, liquid_enters_through_a_side) {
   expect_refusal(json, "no liquid touches the side");
 }
 
+// Water leaves a tank through the lower half of a side.
+TEST_F(Fluid_solids, liquid_leaves_through_an_open_side) {
+  Json json = Json::parse(R"json({
+    "domain": [0, 0, 1, 2], "edge": 0.25,
+    "liquids": [{"shape": {"type": "pool", "level": 1}, "density": 1}],
+    "gravity": [0, -1],
+    "sides": {"x+": {"pressure": 0, "from": [1, 0], "to": [1, 0.6]}},
+    "time_step": 0.05, "end": 0.3
+  })json");
+  double left = 0;
+  for (const Json& step : steps_of(json)) {
+    if (step.contains("volume_through_sides"))
+      left -= step.at("volume_through_sides")[1].get<double>();
+    EXPECT_NEAR(step.at("volume").get<double>() + left, 1, 1e-10);
+  }
+  EXPECT_GT(left, 0);
+  json["sides"]["x+"] = {{"pressure", "1-y"}}; // hydrostatic pressure
+  for (const Json& step : steps_of(json))
+    EXPECT_NEAR(step.at("kinetic_energy").get<double>(), 0, 1e-12);
+  json["sides"]["x+"]["velocity"] = {1, 0};
+  expect_refusal(json, "along the side");
+  json["sides"]["x+"] = {{"pressure", 0}, {"inflow", {0, 1}}};
+  expect_refusal(json, "inflow");
+}
+
 TEST_F(Fluid_solids, flux_is_exact) {
   Json json = disk();
   json["sources"] = Json::parse(R"json([

@@ -105,6 +105,27 @@ def test_a_slip_side_drags_nothing():
     assert fluid.step(0.05).greatest_velocity < 1e-9
 
 
+def test_hydrostatic_pressure_outside_keeps_a_pool_at_rest():
+    fluid = pool(density=2.0, gravity=5.0)
+    fluid.set_side("x+", slip=True, pressure=lambda p, t: 10 * (0.5 - p[1]))
+    for _ in range(3):
+        report = fluid.step(0.05)
+    assert report.greatest_velocity < 1e-8
+
+
+def test_liquid_leaves_and_enters_through_sides():
+    fluid = pool()
+    fluid.set_side("x+", slip=True, pressure=0)
+    fluid.set_side("y-", slip=True, inflow=lambda p, t: (0, 0.1) if p[0] < 0.6 else None)
+    before = fluid.balance.volume
+    report = fluid.step(0.02)
+    assert report.volume_through_sides.shape == (4,)
+    assert report.volume_through_sides[1] < 0 < report.volume_through_sides[2]
+    gained = report.volume_through_sides.sum()
+    assert report.gained_volume == pytest.approx(gained, abs=1e-12)
+    assert report.balance.volume - before == pytest.approx(gained, abs=1e-10)
+
+
 def test_liquids_slip_along_each_other():
     fluid = two_liquids()
     points = fluid.complex.cells().points
@@ -187,6 +208,8 @@ def test_a_source_in_the_plane():
         lambda: droplet().set_side("y"),
         lambda: droplet().set_side("y-", velocity=(0, 0, 1)),
         lambda: droplet().set_side("y-", velocity=(1, 0), slip=True),
+        lambda: droplet().set_side("y-", inflow=(0, 1), pressure=0),
+        lambda: droplet().set_side("y-", inflow=(0, 0, 1)),
     ],
 )
 def test_values_that_do_not_fit(call):

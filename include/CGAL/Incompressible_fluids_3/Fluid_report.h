@@ -16,6 +16,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -88,8 +89,11 @@ template <class Complex> struct Fluid_report
   /// The greatest relative error of a volume of a connected component at the end.
   double volume_error = 0;
   double lost_volume = 0; ///< the volume of connected components that vanished
-  /// The volume that sources and inflows added, less the volume that they removed.
+  /// The volume that sources and sides added, less the volume that they removed.
   double gained_volume = 0;
+  /// The volume that entered through each side of the domain, less the volume that left, in the
+  /// order x minimum, x maximum, y minimum, and so on. `gained_volume` includes it.
+  std::array<double, 6> volume_through_sides = {};
   unsigned solutions = 0;  ///< the number of solutions of linear systems, without failed attempts
   unsigned iterations = 0; ///< the number of iterations of the solver, in all these solutions
   /// The true residual of the equations, divided by their largest term, in the norm weighted by the

@@ -44,6 +44,9 @@
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Liquid_flow.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_sources.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_step.h>
+#include <CGAL/Incompressible_fluids_3/internal/walls/Open_sides.h>
+#include <CGAL/Incompressible_fluids_3/internal/walls/opening_checks.h>
+#include <CGAL/Incompressible_fluids_3/internal/walls/side_velocities.h>
 
 #include <algorithm>
 #include <array>
@@ -79,11 +82,11 @@ all velocities and pressures.
 - With the default `implicitness`, the system is the implicit midpoint rule. Energy then changes
 only by external work, viscosity, damping, contacts and remeshing. Surface tension and viscosity are
   implicit, so they do not bound the time step.
-- The volume of each connected component of a liquid changes only by sources and inflow, up to
-  rounding. When components merge, their volumes are added. `Report::volume_error` contains the
+- The volume of each connected component of a liquid changes only by sources and through sides, up
+to rounding. When components merge, their volumes are added. `Report::volume_error` contains the
   remaining error.
 - The momentum and the angular momentum of each connected component change only by gravity, gases,
-  walls, bodies, sources and inflow.
+  walls, bodies, sources and the liquid that passes through sides.
 - Two liquids slip along their interface. The normal velocity is common to both. If both are
   viscous, friction resists the slip. So the relative velocity vanishes where the mesh resolves the
   viscosity. Where three media meet, liquids have a common velocity.
@@ -199,18 +202,27 @@ public:
   /// maximum, y minimum, and so on. `state()` does not contain the conditions, so set them again
   /// after `restore()` into a new fluid.
   ///
-  /// `relax()` ignores inflows. `advance()` throws the exceptions of an inflow function, and an
-  /// `Error` if a velocity of an inflow is not finite or if an outflow empties a component.
+  /// `relax()` ignores inflows and pressures. `advance()` throws the exceptions of their functions.
+  /// It throws an `Error` if a velocity or a pressure is not finite, if the liquid that leaves
+  /// empties a component, or if an inlet or an open part of the surface of a liquid contains no
+  /// vertex.
   /// \param axis the axis perpendicular to the side: 0 for x, 1 for y, 2 for z
   /// \param is_upper whether the side has the larger coordinate
   /// \param behavior the boundary condition
-  /// \throws Error if the axis is out of range, or if the velocity is not finite
+  /// \throws Error if the axis is out of range, if the velocity is not finite, or if liquid can
+  /// pass through the side and the domain is not a box
   void set_side(int axis, bool is_upper, const Side_behavior& behavior) {
     if (axis < 0 || axis >= dimension)
       throw Error("the axis of a side is out of range: use 0 for x, 1 for y, or 2 for z in space");
     for (double v : behavior.velocity.value_or(std::array<double, 3>()))
       if (!std::isfinite(v))
         throw Error("the velocity of a side is not finite: give finite coordinates");
+    if (behavior.inflow || behavior.pressure)
+      for (Vertex_handle v : m_complex.finite_vertices())
+        if (v->boundary_class() & Boundary_class::fixed)
+          throw Error(
+              "the domain is not a box, so liquid cannot pass through a side: use a box, or "
+              "solids and sources");
     m_sides[std::size_t(2 * axis) + is_upper] = behavior;
   }
 
@@ -523,8 +535,9 @@ private:
         velocities.push_back(fluid.m_motion.velocity(mesh.vertices[v], mesh.labels[v]));
         accelerations.push_back(fluid.m_motion.acceleration(mesh.vertices[v], mesh.labels[v]));
       }
-      mesh.keep_on_sides(velocities);
-      mesh.keep_on_sides(accelerations);
+      const internal::Open_sides open(mesh, fluid.m_sides, positions, fluid.m_time);
+      keep_on_closed_sides(mesh, open, velocities);
+      keep_on_closed_sides(mesh, open, accelerations);
       const auto inflow = internal::inflow_velocities(mesh, fluid.m_sides, positions, fluid.m_time);
       for (std::size_t v = 0; v < inflow.size(); ++v)
         if (inflow[v])

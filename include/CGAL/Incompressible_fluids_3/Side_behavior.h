@@ -18,8 +18,9 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
 /// \ingroup PkgIncompressibleFluids3Ref
-/// The boundary condition of liquids at a side of the domain: slip, no-slip with the velocity of
-/// the side, or an inflow through a part of the side.
+/// The boundary condition of liquids at a side of the domain: slip, or no-slip with the velocity of
+/// the side. Liquid can pass through a part of the side, with a given velocity or against a given
+/// pressure.
 struct Side_behavior
 {
   /// The velocity of the side for the no-slip condition. Its component perpendicular to the side
@@ -32,6 +33,15 @@ struct Side_behavior
   /// return velocities with which liquid leaves the domain.
   std::function<std::optional<std::array<double, 3>>(const std::array<double, 3>&, double)> inflow =
       {};
+
+  /// The pressure outside at a point of the side and a time, or nothing where the side is a wall.
+  /// The pressure is relative to void. The function can be empty. A vertex of a liquid at which it
+  /// returns a pressure is open, and liquid passes there in both directions with a velocity that
+  /// the equations determine. The vertex stays on the side. Liquid that enters continues the
+  /// liquid at the vertex. With slip, no force acts along the open part. With no-slip, the
+  /// component of the velocity along the side is that of `velocity`, except at free surfaces. Where
+  /// there is an inflow, the pressure has no effect.
+  std::function<std::optional<double>(const std::array<double, 3>&, double)> pressure = {};
 };
 
 namespace internal {

@@ -22,6 +22,10 @@ auto Incompressible_fluid<Complex, Solver>::advance(double dt, const Options& op
   require_step(dt);
   if (!(m_time + dt > m_time))
     throw Error("the time step is too short to change the time: use a longer one");
+  if (internal::have_openings(m_sides)) {
+    const Flow flow(*this, m_properties);
+    internal::require_vertices_in_openings(flow.mesh, m_sides, flow.positions, m_time);
+  }
   const Snapshot start(m_complex, *this);
   try {
     const auto begin = Clock::now();

@@ -141,7 +141,8 @@ void Incompressible_fluid<Complex, Solver>::step(double dt, double end, const Op
     if (!judge->budget)
       judge->budget = flow.budget(*this);
     judge->budget->supply(step.work_of_walls() + step.work_of_bodies() +
-                          step.work_of_sources(judge->budget->level()) + step.work_of_gravity());
+                          step.work_of_sources(judge->budget->level()) +
+                          step.work_of_open_sides(judge->budget->level()) + step.work_of_gravity());
     // The volumes of gases are not restored yet, so their energies are not exact.
     if (m_properties.gases().empty())
       judge->check(report, report.moved);
@@ -174,7 +175,7 @@ void Incompressible_fluid<Complex, Solver>::set_motion_of_bodies(const Step& ste
   }
 }
 
-// Adds the volumes from sources and inflows to the volumes to be preserved.
+// Adds the volumes from sources and through sides to the volumes to be preserved.
 template <class Complex, class Solver>
 void Incompressible_fluid<Complex, Solver>::add_source_volumes(const Flow& flow, const Step& step,
                                                                double dt, Report& report) {
@@ -184,6 +185,9 @@ void Incompressible_fluid<Complex, Solver>::add_source_volumes(const Flow& flow,
     report.gained_volume += dt * gains[k];
     volumes.at(flow.mesh.cells[k].component) += dt * gains[k];
   }
+  const std::array<double, 6> fluxes = step.flux_through_sides();
+  for (std::size_t side = 0; side < fluxes.size(); ++side)
+    report.volume_through_sides[side] += dt * fluxes[side];
   for (const auto& [component, volume] : volumes)
     if (!(volume > 0))
       throw Error("sources or outflows remove more than the volume of a component: use a shorter "
@@ -262,7 +266,14 @@ void Incompressible_fluid<Complex, Solver>::make_admissible(double dt, unsigned 
       std::all_of(flow.velocities.begin(), flow.velocities.end(),
                   [](const Eigen::Vector3d& v) { return v.isZero(0); }))
     return;
-  Step step(m_complex, flow, {inviscid, m_solids, m_sides, m_gases.components_of(flow.mesh), {}},
+  internal::Side_behaviors sides = m_sides; // open sides exert no pressure in the projection
+  for (Side_behavior& side : sides)
+    if (side.pressure)
+      side.pressure = [given = side.pressure](const std::array<double, 3>& p, double t) {
+        const auto pressure = given(p, t);
+        return pressure ? std::optional<double>(0) : pressure;
+      };
+  Step step(m_complex, flow, {inviscid, m_solids, sides, m_gases.components_of(flow.mesh), {}},
             {m_time, m_time + dt, {dt, 1}}, m_solver, number_of_threads);
   const auto begin = Clock::now();
   step.solve(false); // the stabilization needs the accelerations of an impulsive start

@@ -302,7 +302,7 @@ double Incompressible_fluid<Complex, Solver>::restore_momenta(Flow& flow) {
       velocities[v] = flow.velocities[v] + correction.at(flow.positions[v]);
   }
   stop_on_sides(flow.mesh, m_sides, inflow_velocities(flow.mesh, m_sides, flow.positions, m_time),
-                velocities);
+                internal::Open_sides(flow.mesh, m_sides, flow.positions, m_time), velocities);
   for (std::size_t v = 0; v < velocities.size(); ++v)
     result = (std::max)(result, (velocities[v] - flow.velocities[v]).norm());
   m_motion.set(flow.mesh, velocities, flow.accelerations);

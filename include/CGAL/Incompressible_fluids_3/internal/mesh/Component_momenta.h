@@ -70,6 +70,22 @@ std::vector<Masses> masses_of_sets(const Mesh& mesh, const Vectors_3& positions,
   return result;
 }
 
+// Returns the masses of the same vertices and cells, with the vertices at other positions.
+template <class Mesh>
+Masses masses_at(const Mesh& mesh, Masses masses, const Vectors_3& positions) {
+  std::vector<double> of_vertices(positions.size(), 0);
+  for (auto& [k, m] : masses.of_middles) {
+    const auto& cell = mesh.cells[k];
+    const double mass = cell.liquid->density * volume(cell.vertices, positions);
+    m = Mesh::part_at_middle * mass;
+    for (auto v : cell.vertices)
+      of_vertices[v] += (1 - Mesh::part_at_middle) * mass / Mesh::corners;
+  }
+  for (auto& [v, m] : masses.of_vertices)
+    m = of_vertices[v];
+  return masses;
+}
+
 // Returns the momenta of masses.
 template <class Mesh>
 Momentum momentum(const Mesh& mesh, const Masses& masses, const Vectors_3& positions,

@@ -197,6 +197,12 @@ public:
     }
   }
 
+  // Adds forces on the vertices of each liquid to the forces of gases.
+  void add_pushes(Vector forces) {
+    m_slips.transform_forces(forces);
+    m_pushes += forces;
+  }
+
   // Returns the number of cells that are too flat to have gradients, both at the beginning and at
   // the midpoint. These cells have mass and volume, but neither viscosity nor stabilization.
   std::size_t number_of_flat_cells() const {
@@ -207,7 +213,7 @@ public:
   // Returns the system without constraints. The caller sets `constrained` and `closed`.
   const System& system() const { return m_system; }
 
-  // Returns the forces of gases on vertices.
+  // Returns the forces of gases, and those of `add_pushes()`, on vertices.
   const Vector& pushes() const { return m_pushes; }
 
   // Returns f for the velocities of liquids at the beginning.

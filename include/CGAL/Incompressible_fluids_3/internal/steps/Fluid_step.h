@@ -22,14 +22,17 @@
 #include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_sources.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Roughness_damper.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Body_equations.h>
+#include <CGAL/Incompressible_fluids_3/internal/walls/Open_sides.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Vertex_constraints.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Wall_contacts.h>
+#include <CGAL/Incompressible_fluids_3/internal/walls/side_passage.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/side_velocities.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/slip_flux.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -81,7 +84,15 @@ public:
         m_sides(loads.sides), m_gases(loads.gases), m_sources(loads.sources),
         m_equations(m_for_each, m_mesh, m_properties, m_step, m_positions),
         m_contacts(m_mesh, loads.solids, complex, m_positions, m_begin), m_solids(loads.solids),
-        m_velocities_of_bodies(m_contacts.velocities_of_bodies()) {
+        m_velocities_of_bodies(m_contacts.velocities_of_bodies()),
+        m_edge(complex.mean_interface_edge()) {
+    if (m_end > m_begin)
+      m_open = Open_sides(m_mesh, m_sides, m_positions, middle_time());
+    if (!m_open.empty())
+      m_contacts.set_open_sides([this](std::size_t side, const Eigen::Vector3d& p) {
+        return m_sides[side].pressure &&
+               m_sides[side].pressure({p.x(), p.y(), p.z()}, middle_time());
+      });
     for (std::size_t v = 0; v < m_positions.size(); ++v)
       m_velocities.push_back(m_before[v] + m_step.theta * m_step.dt * m_accelerations[v]);
     m_pressures = Vector::Zero(Eigen::Index(m_mesh.vertex_of_pressure.size()));
@@ -157,7 +168,7 @@ public:
   // drains remove. It consists of the kinetic and potential energy of the new liquid, and of the
   // work of its pressure. The potential of gravity is 0 at `level`, and everywhere on a torus.
   double work_of_sources(const Eigen::Vector3d& level) const {
-    const std::vector<double> gains = this->gains();
+    const std::vector<double> gains = gains_without_open_sides();
     const Eigen::Vector3d gravity = Mesh::is_periodic
                                         ? Eigen::Vector3d(Eigen::Vector3d::Zero())
                                         : Eigen::Vector3d(m_properties.gravity().data());
@@ -169,6 +180,43 @@ public:
     // Relative to the power: the stabilization also affects sources.
     static constexpr double error = .25;
     return m_step.dt * (power + error * std::abs(power));
+  }
+
+  // Returns an upper bound of the energy that enters through open sides in the step: the work of
+  // the pressure outside, and the kinetic and potential energy of the liquid that passes. The
+  // potential of gravity is 0 at `level`.
+  double work_of_open_sides(const Eigen::Vector3d& level) const {
+    // Relative to the sum of absolute terms: the liquid at the vertices is the liquid that passes
+    // up to the discretization.
+    static constexpr double error = .25;
+    const Eigen::Vector3d gravity(m_properties.gravity().data());
+    double power = 0, size = 0;
+    const auto add = [&](double term) {
+      power += term;
+      size += std::abs(term);
+    };
+    const Vector forces = m_open.forces(m_mesh, m_midpoint_positions);
+    for (std::size_t v = 0; v < m_velocities.size(); ++v)
+      add(m_velocities[v].dot(forces.segment<3>(3 * Eigen::Index(v))));
+    for_each_passage([&](std::size_t k, std::size_t v, double gain, std::size_t) {
+      add(m_mesh.cells[k].liquid->density * gain *
+          (m_velocities[v].squaredNorm() / 2 - gravity.dot(m_midpoint_positions[v] - level)));
+    });
+    return m_step.dt * (power + error * size);
+  }
+
+  // Returns the volume that enters through each side of the domain in a unit of time, less the
+  // volume that leaves.
+  std::array<double, 6> flux_through_sides() const {
+    std::array<double, 6> result = {};
+    for_each_passage(
+        [&](std::size_t, std::size_t, double gain, std::size_t side) { result[side] += gain; });
+    for (std::size_t k = 0; k < m_mesh.cells.size() && !m_inflow.empty(); ++k)
+      for (std::size_t i = 0; i < Mesh::corners; ++i)
+        if (const std::size_t v = m_mesh.cells[k].vertices[i]; m_inflow[v])
+          for_each_part(k, i, sides_of_inflow(v), *m_inflow[v],
+                        [&](double gain, std::size_t side) { result[side] += gain; });
+    return result;
   }
 
   // Returns the pressures, in the order of the mesh.
@@ -215,9 +263,20 @@ public:
     return result;
   }
 
-  // Returns the volume that each cell of the mesh gains in a unit of time, from sources and by
-  // inflow. The result is empty without both.
+  // Returns the volume that each cell of the mesh gains in a unit of time, from sources, by inflow
+  // and through open sides. The result is empty without all of them.
   std::vector<double> gains() const {
+    std::vector<double> result = gains_without_open_sides();
+    if (!m_open.empty())
+      result.resize(m_mesh.cells.size(), 0);
+    for_each_passage(
+        [&](std::size_t k, std::size_t, double gain, std::size_t) { result[k] += gain; });
+    return result;
+  }
+
+  // Returns the volume that each cell gains in a unit of time, from sources and by inflow. The
+  // result is empty without both.
+  std::vector<double> gains_without_open_sides() const {
     std::vector<double> result = m_gains;
     if (!m_inflow.empty())
       result.resize(m_mesh.cells.size(), 0);
@@ -228,10 +287,15 @@ public:
   }
 
   // Returns the momentum of a set of masses at the end of the step, with the effects of
-  // `Wall_contacts::constrain_at_end()` and of new liquid.
+  // `Wall_contacts::constrain_at_end()` and of new liquid. Where liquid passes through an open side, the liquid
+  // that passes takes the difference to the momentum at the end.
   Momentum final_momentum(const Masses& masses) const {
     if (masses.of_vertices.empty())
       return {};
+    if (std::any_of(masses.of_vertices.begin(), masses.of_vertices.end(),
+                    [this](const auto& entry) { return m_open.sides(entry.first) != 0; }))
+      return momentum(m_mesh, masses_at(m_mesh, masses, m_destinations), m_destinations,
+                      m_final_velocities);
     Momentum result = pushed_momentum(masses);
     const auto add = [&](std::size_t k, double gain, const Eigen::Vector3d& velocity,
                          const Eigen::Vector3d& position) {
@@ -297,14 +361,106 @@ private:
   // Returns the volume that cell k gains by inflow at its corner i in a unit of time: the change
   // that the motion of the corner with the liquid would cause, because the corner does not move.
   double gain_by_inflow(std::size_t k, std::size_t i) const {
+    const auto& velocity = m_inflow[m_mesh.cells[k].vertices[i]];
+    return velocity ? gain_by_passage(k, i, *velocity) : 0;
+  }
+
+  // Returns the volume that cell k gains in a unit of time because its corner i does not move with
+  // the liquid. `velocity` is the velocity of the liquid relative to the corner.
+  double gain_by_passage(std::size_t k, std::size_t i, const Eigen::Vector3d& velocity) const {
     const auto& cell = m_mesh.cells[k];
-    const auto& velocity = m_inflow[cell.vertices[i]];
-    if (!velocity)
-      return 0;
     auto corners = m_mesh.corners_at(cell.vertices, m_midpoint_positions);
     const double before = volume(corners);
-    corners[i] += *velocity; // the volume is linear in the position of the corner
+    corners[i] += velocity; // the volume is linear in the position of the corner
     return before - volume(corners);
+  }
+
+  // Calls `f(gain, side)` for the gains of cell k at its corner i through a set of sides. If the
+  // corner is on several of these sides, the components of the relative velocity pass through their
+  // sides.
+  template <class Function>
+  void for_each_part(std::size_t k, std::size_t i, Boundary_class::Bits sides,
+                     const Eigen::Vector3d& velocity, const Function& f) const {
+    for (std::size_t side = 0; side < 6; ++side)
+      if (sides >> side & 1) {
+        const bool is_only = sides == 1u << side;
+        const Eigen::Vector3d normal = normal_of_side(side);
+        f(gain_by_passage(k, i,
+                          is_only ? velocity : Eigen::Vector3d(velocity.dot(normal) * normal)),
+          side);
+      }
+  }
+
+  // Calls `f(cell, vertex, gain, side)` for each gain of a cell through an open side.
+  template <class Function> void for_each_passage(const Function& f) const {
+    if (m_open.empty())
+      return;
+    const Vectors_3 moving = velocities_of_vertices();
+    for (std::size_t k = 0; k < m_mesh.cells.size(); ++k)
+      for (std::size_t i = 0; i < Mesh::corners; ++i) {
+        const std::size_t v = m_mesh.cells[k].vertices[i];
+        if (m_open.sides(v) != 0 && !is_inflow(m_inflow, v))
+          for_each_part(k, i, m_open.sides(v), m_velocities[v] - moving[v],
+                        [&](double gain, std::size_t side) { f(k, v, gain, side); });
+      }
+  }
+
+  // Returns the sides with an inflow on which a vertex lies, as bits.
+  Boundary_class::Bits sides_of_inflow(std::size_t v) const {
+    unsigned result = 0;
+    for (std::size_t side = 0; side < m_sides.size(); ++side)
+      if (m_sides[side].inflow)
+        result |= m_mesh.vertices[v]->boundary_class() & 1u << side;
+    return Boundary_class::Bits(result);
+  }
+
+  double middle_time() const { return (m_begin + m_end) / 2; }
+
+  // Returns the velocities with which vertices move. They differ from the solved velocities at
+  // inlets and near open sides, where vertices do not follow the liquid.
+  Vectors_3 velocities_of_vertices() const {
+    Vectors_3 result = m_mesh.common(m_velocities);
+    if (!m_open.empty()) {
+      const Vectors_3 returns = returns_from_open_sides();
+      for (std::size_t v = 0; v < result.size(); ++v)
+        result[v] += returns[v] / m_step.dt;
+    }
+    for (std::size_t v = 0; v < result.size(); ++v)
+      if (is_inflow(m_inflow, v))
+        result[v].setZero();
+    return result;
+  }
+
+  // Returns the positions at the end of the step of vertices that would follow the liquid.
+  Vectors_3 positions_of_liquid() const {
+    Vectors_3 result = m_mesh.common(m_velocities);
+    for (std::size_t v = 0; v < result.size(); ++v)
+      result[v] = m_positions[v] + m_step.dt * result[v];
+    return result;
+  }
+
+  // Returns the displacements of vertices from the liquid, which keep them on open sides and in
+  // front of them.
+  Vectors_3 returns_from_open_sides() const {
+    return returns_from_sides(m_mesh, {m_sides, m_open, middle_time(), m_edge}, m_positions,
+                              positions_of_liquid());
+  }
+
+  // Adds the changes of velocities at vertices from which liquid has moved on through open sides.
+  void change_velocities_by_passage() {
+    if (m_open.empty())
+      return;
+    Vectors_3 shifts = returns_from_open_sides();
+    for (std::size_t v = 0; v < shifts.size(); ++v)
+      for (std::size_t side = 0; side < m_sides.size(); ++side)
+        if (is_inflow(m_inflow, v) ||
+            (m_open.sides(v) >> side & 1 && shifts[v].dot(normal_of_side(side)) > 0))
+          shifts[v].setZero(); // liquid enters
+    for (const auto& change :
+         changes_by_passage(m_mesh, positions_of_liquid(), shifts, m_final_velocities)) {
+      m_final_velocities[change.vertex] += change.velocity;
+      m_unstopped_velocities[change.vertex] += change.velocity;
+    }
   }
 
   // Returns the tolerance of a solution that only determines the geometry of the next solution. It
@@ -358,7 +514,9 @@ private:
     const Inflow_velocities inflow = m_end > m_begin
                                          ? inflow_velocities(m_mesh, m_sides, m_destinations, m_end)
                                          : Inflow_velocities();
-    stop_on_sides(m_mesh, m_sides, inflow, m_final_velocities);
+    const Open_sides open =
+        m_end > m_begin ? Open_sides(m_mesh, m_sides, m_destinations, m_end) : Open_sides();
+    stop_on_sides(m_mesh, m_sides, inflow, open, m_final_velocities);
     for (std::size_t v = 0; v < m_final_velocities.size(); ++v)
       m_final_accelerations.push_back((m_final_velocities[v] - m_before[v]) / m_step.dt);
     for (const auto& change :
@@ -366,7 +524,8 @@ private:
       m_final_velocities[change.vertex] += change.velocity;
       m_unstopped_velocities[change.vertex] += change.velocity;
     }
-    stop_on_sides(m_mesh, m_sides, inflow, m_final_velocities);
+    change_velocities_by_passage();
+    stop_on_sides(m_mesh, m_sides, inflow, open, m_final_velocities);
     for (std::size_t v = 0; v < m_final_velocities.size(); ++v)
       if (!m_final_velocities[v].allFinite() || !m_velocities[v].allFinite())
         throw Convergence_error("the equations of the flow have no finite solution: the time step "
@@ -374,12 +533,16 @@ private:
                                 std::numeric_limits<double>::infinity(), largest_residual);
   }
 
-  // Returns the positions of vertices that move with the solved velocities for a time t.
+  // Returns the positions of vertices after a motion for a time t, with the solved velocities.
   Vectors_3 at_time(double t) const {
-    Vectors_3 result = m_mesh.common(m_velocities);
-    for (std::size_t v = 0; v < m_positions.size(); ++v)
+    Vectors_3 result = velocities_of_vertices();
+    for (std::size_t v = 0; v < m_positions.size(); ++v) {
       result[v] =
           is_inflow(m_inflow, v) ? m_positions[v] : Eigen::Vector3d(m_positions[v] + t * result[v]);
+      for (int axis = 0; axis < 3; ++axis) // without rounding
+        if (Boundary_class::fixes(m_open.sides(v), axis))
+          result[v][axis] = m_positions[v][axis];
+    }
     return result;
   }
 
@@ -397,6 +560,8 @@ private:
     m_equations.assemble(
         m_midpoint_positions, m_velocities, [&](std::size_t f) { return m_contacts.tension(f); },
         pressures);
+    if (!m_open.empty())
+      m_equations.add_pushes(m_open.forces(m_mesh, m_midpoint_positions));
     m_gains =
         gains_of_cells(m_sources, m_mesh, m_midpoint_positions, (m_begin + m_end) / 2, m_step.dt);
     m_is_assembled = false;
@@ -457,6 +622,10 @@ private:
   void assemble_constraints() {
     m_constraints = Vertex_constraints(m_positions.size());
     for (std::size_t v = 0; v < m_positions.size(); ++v) {
+      if (m_open.sides(v) != 0 && !is_inflow(m_inflow, v)) {
+        constrain_at_open_side(v);
+        continue;
+      }
       const auto sticking = velocity_of_side(v);
       for (int axis = 0; axis < 3; ++axis)
         if (axis >= Mesh::dimension ||
@@ -483,6 +652,18 @@ private:
     else
       m_solver.factorize(std::move(system), m_number_of_threads);
     m_is_factorized = m_is_assembled = true;
+  }
+
+  // Adds the constraints of a vertex on an open side. The second occurrence of a vertex has the
+  // relative velocity of liquids.
+  void constrain_at_open_side(std::size_t v) {
+    const auto prescribed = coordinates_at_open_vertex(m_mesh, m_sides, m_open.sides(v), v);
+    for (int axis = 0; axis < 3; ++axis)
+      if (axis >= Mesh::dimension || prescribed[std::size_t(axis)])
+        m_constraints.add(v, {Eigen::Vector3d::Unit(axis),
+                              axis < Mesh::dimension && v < m_mesh.number_of_vertices()
+                                  ? *prescribed[std::size_t(axis)]
+                                  : 0});
   }
 
   // Returns the system with the constraints and the bodies, but without closed sets.
@@ -562,6 +743,7 @@ private:
   std::vector<Gas_component> m_gases;
   Fluid_sources m_sources;
   Inflow_velocities m_inflow; // in the middle of the step; empty if solids do not move
+  Open_sides m_open;          // the same
   Vectors_3 m_destinations;
   Vectors_3 m_midpoint_positions; // positions at which the equations were assembled
   std::vector<double> m_gains;    // volume per unit of time, by cell
@@ -570,6 +752,7 @@ private:
   Contacts m_contacts;
   const typename Contacts::Solids& m_solids;
   std::vector<Body_velocity> m_velocities_of_bodies, m_final_velocities_of_bodies;
+  double m_edge; // the mean edge of the initial interface
   Vertex_constraints m_constraints{0};
   Body_equations m_bodies;
   std::vector<System::Closed_set> m_closed;

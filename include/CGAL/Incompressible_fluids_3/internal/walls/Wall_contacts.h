@@ -120,6 +120,12 @@ public:
     return result;
   }
 
+  // Sets the parts of the sides of the domain from which vertices need not keep a distance:
+  // `is_open(side, p)` with a point p of the side.
+  void set_open_sides(std::function<bool(std::size_t, const Eigen::Vector3d&)> is_open) {
+    m_is_open = std::move(is_open);
+  }
+
   // Predicts the contacts of vertices that move to the expected positions in the time dt. Walls are
   // those at `time`, the end of the motion. They have no velocity if `walls_move` is false. A
   // vertex that touches a wall is constrained until `revise()` releases it.
@@ -524,7 +530,9 @@ private:
           const double sign = side == 0 ? 1 : -1, at = m_mesh.sides[2 * axis + side],
                        nearest = (std::min)(clearance * m_spacings[v],
                                             sign * (m_positions[v][axis] - at));
-          if (std::isfinite(at))
+          Eigen::Vector3d foot = m_positions[v];
+          foot[axis] = at;
+          if (std::isfinite(at) && !(m_is_open && m_is_open(std::size_t(2 * axis + side), foot)))
             function(m_solids.size(), std::size_t(2 * axis + side),
                      {sign * (p[axis] - at) - nearest,
                       sign * Wall_3::Vector(axis == 0, axis == 1, axis == 2)});
@@ -596,6 +604,7 @@ private:
   std::vector<std::size_t> m_body_of_solid; // or `no_body`
   std::vector<Moving_body> m_bodies;
   double m_time_of_bodies;
+  std::function<bool(std::size_t, const Eigen::Vector3d&)> m_is_open;
 };
 
 } // namespace internal

@@ -11,11 +11,14 @@
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Incompressible_fluids_3/Side_behavior.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
+#include <CGAL/Incompressible_fluids_3/internal/walls/Open_sides.h>
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
@@ -77,14 +80,61 @@ inline bool is_inflow(const Inflow_velocities& inflow, std::size_t v) {
   return !inflow.empty() && inflow[v];
 }
 
+// The coordinates of a velocity that sides of the domain prescribe.
+using Prescribed_coordinates = std::array<std::optional<double>, 3>;
+
+// Returns the coordinates that sides prescribe at an open vertex. Walls that meet the open side
+// keep their conditions. On a no-slip side that is open, the velocity along the side is prescribed,
+// except where a surface of a liquid ends.
+template <class Mesh>
+Prescribed_coordinates coordinates_at_open_vertex(const Mesh& mesh, const Side_behaviors& behaviors,
+                                                  Boundary_class::Bits open, std::size_t v) {
+  const auto closed = Boundary_class::Bits(mesh.vertices[v]->boundary_class() & ~open);
+  Prescribed_coordinates result;
+  for (int axis = 0; axis < Mesh::dimension; ++axis) {
+    if (Boundary_class::fixes(closed, axis))
+      result[std::size_t(axis)] = 0;
+    for (const bool is_open : {false, true})
+      for (std::size_t side = 0; side < behaviors.size(); ++side)
+        if (!result[std::size_t(axis)] && behaviors[side].velocity &&
+            ((is_open ? open : closed) >> side & 1) &&
+            (!is_open || (!Boundary_class::fixes(open, axis) && !mesh.is_on_interface[v])))
+          result[std::size_t(axis)] = (*behaviors[side].velocity)[std::size_t(axis)];
+  }
+  return result;
+}
+
+// Sets the components of vectors to 0 that leave the sides of the domain. The open sides are an
+// exception.
+template <class Mesh>
+void keep_on_closed_sides(const Mesh& mesh, const Open_sides& open, Vectors_3& vectors) {
+  const Vectors_3 before = vectors;
+  mesh.keep_on_sides(vectors);
+  for (std::size_t v = 0; v < vectors.size() && !open.empty(); ++v)
+    for (int axis = 0; axis < Mesh::dimension; ++axis)
+      if (Boundary_class::fixes(open.sides(v), axis) &&
+          !Boundary_class::fixes(
+              Boundary_class::Bits(mesh.vertices[v]->boundary_class() & ~open.sides(v)), axis))
+        vectors[v][axis] = before[v][axis];
+}
+
 // Replaces velocities of vertices on sides of the domain by those that the sides permit.
 template <class Mesh>
 void stop_on_sides(const Mesh& mesh, const Side_behaviors& behaviors,
-                   const Inflow_velocities& inflow, Vectors_3& velocities) {
+                   const Inflow_velocities& inflow, const Open_sides& open, Vectors_3& velocities) {
+  const Vectors_3 before = velocities;
   for (std::size_t v = 0; v < velocities.size(); ++v)
     if (const auto velocity = no_slip_velocity(mesh, behaviors, v))
       velocities[v] = *velocity;
   mesh.keep_on_sides(velocities);
+  for (std::size_t v = 0; v < velocities.size() && !open.empty(); ++v)
+    if (const auto sides = open.sides(v)) {
+      velocities[v] = before[v];
+      const auto prescribed = coordinates_at_open_vertex(mesh, behaviors, sides, v);
+      for (std::size_t axis = 0; axis < prescribed.size(); ++axis)
+        if (prescribed[axis])
+          velocities[v][Eigen::Index(axis)] = *prescribed[axis];
+    }
   for (std::size_t v = 0; v < inflow.size(); ++v)
     if (inflow[v])
       velocities[v] = *inflow[v];

@@ -1,0 +1,134 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Incompressible_fluids_3, written for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_OPEN_SIDES_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_OPEN_SIDES_H
+
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Incompressible_fluids_3/Side_behavior.h>
+#include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Returns the outward normal of a side of the domain.
+inline Eigen::Vector3d normal_of_side(std::size_t side) {
+  return (side % 2 == 0 ? -1. : 1.) * Eigen::Vector3d::Unit(Eigen::Index(side / 2));
+}
+
+// Calls `f(cell, corner, side)` for each facet of a cell of a liquid on a side of the domain. The
+// facet is opposite to the corner.
+template <class Mesh, class Function>
+void for_each_side_facet(const Mesh& mesh, const Function& f) {
+  for (std::size_t k = 0; k < mesh.cells.size(); ++k)
+    for (std::size_t corner = 0; corner < Mesh::corners; ++corner) {
+      unsigned sides = ~unsigned(Boundary_class::fixed);
+      for (std::size_t i = 0; i < Mesh::corners; ++i)
+        if (i != corner)
+          sides &= mesh.vertices[mesh.cells[k].vertices[i]]->boundary_class();
+      for (std::size_t side = 0; sides != 0 && side < 6; ++side)
+        if (sides >> side & 1)
+          f(k, corner, side);
+    }
+}
+
+// The open parts of the sides of the domain: the vertices at which liquid passes with a velocity
+// that the equations determine, and the pressures outside.
+class Open_sides
+{
+public:
+  // Constructs the object without an open side.
+  Open_sides() = default;
+
+  // Finds the open vertices at a time, with the vertices at given positions.
+  // \throws Error if a pressure is not finite
+  template <class Mesh>
+  Open_sides(const Mesh& mesh, const Side_behaviors& behaviors, const Vectors_3& positions,
+             double time) {
+    for (std::size_t side = 0; side < behaviors.size(); ++side) {
+      if (!behaviors[side].pressure)
+        continue;
+      m_sides.resize(positions.size(), Boundary_class::inside);
+      m_pressures[side].resize(positions.size());
+      for (std::size_t v = 0; v < positions.size(); ++v) {
+        if (!(mesh.vertices[v]->boundary_class() >> side & 1))
+          continue;
+        const Eigen::Vector3d& p = positions[v];
+        const auto pressure = behaviors[side].pressure({p.x(), p.y(), p.z()}, time);
+        if (!pressure)
+          continue;
+        if (!std::isfinite(*pressure))
+          throw Error("the pressure outside of a side is not finite: return finite numbers");
+        m_pressures[side][v] = pressure;
+        m_sides[v] = Boundary_class::Bits(m_sides[v] | 1u << side);
+      }
+    }
+  }
+
+  // Returns whether no side has a function for the pressure.
+  bool empty() const { return m_sides.empty(); }
+
+  // Returns the open sides on which a vertex lies, as bits.
+  Boundary_class::Bits sides(std::size_t v) const {
+    return m_sides.empty() ? Boundary_class::inside : m_sides[v];
+  }
+
+  // Returns the forces of the pressures outside on vertices, with the vertices at given positions.
+  // The pressure is linear in each facet. At a corner of the facet that is not open, it is the mean
+  // of the pressures at the open corners. Walls bear the forces on these corners.
+  template <class Mesh> Eigen::VectorXd forces(const Mesh& mesh, const Vectors_3& positions) const {
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(3 * Eigen::Index(positions.size()));
+    if (empty())
+      return result;
+    // The integral of the product of two basis functions over a facet is its area, divided by this
+    // number, and twice as large if the functions are the same.
+    static constexpr int products = Mesh::dimension * (Mesh::dimension + 1);
+    for_each_side_facet(mesh, [&](std::size_t k, std::size_t corner, std::size_t side) {
+      std::array<std::size_t, Mesh::dimension> facet;
+      for (std::size_t i = 0, n = 0; i < Mesh::corners; ++i)
+        if (i != corner)
+          facet[n++] = mesh.cells[k].vertices[i];
+      double sum = 0;
+      int open = 0;
+      const auto& pressures = m_pressures[side];
+      for (std::size_t v : facet)
+        if (!pressures.empty() && pressures[v]) {
+          sum += *pressures[v];
+          ++open;
+        }
+      if (open == 0)
+        return;
+      const double mean = sum / open, whole = sum + (Mesh::dimension - open) * mean;
+      const Eigen::Vector3d area =
+          area_vector(facet, positions).norm() / products * normal_of_side(side);
+      for (std::size_t v : facet)
+        if (pressures[v])
+          result.segment<3>(3 * Eigen::Index(v)) -= (whole + *pressures[v]) * area;
+    });
+    return result;
+  }
+
+private:
+  std::vector<Boundary_class::Bits> m_sides;                     // by vertex
+  std::array<std::vector<std::optional<double>>, 6> m_pressures; // by side and vertex
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_OPEN_SIDES_H

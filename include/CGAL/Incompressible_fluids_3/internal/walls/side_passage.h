@@ -1,0 +1,165 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Incompressible_fluids_3, written for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_SIDE_PASSAGE_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_SIDE_PASSAGE_H
+
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Incompressible_fluids_3/Side_behavior.h>
+#include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
+#include <CGAL/Incompressible_fluids_3/internal/mesh/slip_changes.h>
+#include <CGAL/Incompressible_fluids_3/internal/walls/Open_sides.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Returns the normals of the surfaces of liquids at vertices, or zero inside liquids. Where a free
+// surface ends at a vertex, the interfaces of two liquids have no effect.
+template <class Mesh> Vectors_3 surface_normals(const Mesh& mesh, const Vectors_3& positions) {
+  Vectors_3 free(positions.size(), Eigen::Vector3d::Zero()), common = free;
+  for (const auto& facet : mesh.facets) {
+    const Eigen::Vector3d area = area_vector(facet.vertices, positions);
+    const bool is_front =
+        facet.is_free ? facet.is_gas_in_front : facet.label_behind < facet.label_in_front;
+    for (auto v : facet.vertices)
+      (facet.is_free ? free : common)[v] += is_front ? area : Eigen::Vector3d(-area);
+  }
+  for (std::size_t v = 0; v < free.size(); ++v)
+    free[v] = (free[v].isZero(0) ? common : free)[v].normalized();
+  for (const auto& slip : mesh.slips)
+    free[slip.second] = free[slip.first];
+  return free;
+}
+
+// The geometry of an open part of a side, for the vertices near it.
+struct Passage
+{
+  const Side_behaviors& behaviors;
+  const Open_sides& open;
+  double time; // at which parts are open
+  double edge; // the length of an edge
+};
+
+/*
+Returns the displacements that keep vertices on the open sides and in front of them, if they would
+otherwise move with the liquid from `positions` to `moved`.
+
+A vertex on an open side stays on the side. Where a surface meets the side, the liquid that leaves
+takes the vertex along the surface beyond the side, so the vertex returns along the surface. The
+surface then moves as a material surface up to the side. A vertex that would come near an open side
+on which it does not lie keeps a distance to it, and returns in the same way. Vertices one behind
+another keep their order.
+*/
+template <class Mesh>
+Vectors_3 returns_from_sides(const Mesh& mesh, const Passage& passage, const Vectors_3& positions,
+                             const Vectors_3& moved) {
+  // The distance to an open side below which a vertex that does not lie on the side slows down, in
+  // edges. Edges of this length are collapsed at the next adaptation.
+  static constexpr double clearance = .25;
+  // The least square of the sine of the angle between the surface and the side. On a flatter
+  // surface, the vertex returns along the normal of the side.
+  static constexpr double flattest = .25;
+  Vectors_3 result(positions.size(), Eigen::Vector3d::Zero());
+  if (passage.open.empty())
+    return result;
+  const Vectors_3 normals = surface_normals(mesh, moved);
+  for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
+    for (std::size_t side = 0; side < passage.behaviors.size(); ++side) {
+      const auto& pressure = passage.behaviors[side].pressure;
+      const auto axis = Eigen::Index(side / 2);
+      const Boundary_class::Bits sides = mesh.vertices[v]->boundary_class();
+      const bool is_on_side = passage.open.sides(v) >> side & 1;
+      if (!pressure || !std::isfinite(mesh.sides[side]) ||
+          (!is_on_side && Boundary_class::fixes(sides, int(axis))))
+        continue;
+      const Eigen::Vector3d outward = normal_of_side(side);
+      const auto distance = [&](const Eigen::Vector3d& p) {
+        return outward[axis] * (mesh.sides[side] - p[axis]);
+      };
+      const double near = clearance * passage.edge, moved_to = distance(moved[v]);
+      // Distances from -infinity to `near` are mapped to distances from near / 2 to `near`.
+      const double kept = moved_to < near
+                              ? (std::min)(near / 2 * (1 + std::exp(2 * (moved_to - near) / near)),
+                                           distance(positions[v]))
+                              : moved_to;
+      const double excess = (is_on_side ? 0 : kept) - moved_to;
+      if (!is_on_side) {
+        Eigen::Vector3d foot = positions[v];
+        foot[axis] = mesh.sides[side];
+        if (!(excess > 0) || !pressure({foot.x(), foot.y(), foot.z()}, passage.time))
+          continue;
+      }
+      Eigen::Vector3d normal = normals[v];
+      for (int other = 0; other < 3; ++other)
+        if (other != axis && Boundary_class::fixes(sides, other))
+          normal[other] = 0;
+      normal.normalize();
+      Eigen::Vector3d along = outward;
+      if (excess > 0 && normal.allFinite() && !normal.isZero(0))
+        along -= outward.dot(normal) * normal;
+      if (along.dot(outward) < flattest)
+        along = outward;
+      result[v] -= excess / along.dot(outward) * along;
+    }
+  for (const auto& slip : mesh.slips)
+    result[slip.second] = result[slip.first];
+  return result;
+}
+
+// Returns the changes of velocities at vertices that do not move with the liquid, but have the
+// displacement `shifts[v]` from it. `moved` are the positions of vertices that would move with the
+// liquid, and `velocities` are linear in the cells between these positions. Where liquid enters,
+// the shift points out of all cells, and the velocity does not change.
+template <class Mesh>
+std::vector<Velocity_change> changes_by_passage(const Mesh& mesh, const Vectors_3& moved,
+                                                const Vectors_3& shifts,
+                                                const Vectors_3& velocities) {
+  static constexpr int others = Mesh::corners - 1;
+  std::vector<double> best(moved.size(), -std::numeric_limits<double>::infinity());
+  std::vector<Velocity_change> of_vertices(moved.size());
+  for (const auto& cell : mesh.cells)
+    for (std::size_t i = 0; i < Mesh::corners; ++i) {
+      const std::size_t v = cell.vertices[i];
+      if (shifts[v].isZero(0))
+        continue;
+      Eigen::Matrix<double, 3, others> edges, differences;
+      for (int k = 0; k < others; ++k) {
+        const std::size_t corner = cell.vertices[(i + std::size_t(k) + 1) % Mesh::corners];
+        edges.col(k) = moved[corner] - moved[v];
+        differences.col(k) = velocities[corner] - velocities[v];
+      }
+      const Eigen::Matrix<double, others, 1> coordinates =
+          (edges.transpose() * edges).ldlt().solve(edges.transpose() * shifts[v]);
+      const double least = coordinates.minCoeff();
+      if (!coordinates.allFinite() || !(least > best[v]))
+        continue;
+      best[v] = least;
+      const Eigen::Matrix<double, others, 1> inside = coordinates.cwiseMax(0.);
+      of_vertices[v] = {v, differences * inside / (std::max)(1., inside.sum())};
+    }
+  std::vector<Velocity_change> result;
+  for (std::size_t v = 0; v < moved.size(); ++v)
+    if (best[v] > -std::numeric_limits<double>::infinity() && of_vertices[v].velocity.allFinite())
+      result.push_back(of_vertices[v]);
+  return result;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_SIDE_PASSAGE_H
