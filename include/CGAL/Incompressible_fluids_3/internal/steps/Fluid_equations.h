@@ -16,6 +16,7 @@
 #include <CGAL/Incompressible_fluids_3/Saddle_point_system.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Slip_transform.h>
+#include <CGAL/Incompressible_fluids_3/internal/mesh/cell_element.h>
 #include <CGAL/Incompressible_fluids_3/internal/solvers/Cell_rows.h>
 
 #include <Eigen/SparseCore>
@@ -85,7 +86,7 @@ public:
         m_masses(mesh.vertices.size(), 0), m_slips(mesh) {
     bool is_viscous = false;
     for (const auto& cell : mesh.cells) {
-      m_elements.push_back(element(cell, positions));
+      m_elements.push_back(cell_element<Complex>(cell, positions));
       is_viscous = is_viscous || cell.liquid->is_viscous();
       for (auto v : cell.vertices)
         m_masses[v] += cell.liquid->density * m_elements.back().lumped_mass();
@@ -268,7 +269,7 @@ private:
     if (!cell.liquid->viscosity_at_shear_rate)
       return cell.liquid->viscosity;
     Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();
-    if (has_gradients(m_elements[k], cell, m_positions))
+    if (has_gradients<Complex>(m_elements[k], cell, m_positions))
       for (std::size_t i = 0; i < Mesh::corners; ++i)
         gradient +=
             velocities[cell.vertices[i]] * eigen_vector(m_elements[k].gradient(int(i))).transpose();
@@ -281,13 +282,6 @@ private:
     return result;
   }
 
-  static Element element(const typename Mesh::Cell& cell, const Vectors_3& positions) {
-    typename Element::Corners corners;
-    for (std::size_t i = 0; i < Mesh::corners; ++i)
-      corners[i] = from_eigen<typename Complex::Approximate_point>(positions[cell.vertices[i]]);
-    return Element(corners);
-  }
-
   // The contributions of a cell to matrices, see `assemble()`.
   struct Terms
   {
@@ -297,23 +291,6 @@ private:
     bool is_flat; // all gradients of basis functions are 0
   };
 
-  // Returns whether the gradients of the basis functions of a cell can be computed. The result does
-  // not depend on the unit of length.
-  static bool has_gradients(const Element& e, const typename Mesh::Cell& cell,
-                            const Vectors_3& positions) {
-    // The least volume, relative to the cube of the longest edge. A regular tetrahedron has 0.12.
-    // In the plane, it is the least area, relative to the square, and a regular triangle has 0.43.
-    // Gradients of basis functions are then at most about 1e5 times as steep as in a regular
-    // tetrahedron, which double precision permits.
-    static constexpr double flattest = 1e-6;
-    double square = 0; // of the longest edge
-    for (std::size_t i = 0; i < Mesh::corners; ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        square = (std::max)(
-            square, (positions[cell.vertices[i]] - positions[cell.vertices[j]]).squaredNorm());
-    return e.measure() > flattest * std::pow(square, .5 * Mesh::dimension);
-  }
-
   // Returns the contributions of a cell. Gradients are those at the midpoint, or those at the
   // beginning if the predicted cell is flat.
   Terms terms(std::size_t k, const Vectors_3& midpoint_positions) const {
@@ -322,15 +299,15 @@ private:
     static constexpr double viscous = 12; // factor of Hughes and others, for h^2 / viscosity
     static constexpr double flat = .1;    // relative to the volume at the beginning
     const auto& cell = m_mesh.cells[k];
-    const Element moved = element(cell, midpoint_positions);
+    const Element moved = cell_element<Complex>(cell, midpoint_positions);
     const bool uses_moved = moved.measure() > flat * m_elements[k].measure() &&
-                            has_gradients(moved, cell, midpoint_positions);
+                            has_gradients<Complex>(moved, cell, midpoint_positions);
     const Element& e = uses_moved ? moved : m_elements[k];
     Terms result;
     result.inertia = Mesh::part_at_middle / Mesh::corners * rate(share_of_mass(k));
     for (std::size_t i = 0; i < Mesh::corners; ++i)
       result.changes[i] = eigen_vector(moved.measure_gradient(int(i)));
-    result.is_flat = !uses_moved && !has_gradients(e, cell, m_positions);
+    result.is_flat = !uses_moved && !has_gradients<Complex>(e, cell, m_positions);
     if (result.is_flat) {
       result.gradients.fill(Eigen::Vector3d::Zero());
       result.viscosity = result.stabilization = 0;
