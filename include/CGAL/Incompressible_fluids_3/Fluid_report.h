@@ -37,10 +37,10 @@ struct Fluid_balance
   double surface_energy = 0;
   double gas_energy = 0; ///< the work of gases that expand without bound; for exponents up to 1, it
                          ///< is defined up to a constant
-  double field_integral = 0; ///< the integral of the field that liquids carry
-  double least_field = 0;    ///< the least value of the field at a vertex of a liquid
-  double greatest_field = 0; ///< the greatest value of the field at a vertex of a liquid
-  Vector momentum = Vector(0, 0, 0);         ///< momentum: mass times velocity
+  double field_integral = 0;         ///< the integral of the field that liquids carry
+  double least_field = 0;            ///< the least value of the field at a vertex of a liquid
+  double greatest_field = 0;         ///< the greatest value of the field at a vertex of a liquid
+  Vector momentum = Vector(0, 0, 0); ///< momentum: mass times velocity
   Vector angular_momentum = Vector(0, 0, 0); ///< angular momentum about the origin
 
   /// Returns the sum of the four energies.

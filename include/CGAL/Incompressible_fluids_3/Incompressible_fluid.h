@@ -137,15 +137,15 @@ public:
       : m_complex(complex), m_properties(properties) {
     if (properties.liquids().empty())
       throw Error("there is no liquid: set the density of at least one label");
-    const Flow flow(*this, m_properties);
-    if (flow.mesh.facets.empty())
+    const Mesh mesh(updated_complex(), m_properties);
+    if (mesh.facets.empty())
       throw Error(
-          flow.mesh.cells.empty()
+          mesh.cells.empty()
               ? "no cell has the label of a liquid: set the density of a label of the complex"
               : "the liquid fills the domain and has no interface: give some cells another label");
     m_complex.take_component_lineage();
-    m_liquids.set_volumes(flow.volumes());
-    m_gases.set_components(Gas_bookkeeping::measure(flow.mesh, m_properties));
+    m_liquids.set_volumes(Liquid_bookkeeping::measure(mesh, mesh.positions(m_complex)));
+    m_gases.set_components(Gas_bookkeeping::measure(mesh, m_properties));
   }
 
   /// Fluids cannot be copied.
@@ -274,10 +274,10 @@ public:
   }
 
   /*!
-  Sets the field that liquids carry, such as a temperature or a concentration. A fluid has one field.
-  It is 0 everywhere if it is not set. The function `value_at(point)` takes a `Point` and returns the
-  value at a vertex of a liquid. See `Fluid_properties::set_surface_tension()` for surface tensions
-  that depend on the field.
+  Sets the field that liquids carry, such as a temperature or a concentration. A fluid has one
+  field. It is 0 everywhere if it is not set. The function `value_at(point)` takes a `Point` and
+  returns the value at a vertex of a liquid. See `Fluid_properties::set_surface_tension()` for
+  surface tensions that depend on the field.
 
   - A vertex keeps its value when it moves with the liquid. Where the mesh changes, the field is
     interpolated as velocities are, so its integral can change slightly.
@@ -303,10 +303,10 @@ public:
     m_has_field = true;
   }
 
-  /// Gives values of the field on the boundary. The function `value_at(point, time)` takes a `Point`
-  /// and a `double`. It returns a `std::optional<double>`: the value, or nothing where the boundary
-  /// is insulated. Each step calls it at its end, for vertices of liquids on the sides of the domain
-  /// and on free surfaces. Free surfaces include facets on solids.
+  /// Gives values of the field on the boundary. The function `value_at(point, time)` takes a
+  /// `Point` and a `double`. It returns a `std::optional<double>`: the value, or nothing where the
+  /// boundary is insulated. Each step calls it at its end, for vertices of liquids on the sides of
+  /// the domain and on free surfaces. Free surfaces include facets on solids.
   ///
   /// `advance()` throws the exceptions of the function, and an `Error` if a value is not finite.
   /// `state()` does not contain the function, so set it again after `restore()` into a new fluid.

@@ -15,8 +15,8 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
-// Lets the field diffuse for a time dt, after it takes the given values on the boundary. Updates the
-// surface tensions of the flow, and the report.
+// Lets the field diffuse for a time dt, after it takes the given values on the boundary. Updates
+// the surface tensions of the flow, and the report.
 template <class Complex, class Solver>
 void Incompressible_fluid<Complex, Solver>::diffuse_field(Flow& flow, double dt, Report& report) {
   Mesh& mesh = flow.mesh;

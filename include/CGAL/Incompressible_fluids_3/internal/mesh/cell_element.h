@@ -32,8 +32,8 @@ Linear_element<Complex> cell_element(const typename Fluid_mesh<Complex>::Cell& c
 // Returns whether the gradients of the basis functions of a cell can be computed. The result does
 // not depend on the unit of length.
 template <class Complex>
-bool has_gradients(const Linear_element<Complex>& e,
-                   const typename Fluid_mesh<Complex>::Cell& cell, const Vectors_3& positions) {
+bool has_gradients(const Linear_element<Complex>& e, const typename Fluid_mesh<Complex>::Cell& cell,
+                   const Vectors_3& positions) {
   // The least volume, relative to the cube of the longest edge. A regular tetrahedron has 0.12.
   // In the plane, it is the least area, relative to the square, and a regular triangle has 0.43.
   // Gradients of basis functions are then at most about 1e5 times as steep as in a regular

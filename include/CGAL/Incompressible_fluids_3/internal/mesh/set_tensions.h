@@ -16,8 +16,9 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Sets the surface tensions of facets for a field, which is given by vertex of the mesh. The tension
-// of a facet is the tension at the mean of its vertices. Functions of users determine tensions.
+// Sets the surface tensions of facets for a field, which is given by vertex of the mesh. The
+// tension of a facet is the tension at the mean of its vertices. Functions of users determine
+// tensions.
 // \throws Error if a tension is negative or not finite
 template <class Complex>
 void set_tensions(Fluid_mesh<Complex>& mesh, const Fluid_properties& properties,

@@ -96,8 +96,8 @@ public:
 private:
   using Vector = Eigen::VectorXd;
 
-  // An edge of a cell. The vertex i gains the conductance times the difference of the field at j and
-  // at i, and the vertex j loses this amount.
+  // An edge of a cell. The vertex i gains the conductance times the difference of the field at j
+  // and at i, and the vertex j loses this amount.
   struct Link
   {
     Eigen::Index i, j;
