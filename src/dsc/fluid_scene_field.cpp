@@ -27,7 +27,7 @@ Expression read_expression(const Json_fields& json, const std::string& field,
 }
 
 /// Reads the given values of a field on the sides of the domain and on free surfaces.
-void read_fixed(const Json_fields& fixed, Scene_field& result) {
+void read_given_values(const Json_fields& fixed, Scene_field& result) {
   std::vector<std::string> places(names_of_sides.begin(),
                                   names_of_sides.begin() + 2 * fixed.dimension()),
       variables = coordinate_names(fixed.dimension());
@@ -53,7 +53,7 @@ Scene_field read_field(const Json_fields& field) {
       {},
       {}};
   if (field.has("fixed"))
-    read_fixed(field.object("fixed"), result);
+    read_given_values(field.object("fixed"), result);
   return result;
 }
 

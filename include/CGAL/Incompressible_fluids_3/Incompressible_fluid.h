@@ -289,6 +289,9 @@ public:
     the values of the vertices in the inflow, which do not move: set them with `fix_field()`.
   - `relax()` moves the field, but the field does not diffuse.
 
+  Set the field before all other functions are called, if the function of a surface tension is
+  negative at 0.
+
   \throws Error if a value is not finite; then nothing is changed
   */
   template <class ValueAt> void set_field(const ValueAt& value_at) {
