@@ -87,11 +87,14 @@ void check_decay(Complex_of_dimension& complex) {
   properties.set_liquid(1, liquid(0, diffusivity));
   Fluid_of_dimension fluid(complex, properties);
   fluid.set_field([](const auto& p) { return 2 + std::cos(CGAL_PI * p.x()); });
-  const auto begin = fluid.balance();
-  for (int k = 0; k < steps; ++k)
-    fluid.advance(dt, parameters::adaptation_interval(0));
-  const auto end = fluid.balance();
-  EXPECT_NEAR(end.field_integral, begin.field_integral, 1e-12 * begin.field_integral);
+  const double integral = fluid.balance().field_integral;
+  dsc::Fluid_balance begin, end; // begins when the mode is the mode of the mesh
+  for (int k = 0; k < 2 * steps; ++k) {
+    end = fluid.advance(dt, parameters::adaptation_interval(0)).after;
+    if (k + 1 == steps)
+      begin = end;
+  }
+  EXPECT_NEAR(end.field_integral, integral, 1e-12 * integral);
   const double rate = -std::log((end.greatest_field - end.least_field) /
                                 (begin.greatest_field - begin.least_field)) /
                       (steps * dt),
@@ -139,29 +142,29 @@ TEST(Carried_field, flows_between_liquids) {
 // In a shallow cavity without net flux, the velocity of the surface is tau h / (4 mu).
 TEST(Marangoni, surface_flows_to_larger_tensions) {
   static constexpr double height = .25, slope = .01;
-  Complex complex = grid(48, 9, 2, .375, [](const Point& p) { return p.y() < height ? 1 : 0; });
+  Complex complex = grid(36, 9, 1.5, .375, [](const Point& p) { return p.y() < height ? 1 : 0; });
   dsc::Fluid_properties properties;
   properties.set_liquid(1, liquid(1, 1));
   properties.set_surface_tension(0, 1, [](double field) { return 1 + slope * field; });
-  properties.set_gravity({0, -500, 0}); // the surface stays nearly flat
+  properties.set_gravity({0, -50, 0}); // the surface stays nearly flat
   Fluid fluid(complex, properties);
   fluid.set_field([](const Point& p) { return p.x(); });
   fluid.fix_field([](const Point& p, double) { return p.x(); });
   fluid.set_side(0, false, {{{0, 0, 0}}});
   fluid.set_side(0, true, {{{0, 0, 0}}});
   fluid.set_side(1, false, {{{0, 0, 0}}});
-  for (int k = 0; k < 40; ++k)
-    EXPECT_TRUE(fluid.advance(.05).repetitions.empty());
+  for (int k = 0; k < 100; ++k)
+    EXPECT_TRUE(fluid.advance(.06).repetitions.empty());
   double sum = 0;
   int number = 0;
   for (auto v : complex.interface_vertices())
-    if (std::abs(complex.position(v).x() - 1) < .3) {
+    if (std::abs(complex.position(v).x() - .75) < .2) {
       sum += fluid.velocity(v).x();
       ++number;
     }
   const double exact = slope * height / 4;
   testing::Test::RecordProperty("error", std::to_string(sum / number / exact - 1));
-  EXPECT_NEAR(sum / number, exact, .05 * exact);
+  EXPECT_NEAR(sum / number, exact, .03 * exact);
 }
 
 // A drop moves to smaller tensions: the liquids along its surface move to larger ones.
