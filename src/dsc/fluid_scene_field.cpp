@@ -64,7 +64,7 @@ Fluid_scene::Tension read_tension(const Json_fields& json, const std::string& fi
   const Expression expression =
       json.expression(field, {"c"}, 1, "a number, or an expression in c like '1-0.1*c'");
   if (expression.is_constant())
-    expression.refuse("does not depend on the field c; write a number");
+    expression.refuse("does not depend on the field c");
   return {labels, 0, expression};
 }
 

@@ -167,7 +167,7 @@ TEST_F(Planar_fluids, liquid_lies_between_solids) {
   EXPECT_NEAR(forces[0][0].get<double>(), -.5, 1e-2); // and on the wall opposite to it
 }
 
-// A pool whose surface flows from the hot wall to the cold one, and below back to the hot one.
+// A pool whose surface flows from the hot wall to the cold one.
 TEST_F(Planar_fluids, carry_a_field) {
   Json json = Json::parse(R"json({
     "domain": [0, 0, 2, 0.5],
@@ -176,8 +176,7 @@ TEST_F(Planar_fluids, carry_a_field) {
     "surface_tension": "1-0.1*c",
     "field": {"initial": "x/2", "diffusivity": 1, "fixed": {"x-": 0, "x+": "1+t"}},
     "gravity": [0, -10],
-    "probes": [{"name": "top", "at": [1, 0.24]}, {"name": "bottom", "at": [1, 0.08]},
-               {"name": "void", "at": [1, 0.45]}],
+    "probes": [{"name": "top", "at": [1, 0.24]}, {"name": "void", "at": [1, 0.45]}],
     "time_step": 0.05,
     "end": 0.4
   })json");
@@ -191,7 +190,6 @@ TEST_F(Planar_fluids, carry_a_field) {
   EXPECT_GT(probes.at("top").at("field").get<double>(), .4);
   EXPECT_TRUE(probes.at("void").at("field").is_null());
   EXPECT_LT(probes.at("top").at("velocity")[0].get<double>(), 0);
-  EXPECT_GT(probes.at("bottom").at("velocity")[0].get<double>(), 0);
 }
 
 TEST_F(Planar_fluids, wrong_fields_are_refused) {
