@@ -4,7 +4,7 @@
 Usage: benchmark/fluids.py DSC [--data DIR] [PART...]
 
 The parts are droplets, decay, rest, waves, jets, sessile, sloshing, dam, bubble, breathing, figures,
-speed, subdivision, survival, layers, vortices, spin, floating, stokes, wheel, utube, flux and bubble_2.
+speed, subdivision, survival, layers, vortices, spin, floating, stokes, wheel, utube, flux, bubble_2 and marangoni.
 Runs all parts by default. The scenes are scenes of the program with the changes that the rows name. The
 part `figures` needs the meshes bunny00.off and armadillo.off of CGAL in DIR.
 """
@@ -786,6 +786,34 @@ def bubble_2(dsc):
               flush=True)
 
 
+def marangoni_drop(edge, half_side):
+    """Returns a scene of a drop of radius 1 in a liquid of the same viscosity and diffusivity, with a
+    gradient of the temperature of 1. Inertia is small."""
+    box = [-half_side] * 3 + [half_side] * 3
+    liquid = {"density": 1, "viscosity": 10}
+    return {"domain": box, "edge": edge,
+            "liquids": [{"shape": {"type": "ball", "center": [0, 0, 0], "radius": 1}, **liquid},
+                        {"shape": {"type": "surroundings"}, **liquid}],
+            "surface_tension": "20-c", "probes": [{"name": "velocity", "velocity_of": 1}],
+            "field": {"initial": "z", "diffusivity": 100,
+                      "fixed": {"z-": -half_side, "z+": half_side}},
+            "time_step": .1, "end": 1}
+
+
+def marangoni(dsc):
+    """Prints the velocity of a drop that moves to larger temperatures (N. O. Young, J. S. Goldstein and
+    M. J. Block, J. Fluid Mech. 6, 1959), in an unbounded liquid 2 / (15 viscosity)."""
+    print("| edge | half side of the domain | vertices | velocity | exact, unbounded | error (%) | "
+          "velocity across, greatest |")
+    print("| --- " * 7 + "|")
+    exact = 2 / 150
+    for edge, half_side in ((.4, 4), (.28, 4), (.28, 6)):
+        found = report_of(dsc, marangoni_drop(edge, half_side), "marangoni")["steps"]
+        x, y, z = found[-1]["probes"]["velocity"]
+        print(f"| {edge} | {half_side} | {found[-1]['vertices']} | {z:.5f} | {exact:.5f} | "
+              f"{100 * (z / exact - 1):.1f} | {max(abs(x), abs(y)):.1e} |", flush=True)
+
+
 def survival(dsc):
     scenes = [(f"drop, contact angle {angle}, viscosity {viscosity}", drop_on_plane(angle, viscosity))
               for angle in (70, 80, 90, 100, 110, 120, 140) for viscosity in (0, .02, .1)]
@@ -817,7 +845,8 @@ def main():
              "sessile": sessile, "sloshing": sloshing, "dam": dam, "bubble": bubble, "breathing": breathing,
              "figures": figures, "speed": speed, "subdivision": subdivision, "survival": survival,
              "layers": layers, "vortices": decay_of_vortices, "spin": spin, "floating": floating,
-             "stokes": stokes, "wheel": wheel, "utube": utube, "flux": flux, "bubble_2": bubble_2}
+             "stokes": stokes, "wheel": wheel, "utube": utube, "flux": flux, "bubble_2": bubble_2,
+             "marangoni": marangoni}
     dsc, *wanted = sys.argv[1:]
     if wanted and wanted[0] == "--data":
         data, wanted = wanted[1], wanted[2:]

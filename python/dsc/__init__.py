@@ -33,7 +33,18 @@ from ._errors import (
     TetrahedralizationError,
 )
 from ._film import Film
-from ._fluid import Balance, Fluid, FluidReport, Gas, Liquid, Region, Side, Source
+from ._fluid import (
+    Balance,
+    Field,
+    Fluid,
+    FluidReport,
+    Gas,
+    Liquid,
+    Region,
+    Side,
+    Source,
+    Tension,
+)
 from ._progress import ProgressLine
 from ._report import Cells, Changes, Interface, LabelChange, Report, TopologyEvent
 from ._solids import Body, Motion
@@ -52,6 +63,7 @@ __all__ = [
     "Complex3",
     "CutLocus",
     "Error",
+    "Field",
     "FileError",
     "Film",
     "Fluid",
@@ -76,6 +88,7 @@ __all__ = [
     "Scheme",
     "Side",
     "Source",
+    "Tension",
     "TetrahedralizationError",
     "Topology",
     "TopologyEvent",

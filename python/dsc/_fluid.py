@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any, Literal, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -30,6 +30,12 @@ Side = Literal["x-", "x+", "y-", "y+", "z-", "z+"]
 Region = Callable[[Points], Any]
 """Whether points are in a region: booleans of shape (n,) for points of shape (n, d)."""
 
+Field = Callable[[Points], Any]
+"""Values of a field: numbers of shape (n,) for points of shape (n, d)."""
+
+Tension = Union[float, Callable[[float], float]]
+"""A surface tension: a number, or a function of a value of the field."""
+
 _SIDES = ("x-", "x+", "y-", "y+", "z-", "z+")
 
 
@@ -41,6 +47,8 @@ class Liquid:
     """Mass of a unit of volume (in the plane, of area), greater than 0."""
     viscosity: float = 0
     """Dynamic viscosity, 0 or more."""
+    diffusivity: float = 0
+    """Diffusivity of the field, 0 or more."""
 
 
 @dataclass(frozen=True)
@@ -74,6 +82,10 @@ class Balance:
     surface_energy: float
     gas_energy: float
     energy: float
+    field_integral: float
+    """Integral of the field that liquids carry."""
+    least_field: float
+    greatest_field: float
     momentum: Points
     """Momentum, shape (d,)."""
     angular_momentum: Points | float
@@ -99,6 +111,8 @@ class FluidReport:
     """Volume that sources and sides added, less the volume that they removed."""
     volume_through_sides: npt.NDArray[np.float64]
     """Volume that entered through each side of the domain, less the volume that left, shape (2 d,)."""
+    work_of_tensions: float
+    """Surface energy that the diffusion of the field added, because surface tensions changed."""
     residual: float
     """Relative residual of the linear equations."""
     contacts: int
@@ -129,8 +143,9 @@ class Fluid(Solids):
 
     complex: the initial state; the fluid works on a copy
     liquids, gases: media by label; all other labels are void
-    tensions: surface tension between two labels
+    tensions: surface tension between two labels: a number, or a function of a value of the field
     gravity: acceleration, by default 0
+    field: the field that liquids carry, see `set_field()`, by default 0
 
     Points and vectors have d coordinates: 3 in space, 2 in the plane. Two liquids slip along their
     interface. If both are viscous, friction resists the slip.
@@ -166,8 +181,9 @@ class Fluid(Solids):
         liquids: Mapping[int, Liquid],
         *,
         gases: Mapping[int, Gas] = {},
-        tensions: Mapping[tuple[int, int], float] = {},
+        tensions: Mapping[tuple[int, int], Tension] = {},
         gravity: Sequence[float] | None = None,
+        field: Field | None = None,
     ) -> None:
         if not isinstance(complex, (Complex2, Complex3)):
             raise TypeError(f"complex must be a Complex2 or a Complex3, not {complex!r}")
@@ -179,11 +195,19 @@ class Fluid(Solids):
         compiled = _dsc.Fluid2 if self._dimension == 2 else _dsc.Fluid3
         self._compiled: Any = compiled(
             complex._compiled,
-            {label: (liquid.density, liquid.viscosity) for label, liquid in liquids.items()},
+            {
+                label: (liquid.density, liquid.viscosity, liquid.diffusivity)
+                for label, liquid in liquids.items()
+            },
             {label: (gas.pressure, gas.exponent) for label, gas in gases.items()},
-            dict(tensions),
+            {
+                labels: tension if callable(tension) else _number(tension, "a surface tension")
+                for labels, tension in tensions.items()
+            },
             self._coordinates([0] * self._dimension if gravity is None else gravity, "gravity"),
         )
+        if field is not None:
+            self.set_field(field)
 
     # Set-up
 
@@ -260,6 +284,26 @@ class Fluid(Solids):
             [(self._coordinates(s.center, "a center"), s.radius, s.rate) for s in sources]
         )
 
+    def set_field(self, field: Field) -> None:
+        """Sets the field that liquids carry, such as a temperature or a concentration.
+
+        field: a function that returns the values at points
+
+        A fluid has one field, with one value at each vertex. Vertices carry their values. At the end of each
+        step, the field diffuses with the diffusivity of each liquid. Boundaries are insulated where
+        `fix_field()` gives no value. `relax()` moves the field, but the field does not diffuse.
+        """
+        self._compiled.set_field(_callable(field, "field"))
+
+    def fix_field(self, field: Callable[[Points, float], Any]) -> None:
+        """Gives values of the field on the boundary.
+
+        field: a function of points and the time that returns the values, and NaN where the boundary is
+            insulated. Each step calls it at its end, with vertices of liquids on the sides of the domain and
+            on free surfaces, which include facets on solids.
+        """
+        self._compiled.fix_field(_callable(field, "field"))
+
     def set_velocities(
         self, velocities: npt.ArrayLike | Callable[[Points], Any], *, label: int | None = None
     ) -> None:
@@ -322,6 +366,12 @@ class Fluid(Solids):
         """
         pressures: npt.NDArray[np.float64] = self._compiled.pressures(_integer(label, "label"))
         return pressures
+
+    @property
+    def field(self) -> npt.NDArray[np.float64]:
+        """Field at the vertices, shape (n,). Vertices off liquids have the value 0."""
+        field: npt.NDArray[np.float64] = self._compiled.field()
+        return field
 
     @property
     def vorticity(self) -> npt.NDArray[np.float64]:

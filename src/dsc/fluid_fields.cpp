@@ -21,6 +21,15 @@ void append(Mesh_array& array, const std::array<double, 3>& vector) {
   array.values.insert(array.values.end(), vector.begin(), vector.end());
 }
 
+/// Returns the field that liquids carry, at some vertices. It is 0 outside of liquids.
+template <class Complex, class Vertices>
+Mesh_array field_array(const Fluid<Complex>& fluid, const Vertices& vertices) {
+  Mesh_array result = array_of_numbers("field");
+  for (const auto v : vertices)
+    append(result, fluid.field(v));
+  return result;
+}
+
 } // namespace
 
 template <class Complex> Mesh_arrays cell_arrays(const Fluid<Complex>& fluid) {
@@ -33,6 +42,8 @@ template <class Complex> Mesh_arrays cell_arrays(const Fluid<Complex>& fluid) {
   }
   Mesh_arrays result;
   result.points = {velocity, pressure};
+  if (fluid.has_field())
+    result.points.push_back(field_array(fluid, complex.vertices()));
 
   Mesh_array component{"component", "UInt32", 1, {}};
   velocity = array_of_vectors("velocity");
@@ -60,6 +71,8 @@ template <class Complex> Mesh_arrays interface_arrays(const Fluid<Complex>& flui
   result.points = {array_of_vectors("velocity")};
   for (const auto v : complex.interface_vertices())
     append(result.points[0], coordinates_of(fluid.velocity(v)));
+  if (fluid.has_field())
+    result.points.push_back(field_array(fluid, complex.interface_vertices()));
   Mesh_array back_velocity = array_of_vectors("velocity_back"),
              front_velocity = array_of_vectors("velocity_front"),
              back_pressure = array_of_numbers("pressure_back"),

@@ -161,8 +161,9 @@ coordinates_in_cell(const Complex& complex, typename Complex::Cell_handle c,
   return result;
 }
 
-/// Returns the label, the pressure and the velocity at a point, interpolated in the cell that
-/// contains the point. The pressure is null in the void, and the velocity outside of liquids.
+/// Returns the label, the pressure and the velocity at a point, and the field if there is one. They
+/// are interpolated in the cell that contains the point. The pressure is null in the void, and the
+/// velocity and the field are null outside of liquids.
 template <class Complex>
 Json values_at(const Fluid<Complex>& fluid, const std::array<double, 3>& point) {
   const Complex& complex = fluid.complex();
@@ -180,19 +181,23 @@ Json values_at(const Fluid<Complex>& fluid, const std::array<double, 3>& point) 
     }
   }
   const Fluid_fields<Complex> fields(fluid);
-  double pressure = 0;
+  double pressure = 0, field = 0;
   std::array<double, 3> velocity = {};
   for (int i = 0; i < Complex::corners; ++i) {
     const double weight = weights[std::size_t(i)];
     pressure += weight * fields.pressure(cell->vertex(i), cell);
+    field += weight * fluid.field(cell->vertex(i));
     const std::array<double, 3> u = fields.velocity(cell->vertex(i), cell);
     for (std::size_t axis = 0; axis < 3; ++axis)
       velocity[axis] += weight * u[axis];
   }
   const bool is_liquid = fields.is_liquid(cell);
-  return {{"label", cell->label()},
-          {"pressure", is_liquid || fields.is_gas(cell) ? Json(pressure) : Json()},
-          {"velocity", is_liquid ? Json(velocity) : Json()}};
+  Json result = {{"label", cell->label()},
+                 {"pressure", is_liquid || fields.is_gas(cell) ? Json(pressure) : Json()},
+                 {"velocity", is_liquid ? Json(velocity) : Json()}};
+  if (fluid.has_field())
+    result["field"] = is_liquid ? Json(field) : Json();
+  return result;
 }
 
 template <class Complex> Json probe_json(const Scene_probe& probe, const Fluid<Complex>& fluid) {

@@ -195,7 +195,12 @@ Json step_json(const Fluid<Complex>& fluid, const Fluid_scene& scene, unsigned s
                const std::optional<DSC::Fluid_report<Complex>>& report) {
   const Complex& complex = fluid.complex();
   Json json = {{"step", step}, {"time", fluid.time()}};
-  json.update(balance_json(fluid.balance())); // with the present gravity
+  const DSC::Fluid_balance balance = fluid.balance(); // with the present gravity
+  json.update(balance_json(balance));
+  if (fluid.has_field())
+    json["field"] = {{"integral", balance.field_integral},
+                     {"least", balance.least_field},
+                     {"greatest", balance.greatest_field}};
   json["parts"] = components_json(fluid);
   json["gases"] = gases_json(fluid);
   json["bodies"] = bodies_json(fluid, scene);
@@ -207,6 +212,8 @@ Json step_json(const Fluid<Complex>& fluid, const Fluid_scene& scene, unsigned s
   json[is_planar ? "interface_edges" : "interface_triangles"] = complex.interface_facets().size();
   if (!report)
     return json;
+  if (fluid.has_field())
+    json["work_of_tensions"] = report->work_of_tensions;
   Json forces = Json::array();
   for (const auto& force : report->forces_on_solids)
     forces.push_back(vector_json(force));

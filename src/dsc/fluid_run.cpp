@@ -36,7 +36,8 @@ Json state_json(const DSC::Fluid_state& state) {
           {"deviations", state.deviations},
           {"volumes", state.volumes},
           {"pressures_and_volumes_of_gases", state.gases},
-          {"bodies", state.bodies}};
+          {"bodies", state.bodies},
+          {"field", state.field}};
 }
 
 DSC::Fluid_state state_of(const Json& json) {
@@ -52,6 +53,8 @@ DSC::Fluid_state state_of(const Json& json) {
   state.gases = json.at("pressures_and_volumes_of_gases").get<decltype(state.gases)>();
   if (json.contains("bodies")) // missing in earlier checkpoints
     state.bodies = json.at("bodies").get<decltype(state.bodies)>();
+  if (json.contains("field")) // missing in earlier checkpoints
+    state.field = json.at("field").get<decltype(state.field)>();
   return state;
 }
 

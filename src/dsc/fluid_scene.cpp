@@ -55,11 +55,13 @@ void read_filling(const Json_fields& json, std::size_t index, Filling& filling) 
 }
 
 Scene_liquid read_liquid(const Json_fields& liquid, std::size_t index) {
-  liquid.require_known({"shape", "label", "density", "viscosity", "velocity"});
+  liquid.require_known({"shape", "label", "density", "viscosity", "diffusivity", "velocity"});
   Scene_liquid result;
   read_filling(liquid, index, result);
   result.density = liquid.positive("density");
   result.viscosity = liquid.not_negative("viscosity", 0);
+  if (liquid.has("diffusivity"))
+    result.diffusivity = liquid.not_negative("diffusivity", 0);
   result.velocity = read_velocity(liquid);
   return result;
 }
@@ -113,8 +115,8 @@ Vector_in_time read_vector_in_time(const Json_fields& json, const std::string& f
 std::vector<Fluid_scene::Tension> read_tensions(const Json_fields& scene) {
   if (!scene.has("surface_tension"))
     return {};
-  if (scene.any("surface_tension").is_number())
-    return {{{0, 1}, scene.not_negative("surface_tension", 0)}};
+  if (!scene.any("surface_tension").is_array())
+    return {read_tension(scene, "surface_tension", {0, 1})};
   std::vector<Fluid_scene::Tension> result;
   for (const Json_fields& tension : scene.objects("surface_tension")) {
     tension.require_known({"labels", "value"});
@@ -122,8 +124,7 @@ std::vector<Fluid_scene::Tension> read_tensions(const Json_fields& scene) {
     for (double label : labels)
       if (label != std::floor(label) || !(std::abs(label) <= std::numeric_limits<int>::max()))
         tension.refuse("labels", "must be integers");
-    tension.any("value");
-    result.push_back({{int(labels[0]), int(labels[1])}, tension.not_negative("value", 0)});
+    result.push_back(read_tension(tension, "value", {int(labels[0]), int(labels[1])}));
   }
   return result;
 }
@@ -222,7 +223,7 @@ std::optional<double> Scene_opening::at(const std::array<double, 3>& p, double t
 Fluid_scene read_scene(const Json& json) {
   Json_fields scene(json, "the scene");
   scene.require_known({"title", "domain", "edge", "liquids", "gases", "sources", "surface_tension",
-                       "gravity", "solids", "sides", "probes", "time_step", "cfl", "end",
+                       "field", "gravity", "solids", "sides", "probes", "time_step", "cfl", "end",
                        "implicitness", "interface_tolerance", "adaptation_interval", "relaxation"});
   Fluid_scene result;
   result.json = json;
@@ -241,6 +242,8 @@ Fluid_scene read_scene(const Json& json) {
   for (const Json_fields& source : scene.objects("sources"))
     result.sources.push_back(read_source(source));
   result.tensions = read_tensions(scene);
+  if (scene.has("field"))
+    result.field = read_field(scene.object("field"));
   if (scene.has("gravity"))
     result.gravity = read_vector_in_time(scene, "gravity");
   for (const Json_fields& solid : scene.objects("solids"))

@@ -92,6 +92,7 @@ struct Scene_liquid
   int label;
   Fluid_shape shape;
   double density, viscosity;
+  std::optional<double> diffusivity; ///< of the field
   /// Three expressions in x, y and z, or two expressions in x and y; zero velocity if not set.
   std::optional<Expression> velocity;
 };
@@ -152,6 +153,17 @@ struct Scene_solid
   }
 };
 
+/// The field that liquids carry. Expressions are in the coordinates of a point, and those of given
+/// values also in t.
+struct Scene_field
+{
+  Expression initial;
+  double diffusivity; ///< of liquids without their own
+  /// By side of the domain: the given values on it.
+  std::array<std::optional<Expression>, 6> on_sides;
+  std::optional<Expression> on_surface; ///< given values on free surfaces
+};
+
 /// A quantity to be measured in each step.
 struct Scene_probe
 {
@@ -161,7 +173,7 @@ struct Scene_probe
     circularity, ///< of a label; surface of the ball of equal volume over the surface of the label
     centroid,    ///< of a label
     velocity,    ///< mean velocity of a label
-    point        ///< label, pressure and velocity at a point
+    point        ///< label, pressure, velocity and field at a point
   };
 
   std::string name;
@@ -206,9 +218,11 @@ struct Fluid_scene
   struct Tension
   {
     std::array<int, 2> labels;
-    double value;
+    double value;                         ///< 0 if there is an expression
+    std::optional<Expression> expression; ///< in the value c of the field
   };
   std::vector<Tension> tensions;
+  std::optional<Scene_field> field;
   Vector_in_time gravity;
   std::vector<Scene_solid> solids;
   /// By side of the domain: the velocity of a no-slip side.

@@ -22,9 +22,10 @@ std::string numbered(const char* list, std::size_t i) {
 void require_one_phase_per_label(const Fluid_scene& scene, const Json_fields& json) {
   for (const Scene_liquid& a : scene.liquids)
     for (const Scene_liquid& b : scene.liquids)
-      if (a.label == b.label && (a.density != b.density || a.viscosity != b.viscosity))
-        json.refuse("liquids",
-                    "liquids of the same label must have the same density and viscosity");
+      if (a.label == b.label &&
+          (a.density != b.density || a.viscosity != b.viscosity || a.diffusivity != b.diffusivity))
+        json.refuse("liquids", "liquids of the same label must have the same density, viscosity "
+                               "and diffusivity");
   for (const Scene_gas& gas : scene.gases) {
     for (const Scene_liquid& liquid : scene.liquids)
       if (gas.label == liquid.label)
@@ -168,8 +169,9 @@ bool is_out_of_reach(const Scene_solid& solid, const Fluid_scene& scene) {
 }
 
 void require_effect_of_solids(const Fluid_scene& scene, const Json_fields& json) {
-  const bool has_tension = std::any_of(scene.tensions.begin(), scene.tensions.end(),
-                                       [](const auto& tension) { return tension.value > 0; });
+  const bool has_tension =
+      std::any_of(scene.tensions.begin(), scene.tensions.end(),
+                  [](const auto& tension) { return tension.value > 0 || tension.expression; });
   for (std::size_t i = 0; i < scene.solids.size(); ++i) {
     if (is_out_of_reach(scene.solids[i], scene))
       json.refuse("solids", numbered("solids", i) +
@@ -188,11 +190,24 @@ void require_effect_of_sources(const Fluid_scene& scene, const Json_fields& json
                                  " contains no liquid because it is outside the domain; move it");
 }
 
+void require_field(const Fluid_scene& scene, const Json_fields& json) {
+  if (scene.field)
+    return;
+  for (const auto& tension : scene.tensions)
+    if (tension.expression)
+      json.refuse("surface_tension",
+                  "depends on the field c, but the scene has no field; add the field 'field'");
+  for (const Scene_liquid& liquid : scene.liquids)
+    if (liquid.diffusivity)
+      json.refuse("liquids", "a diffusivity has no effect without the field 'field'; remove it");
+}
+
 } // namespace
 
 void require_consistent(const Fluid_scene& scene, const Json_fields& json) {
   require_one_phase_per_label(scene, json);
   require_pairs_of_labels(scene, json);
+  require_field(scene, json);
   require_probes(scene, json);
   require_effect_of_solids(scene, json);
   require_effect_of_sources(scene, json);

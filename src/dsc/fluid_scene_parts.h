@@ -19,6 +19,12 @@ namespace dsc {
 Fluid_shape read_shape(const Json_fields& shape);
 Scene_solid read_solid(const Json_fields& solid);
 Scene_probe read_probe(const Json_fields& probe);
+Scene_field read_field(const Json_fields& field);
+
+/// Reads the surface tension between two labels: a number, or an expression in c.
+/// \throws Usage_error
+Fluid_scene::Tension read_tension(const Json_fields& json, const std::string& field,
+                                  const std::array<int, 2>& labels);
 
 /// Returns a field with an expression in t for each coordinate of a vector.
 /// \throws Usage_error

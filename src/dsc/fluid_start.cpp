@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -68,6 +69,35 @@ template <class Complex> void add_openings(const Fluid_scene& scene, Fluid<Compl
            }});
 }
 
+/// Returns the value of an expression at a point, and at a time if it is given.
+template <class Point, class... Time>
+double value_at(const Expression& expression, const Point& p, Time... t) {
+  if constexpr (Point::Ambient_dimension::value == 2)
+    return *expression.at({p.x(), p.y(), t...});
+  else
+    return *expression.at({p.x(), p.y(), p.z(), t...});
+}
+
+template <class Complex>
+void set_field(const Scene_field& field, const Fluid_scene& scene, Fluid<Complex>& fluid) {
+  using Point = typename Fluid<Complex>::Point;
+  fluid.set_field([&](const Point& p) { return value_at(field.initial, p); });
+  static constexpr double rounding = 1e-9; // relative to the edge length
+  fluid.fix_field([field, domain = scene.domain, near = rounding * scene.edge](
+                      const Point& p, double t) -> std::optional<double> {
+    bool is_on_side = false;
+    for (std::size_t side = 0; side < 2 * std::size_t(Complex::dimension); ++side)
+      if (std::abs(p[int(side / 2)] - domain[side / 2 + 3 * (side % 2)]) <= near) {
+        is_on_side = true;
+        if (field.on_sides[side])
+          return value_at(*field.on_sides[side], p, t);
+      }
+    if (is_on_side || !field.on_surface)
+      return std::nullopt;
+    return value_at(*field.on_surface, p, t);
+  });
+}
+
 } // namespace
 
 template <class Complex>
@@ -76,17 +106,27 @@ std::unique_ptr<Fluid<Complex>> fluid_of_scene(const Fluid_scene& scene, const s
   using namespace CGAL::Deformable_simplicial_complexes;
   Fluid_properties properties;
   for (const Scene_liquid& liquid : scene.liquids)
-    properties.set_liquid(liquid.label, {liquid.density, liquid.viscosity});
+    properties.set_liquid(
+        liquid.label, {liquid.density,
+                       liquid.viscosity,
+                       {},
+                       liquid.diffusivity.value_or(scene.field ? scene.field->diffusivity : 0)});
   for (const Scene_gas& gas : scene.gases)
     properties.set_gas(gas.label, {gas.pressure, gas.exponent});
   for (const auto& tension : scene.tensions)
-    properties.set_surface_tension(tension.labels[0], tension.labels[1], tension.value);
+    if (tension.expression)
+      properties.set_surface_tension(tension.labels[0], tension.labels[1],
+                                     [at = *tension.expression](double c) { return *at.at({c}); });
+    else
+      properties.set_surface_tension(tension.labels[0], tension.labels[1], tension.value);
   auto result = std::make_unique<Fluid<Complex>>(complex, properties);
   Fluid<Complex>& fluid = *result;
   add_sources(scene, fluid);
   add_solids(scene, folder, fluid);
   add_inflows(scene, fluid);
   add_openings(scene, fluid);
+  if (scene.field)
+    set_field(*scene.field, scene, fluid);
   set_time(scene, 0, fluid);
   return result;
 }
@@ -154,6 +194,10 @@ void require_liquid_at_sides(const Fluid_scene& scene, const Complex& complex) {
     if ((scene.sides[side] || scene.inflows[side] || scene.openings[side]) && !(met >> side & 1))
       throw Input_error("no liquid touches the side '" + std::string(names_of_sides[side]) +
                         "' of the domain, so the field has no effect; remove it");
+  for (std::size_t side = 0; scene.field && side < scene.sides.size(); ++side)
+    if (scene.field->on_sides[side] && !(met >> side & 1))
+      throw Input_error("no liquid touches the side '" + std::string(names_of_sides[side]) +
+                        "' of the domain, so the field fixed there has no effect; remove it");
 }
 
 } // namespace

@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -172,6 +174,29 @@ public:
 private:
   double m_constant = 0;
   std::optional<Shared_function> m_function;
+};
+
+/// Values of a field at points that a Python function gives: `function(points)` returns numbers of
+/// shape (n,), for points of shape (n, d). A time can follow the points. The value is none where
+/// the function returns NaN.
+template <class Point> class Field_function
+{
+public:
+  explicit Field_function(py::function function) : m_function(std::move(function)) {}
+
+  template <class... Time> std::optional<double> operator()(const Point& p, Time... t) const {
+    const py::gil_scoped_acquire lock;
+    const py::array_t<double> points = array_of<double>(
+        1, std::size_t(p.dimension()), [&](std::size_t, std::size_t j) { return p[int(j)]; });
+    const py::array array(m_function(points, t...));
+    if (!is_of_real_numbers(array) || array.ndim() != 1 || array.size() != 1)
+      throw py::type_error("the function of a field must return one number for each point");
+    const double value = *Array<double>(array).data();
+    return std::isnan(value) ? std::nullopt : std::optional<double>(value);
+  }
+
+private:
+  Shared_function m_function;
 };
 
 /// Topology control that a Python function gives: `function(label, new_label, point)` returns

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace dsc_python {
@@ -38,11 +39,14 @@ public:
   using Object = Fluid_object<Complex>;
   using Owned = Owned_fluid<Complex>;
 
-  static std::unique_ptr<Object> make(const Complex_object<Complex>& given,
-                                      const std::map<int, std::pair<double, double>>& liquids,
+  /// Density, viscosity and diffusivity by label
+  using Liquids = std::map<int, std::array<double, 3>>;
+  /// Numbers or functions of the field, by labels
+  using Tensions = std::map<std::pair<int, int>, py::object>;
+
+  static std::unique_ptr<Object> make(const Complex_object<Complex>& given, const Liquids& liquids,
                                       const std::map<int, std::pair<double, double>>& gases,
-                                      const std::map<std::pair<int, int>, double>& tensions,
-                                      const Coordinates& gravity) {
+                                      const Tensions& tensions, const Coordinates& gravity) {
     const auto& normalization = given.read().normalization();
     if (normalization.scale != 1 || normalization.translation != CGAL::NULL_VECTOR)
       throw py::value_error(
@@ -110,6 +114,24 @@ public:
     object.change(py::none(), [&](Owned& owned) { owned.fluid->add_source(region, flux_at); });
   }
 
+  /// Sets the field.
+  /// \param function a function of an array of points
+  static void set_field(Object& object, const py::function& function) {
+    const Field_function<typename Fluid::Point> field(function);
+    object.change(py::none(), [&](Owned& owned) {
+      owned.fluid->set_field([&](const typename Fluid::Point& p) {
+        return field(p).value_or(std::numeric_limits<double>::quiet_NaN());
+      });
+    });
+  }
+
+  /// Gives values of the field on the boundary.
+  /// \param function a function of an array of points and a time
+  static void fix_field(Object& object, const py::function& function) {
+    const Field_function<typename Fluid::Point> field(function);
+    object.change(py::none(), [&](Owned& owned) { owned.fluid->fix_field(field); });
+  }
+
   /// Sets the velocities of all liquids, or of the liquid with a label.
   static void set_velocities(Object& object, const Array<double>& velocities, const Label& label) {
     const auto rows = rows_of<double, d>(velocities, "velocities");
@@ -162,6 +184,14 @@ public:
     return array_of<double>(values.size(), [&](std::size_t i) { return values[i]; });
   }
 
+  /// Returns the field at the vertices, in the order of cells().points.
+  static py::array_t<double> field(const Object& object) {
+    const Fluid& fluid = *object.read().fluid;
+    const auto vertices = fluid.complex().vertices();
+    return array_of<double>(vertices.size(),
+                            [&](std::size_t i) { return fluid.field(vertices[i]); });
+  }
+
   /// Returns the vorticity of each cell, in the order of cells().cells.
   static py::array_t<double> vorticity(const Object& object) {
     const Fluid& fluid = *object.read().fluid;
@@ -196,6 +226,7 @@ public:
     result["gained_volume"] = report.gained_volume;
     result["volume_through_sides"] = array_of<double>(
         std::size_t(2 * d), [&](std::size_t i) { return report.volume_through_sides[i]; });
+    result["work_of_tensions"] = report.work_of_tensions;
     result["residual"] = report.residual;
     result["contacts"] = report.contacts;
     result["depth_in_solids"] = report.depth_in_solids;
@@ -217,19 +248,21 @@ public:
   }
 
 private:
-  static DSC::Fluid_properties
-  properties_of(const std::map<int, std::pair<double, double>>& liquids,
-                const std::map<int, std::pair<double, double>>& gases,
-                const std::map<std::pair<int, int>, double>& tensions, const Coordinates& gravity) {
+  static DSC::Fluid_properties properties_of(const Liquids& liquids,
+                                             const std::map<int, std::pair<double, double>>& gases,
+                                             const Tensions& tensions, const Coordinates& gravity) {
     DSC::Fluid_properties result;
     for (const auto& [label, liquid] : liquids)
-      result.set_liquid(label, {liquid.first, liquid.second});
+      result.set_liquid(label, {liquid[0], liquid[1], {}, liquid[2]});
     for (const auto& [label, gas] : gases)
       result.set_gas(label, {gas.first, gas.second});
     for (const auto& [labels, tension] : tensions) {
       if (labels.first > labels.second && tensions.count({labels.second, labels.first}) > 0)
         throw py::value_error("a surface tension is given twice, for both orders of its labels");
-      result.set_surface_tension(labels.first, labels.second, tension);
+      if (py::isinstance<py::function>(tension))
+        result.set_surface_tension(labels.first, labels.second, Number_function(tension));
+      else
+        result.set_surface_tension(labels.first, labels.second, tension.template cast<double>());
     }
     result.set_gravity(in_space(gravity));
     return result;
@@ -279,6 +312,9 @@ private:
     result["surface_energy"] = balance.surface_energy;
     result["gas_energy"] = balance.gas_energy;
     result["energy"] = balance.energy();
+    result["field_integral"] = balance.field_integral;
+    result["least_field"] = balance.least_field;
+    result["greatest_field"] = balance.greatest_field;
     result["momentum"] = array_of_first<d>(balance.momentum);
     result["angular_momentum"] = rotation_to_python<d>(balance.angular_momentum);
     return result;
@@ -312,6 +348,8 @@ template <class Complex> void bind_fluid(py::module_& module, const char* name) 
       .def("set_gravity", &Functions::set_gravity)
       .def("set_sources", &Functions::set_sources)
       .def("add_source", &Functions::add_source)
+      .def("set_field", &Functions::set_field)
+      .def("fix_field", &Functions::fix_field)
       .def("set_velocities", &Functions::set_velocities)
       .def("complex", &Functions::complex)
       .def("time", &Functions::time)
@@ -319,6 +357,7 @@ template <class Complex> void bind_fluid(py::module_& module, const char* name) 
       .def("largest_step", &Functions::largest_step)
       .def("velocities", &Functions::velocities)
       .def("pressures", &Functions::pressures)
+      .def("field", &Functions::field)
       .def("vorticity", &Functions::vorticity)
       .def("step", &Functions::step)
       .def("relax", &Functions::relax);

@@ -46,7 +46,7 @@ TEST_F(Fluids, scenes_are_listed_and_printed) {
   for (const char* name :
        {"droplet", "bunny", "collision", "bowl", "dam-break", "crown", "capillary-wave", "bubble",
         "sessile", "jet", "breathing", "tap", "rising-bubble", "u-tube", "floating-box",
-        "falling-ball", "wheel", "filling", "draining"}) {
+        "falling-ball", "wheel", "filling", "draining", "thermocapillary"}) {
     EXPECT_NE(list.out.find(name), std::string::npos) << name;
     const Outcome scene = run("fluid --print " + std::string(name));
     EXPECT_EQ(scene.exit_code, 0) << scene.err;

@@ -167,6 +167,46 @@ TEST_F(Planar_fluids, liquid_lies_between_solids) {
   EXPECT_NEAR(forces[0][0].get<double>(), -.5, 1e-2); // and on the wall opposite to it
 }
 
+// A pool whose surface flows from the hot wall to the cold one.
+TEST_F(Planar_fluids, carry_a_field) {
+  Json json = Json::parse(R"json({
+    "domain": [0, 0, 2, 0.5],
+    "edge": 0.1,
+    "liquids": [{"shape": {"type": "pool", "level": 0.25}, "density": 1, "viscosity": 0.1}],
+    "surface_tension": "1-0.1*c",
+    "field": {"initial": "x/2", "diffusivity": 1, "fixed": {"x-": 0, "x+": "1+t"}},
+    "gravity": [0, -10],
+    "probes": [{"name": "top", "at": [1, 0.24]}, {"name": "void", "at": [1, 0.45]}],
+    "time_step": 0.05,
+    "end": 0.4
+  })json");
+  const Json steps = steps_of(json);
+  ASSERT_EQ(steps.size(), 9u);
+  EXPECT_NEAR(steps[0].at("field").at("integral").get<double>(), .25, 1e-9);
+  EXPECT_NEAR(steps[8].at("field").at("greatest").get<double>(), 1.4, 1e-9);
+  EXPECT_NEAR(steps[8].at("field").at("least").get<double>(), 0, 1e-9);
+  EXPECT_LT(steps[8].at("work_of_tensions").get<double>(), 0);
+  const Json& probes = steps[8].at("probes");
+  EXPECT_GT(probes.at("top").at("field").get<double>(), .4);
+  EXPECT_TRUE(probes.at("void").at("field").is_null());
+  EXPECT_LT(probes.at("top").at("velocity")[0].get<double>(), 0);
+}
+
+TEST_F(Planar_fluids, wrong_fields_are_refused) {
+  const auto expect = [&](const std::string& patch, const std::string& message) {
+    expect_refusal_of_patch(scene(), patch, message);
+  };
+  expect(R"({"surface_tension": "1-c"})", "the scene has no field");
+  expect(R"({"surface_tension": "1-x"})", "'x'");
+  expect(R"({"surface_tension": "1"})", "does not depend on the field c");
+  expect(R"({"surface_tension": "-1-c", "field": {"initial": 0}})", "negative or not finite");
+  expect(R"({"field": {}})", "'initial'");
+  expect(R"({"field": {"initial": "t"}})", "'t'");
+  expect(R"({"field": {"initial": 0, "diffusivity": -1}})", "'diffusivity'");
+  expect(R"({"field": {"initial": 0, "fixed": {"z-": 0}}})", "z-");
+  expect(R"({"field": {"initial": 0, "fixed": {"x-": 0}}})", "no liquid touches the side 'x-'");
+}
+
 TEST_F(Planar_fluids, wrong_scenes_are_refused) {
   const auto expect = [&](const std::string& patch, const std::string& message) {
     expect_refusal_of_patch(scene(), patch, message);

@@ -249,3 +249,34 @@ def test_sides_in_space():
     on_side = (points[:, 2] == 1) & (np.abs(points[:, :2]).max(axis=1) < 1)
     assert np.any(on_side)
     assert fluid.velocities_of(0)[on_side] == pytest.approx(np.tile([1, 0, 0], (np.sum(on_side), 1)))
+
+
+def test_a_drop_moves_to_smaller_tensions():
+    c = polygon(24, [(-1, -1), (1, 1)], lambda angle: 0.4)
+    liquid = dsc.Liquid(1.0, 0.1, diffusivity=0.1)
+    fluid = dsc.Fluid(
+        c,
+        {0: liquid, 1: liquid},
+        tensions={(0, 1): lambda t: 1 - 0.2 * t},
+        field=lambda points: points[:, 1],
+    )
+    assert fluid.balance.greatest_field == pytest.approx(1)
+    fluid.fix_field(lambda points, t: np.where(points[:, 1] > 0.99, 1, np.nan))
+    for _ in range(5):
+        report = fluid.step(0.05)
+    assert report.balance.field_integral == pytest.approx(0, abs=0.1)
+    points = fluid.complex.cells().points
+    assert fluid.field[points[:, 1] > 0.99] == pytest.approx(1)
+    drop = vertices_of(fluid, 1)
+    assert fluid.velocities[drop, 1].mean() > 0
+
+
+def test_wrong_fields():
+    with pytest.raises(TypeError, match="field must be a function"):
+        droplet(field=1)
+    with pytest.raises(TypeError, match="one number for each point"):
+        droplet(field=lambda points: "a")
+    with pytest.raises(dsc.Error, match="not finite"):
+        droplet(field=lambda points: np.full(len(points), np.nan))
+    with pytest.raises(TypeError, match="a surface tension must be a number"):
+        dsc.Fluid(disk(0.15), {1: dsc.Liquid(1.0)}, tensions={(0, 1): "c"})

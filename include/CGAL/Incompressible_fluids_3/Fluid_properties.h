@@ -34,6 +34,9 @@ struct Liquid
   /// more and has the unit 1 / time. If the function is empty, `viscosity` applies. The friction
   /// between two liquids depends on `viscosity` only.
   std::function<double(double)> viscosity_at_shear_rate = {};
+  /// The diffusivity of the field that liquids carry, 0 or more: area in a unit of time. See
+  /// `Incompressible_fluid::set_field()`.
+  double diffusivity = 0;
 
   /// Returns whether the liquid can have a viscosity other than 0.
   bool is_viscous() const { return viscosity > 0 || viscosity_at_shear_rate; }
@@ -60,7 +63,8 @@ class Fluid_properties
 {
 public:
   /// Makes a label a liquid. Labels that are neither liquid nor gas are void.
-  /// \throws Error if the density or the viscosity is out of its range, or if the label is a gas
+  /// \throws Error if the density, the viscosity or the diffusivity is out of its range, or if the
+  /// label is a gas
   void set_liquid(int label, const Liquid& liquid) {
     if (!(liquid.density > 0) || !std::isfinite(liquid.density))
       throw Error(
@@ -68,6 +72,9 @@ public:
           " is not positive and finite: use more than 0, or leave out the label to make it void");
     if (!(liquid.viscosity >= 0) || !std::isfinite(liquid.viscosity))
       throw Error("the viscosity of label " + std::to_string(label) +
+                  " is negative or not finite: use 0 or more");
+    if (!(liquid.diffusivity >= 0) || !std::isfinite(liquid.diffusivity))
+      throw Error("the diffusivity of label " + std::to_string(label) +
                   " is negative or not finite: use 0 or more");
     if (m_gases.count(label) > 0)
       throw Error("label " + std::to_string(label) + " is already a gas: choose another label");
@@ -92,13 +99,23 @@ public:
   /// is 0 by default.
   /// \throws Error if the tension is negative or not finite, or if the labels are the same
   void set_surface_tension(int a, int b, double tension) {
-    if (!(tension >= 0) || !std::isfinite(tension))
-      throw Error("the surface tension between labels " + std::to_string(a) + " and " +
-                  std::to_string(b) + " is negative or not finite: use 0 or more");
+    if (!is_tension(tension))
+      throw Error(name_of_tension(a, b) + " is negative or not finite: use 0 or more");
+    set_surface_tension(a, b, [tension](double) { return tension; });
+  }
+
+  /// Sets the surface tension between two labels as a function of the field that liquids carry, see
+  /// `Incompressible_fluid::set_field()`. The function is called for each facet of the interface,
+  /// with the mean of the field at the vertices of the facet. `Incompressible_fluid` throws an
+  /// `Error` if the function returns a number that is negative or not finite.
+  /// \throws Error if the function is empty, or if the labels are the same
+  void set_surface_tension(int a, int b, std::function<double(double)> tension_at) {
+    if (!tension_at)
+      throw Error(name_of_tension(a, b) + " is an empty function: give a function or a number");
     if (a == b)
       throw Error("the surface tension needs two labels, but label " + std::to_string(a) +
                   " is given twice: give different labels");
-    m_tensions[std::minmax(a, b)] = tension;
+    m_tensions[std::minmax(a, b)] = std::move(tension_at);
   }
 
   /// Sets gravity, an acceleration, which is 0 by default.
@@ -124,18 +141,28 @@ public:
   }
   /// Returns the gases by label.
   const std::map<int, Gas>& gases() const { return m_gases; }
-  /// Returns the surface tension between two labels.
-  double surface_tension(int a, int b) const {
+  /// Returns the surface tension between two labels at a value of the field.
+  /// \throws Error if the function of the tension returns a number that is negative or not finite
+  double surface_tension(int a, int b, double field = 0) const {
     const auto found = m_tensions.find(std::minmax(a, b));
-    return found == m_tensions.end() ? 0 : found->second;
+    const double result = found == m_tensions.end() ? 0 : found->second(field);
+    if (!is_tension(result))
+      throw Error(name_of_tension(a, b) + " is negative or not finite at a field of " +
+                  std::to_string(field) + ": bound the function for small and large values");
+    return result;
   }
   /// Returns the acceleration of gravity.
   const std::array<double, 3>& gravity() const { return m_gravity; }
 
 private:
+  static bool is_tension(double tension) { return tension >= 0 && std::isfinite(tension); }
+  static std::string name_of_tension(int a, int b) {
+    return "the surface tension between labels " + std::to_string(a) + " and " + std::to_string(b);
+  }
+
   std::map<int, Liquid> m_liquids;
   std::map<int, Gas> m_gases;
-  std::map<std::pair<int, int>, double> m_tensions;
+  std::map<std::pair<int, int>, std::function<double(double)>> m_tensions; // by field
   std::array<double, 3> m_gravity = {};
 };
 

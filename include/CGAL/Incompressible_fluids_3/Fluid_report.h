@@ -25,7 +25,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
 /// \ingroup PkgIncompressibleFluids3Ref
-/// The volume, mass, energies and momenta of all liquids together.
+/// The volume, mass, energies and momenta of all liquids together, and the field that they carry.
 struct Fluid_balance
 {
   using Vector = Simple_cartesian<double>::Vector_3; ///< a vector in space
@@ -38,6 +38,9 @@ struct Fluid_balance
   double surface_energy = 0;
   double gas_energy = 0; ///< the work of gases that expand without bound; for exponents up to 1, it
                          ///< is defined up to a constant
+  double field_integral = 0;         ///< the integral of the field that liquids carry
+  double least_field = 0;            ///< the least value of the field at a vertex of a liquid
+  double greatest_field = 0;         ///< the greatest value of the field at a vertex of a liquid
   Vector momentum = Vector(0, 0, 0);         ///< momentum: mass times velocity
   Vector angular_momentum = Vector(0, 0, 0); ///< angular momentum about the origin; 0 on a torus
 
@@ -73,7 +76,8 @@ template <class Complex> struct Fluid_report
   Fluid_balance before; ///< the balance at the beginning
   /// The balance after the motion, before changes of the mesh and of its topology.
   Fluid_balance moved;
-  /// The balance at the end; the difference to `moved` is due to the mesh.
+  /// The balance at the end; the difference to `moved` is due to the mesh, and to
+  /// `work_of_tensions`.
   Fluid_balance after;
   /// The greatest velocity of a vertex after the motion. If the step was divided, it is the
   /// greatest value of all parts.
@@ -94,6 +98,9 @@ template <class Complex> struct Fluid_report
   /// The volume that entered through each side of the domain, less the volume that left, in the
   /// order x minimum, x maximum, y minimum, and so on. `gained_volume` includes it.
   std::array<double, 6> volume_through_sides = {};
+  /// The surface energy that the diffusion of the field added, because surface tensions changed:
+  /// the sum of area times change of tension over all facets of the interface.
+  double work_of_tensions = 0;
   unsigned solutions = 0;  ///< the number of solutions of linear systems, without failed attempts
   unsigned iterations = 0; ///< the number of iterations of the solver, in all these solutions
   /// The true residual of the equations, divided by their largest term, in the norm weighted by the

@@ -37,7 +37,7 @@ struct Wall_behavior
 /// \ingroup PkgIncompressibleFluids3Ref
 /// The state of `Incompressible_fluid`, in addition to the state of its complex, as plain
 /// numbers. It contains the places and motions of bodies, but neither solids, nor sides, nor
-/// sources.
+/// sources, nor the given values of the field.
 struct Fluid_state
 {
   double time = 0;         ///< the present time
@@ -50,6 +50,8 @@ struct Fluid_state
   /// Where liquids meet: the index of a vertex, the label of a liquid, and the numbers of this
   /// liquid less those of `motion`.
   std::vector<std::tuple<std::size_t, int, std::array<double, 7>>> deviations;
+  /// The field at finite vertices, by time stamp; empty if no field was set.
+  std::vector<double> field;
   /// The volumes to be preserved, by component.
   std::vector<std::pair<std::uint32_t, double>> volumes;
   /// For each component of a gas, a pressure and the volume at that pressure.

@@ -42,6 +42,8 @@
 #include <CGAL/Incompressible_fluids_3/internal/fluid/Step_plan.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Component_momenta.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Liquid_flow.h>
+#include <CGAL/Incompressible_fluids_3/internal/mesh/set_tensions.h>
+#include <CGAL/Incompressible_fluids_3/internal/steps/Field_diffusion.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_sources.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_step.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Open_sides.h>
@@ -59,6 +61,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <tuple>
 #include <type_traits>
 #include <unordered_map>
 #include <utility>
@@ -146,15 +149,15 @@ public:
       : m_complex(complex), m_properties(properties) {
     if (properties.liquids().empty())
       throw Error("there is no liquid: set the density of at least one label");
-    const Flow flow(*this, m_properties);
-    if (!flow.mesh.can_move())
+    const Mesh mesh(updated_complex(), m_properties);
+    if (!mesh.can_move())
       throw Error(
-          flow.mesh.cells.empty()
+          mesh.cells.empty()
               ? "no cell has the label of a liquid: set the density of a label of the complex"
               : "the liquid fills the domain and has no interface: give some cells another label");
     m_complex.take_component_lineage();
-    m_liquids.set_volumes(flow.volumes());
-    m_gases.set_components(Gas_bookkeeping::measure(flow.mesh, m_properties));
+    m_liquids.set_volumes(Liquid_bookkeeping::measure(mesh, mesh.positions(m_complex)));
+    m_gases.set_components(Gas_bookkeeping::measure(mesh, m_properties));
   }
 
   /// Fluids cannot be copied.
@@ -286,9 +289,55 @@ public:
     }
     for (std::size_t v = 0; v < velocities.size(); ++v)
       velocities[v] = velocities[v].cwiseQuotient(count[v]);
-    m_motion = internal::Fluid_motion();
+    m_motion.stop();
     m_motion.set(flow.mesh, velocities, Vectors(velocities.size(), Eigen::Vector3d::Zero()));
     m_knows_accelerations = false;
+  }
+
+  /*!
+  Sets the field that liquids carry, such as a temperature or a concentration. A fluid has one
+  field. It is 0 everywhere if it is not set. The function `value_at(point)` takes a `Point` and
+  returns the value at a vertex of a liquid. See `Fluid_properties::set_surface_tension()` for
+  surface tensions that depend on the field.
+
+  - A vertex keeps its value when it moves with the liquid. Where the mesh changes, the field is
+    interpolated as velocities are, so its integral can change slightly.
+  - At the end of a step, the field diffuses with `Liquid::diffusivity`, by the backward Euler
+    method. Diffusion preserves the integral of the field. The field and its flux are continuous
+    where two liquids meet. Boundaries are insulated where `fix_field()` gives no value.
+  - Where two liquids slip along each other, the vertex carries the field with its own velocity.
+  - Liquid of a source has the value of the liquid around it. Liquid that enters through a side has
+    the values of the vertices in the inflow, which do not move: set them with `fix_field()`.
+  - `relax()` moves the field, but the field does not diffuse.
+
+  Set the field before all other functions are called, if the function of a surface tension is
+  negative at 0.
+
+  \throws Error if a value is not finite; then nothing is changed
+  */
+  template <class ValueAt> void set_field(const ValueAt& value_at) {
+    const Mesh mesh(updated_complex(), m_properties);
+    std::vector<double> field;
+    for (const Eigen::Vector3d& p : mesh.positions(m_complex)) {
+      field.push_back(value_at(internal::from_eigen<Point>(p)));
+      if (!std::isfinite(field.back()))
+        throw Error("a value of the field is not finite: give finite values");
+    }
+    m_motion.set_field(mesh, field);
+    m_has_field = true;
+  }
+
+  /// Gives values of the field on the boundary. The function `value_at(point, time)` takes a
+  /// `Point` and a `double`. It returns a `std::optional<double>`: the value, or nothing where the
+  /// boundary is insulated. Each step calls it at its end, for vertices of liquids on the sides of
+  /// the domain and on free surfaces. Free surfaces include facets on solids.
+  ///
+  /// `advance()` throws the exceptions of the function, and an `Error` if a value is not finite.
+  /// `state()` does not contain the function, so set it again after `restore()` into a new fluid.
+  template <class ValueAt> void fix_field(const ValueAt& value_at) {
+    m_fixed_field = [value_at](const Eigen::Vector3d& p, double time) {
+      return std::optional<double>(value_at(internal::from_eigen<Point>(p), time));
+    };
   }
 
   /// @}
@@ -308,6 +357,10 @@ public:
   double pressure(Vertex_handle v) const { return m_motion.pressure(v); }
   /// Returns the pressure of the liquid with a label at a vertex in the last step.
   double pressure(Vertex_handle v, int label) const { return m_motion.pressure(v, label); }
+  /// Returns the value of the field at a vertex of a liquid, see `set_field()`.
+  double field(Vertex_handle v) const { return m_motion.field(v); }
+  /// Returns whether the liquids carry a field.
+  bool has_field() const { return m_has_field; }
   /// Returns the vorticity of the liquid in a cell: the curl of its velocity, which is linear in
   /// the cell. It is 0 if the label of the cell is not a liquid.
   /// \pre The cell is finite, and its measure is not 0.
@@ -492,8 +545,8 @@ public:
   /// @{
 
   /// Returns the state of the fluid. Together with `Complex::state()`, it permits to continue with
-  /// bitwise identical results. It contains the places and motions of bodies, but neither solids,
-  /// nor sides, nor sources. Takes O(n log n) time.
+  /// bitwise identical results. It contains the field and the places and motions of bodies, but
+  /// neither solids, nor sides, nor sources, nor given values of the field. Takes O(n log n) time.
   State state() const;
 
   /// Restores a state of the fluid. Restore the state of the complex first, as it was when
@@ -527,6 +580,7 @@ private:
     using Base::mesh;
     using Base::positions;
     using Base::velocities;
+    std::vector<double> field; // by vertex of the mesh
 
     Flow(const Incompressible_fluid& fluid, const Properties& properties)
         : Base{Mesh(fluid.updated_complex(), properties), {}, {}, {}} {
@@ -534,7 +588,9 @@ private:
       for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
         velocities.push_back(fluid.m_motion.velocity(mesh.vertices[v], mesh.labels[v]));
         accelerations.push_back(fluid.m_motion.acceleration(mesh.vertices[v], mesh.labels[v]));
+        field.push_back(fluid.m_motion.field(mesh.vertices[v]));
       }
+      internal::set_tensions(mesh, properties, field);
       const internal::Open_sides open(mesh, fluid.m_sides, positions, fluid.m_time);
       keep_on_closed_sides(mesh, open, velocities);
       keep_on_closed_sides(mesh, open, accelerations);
@@ -553,6 +609,13 @@ private:
       const auto volumes = internal::volumes_of_gases(mesh, gases, positions, at);
       for (std::size_t k = 0; k < gases.size(); ++k)
         result.gas_energy += gases[k].energy(volumes[k]);
+      const auto range = std::minmax_element(field.begin(), field.end());
+      if (range.first != field.end())
+        std::tie(result.least_field, result.greatest_field) = std::tie(*range.first, *range.second);
+      for (const auto& cell : mesh.cells)
+        for (auto v : cell.vertices)
+          result.field_integral +=
+              field[v] / Complex::corners * internal::volume(cell.vertices, at);
       return result;
     }
 
@@ -684,6 +747,7 @@ private:
   void make_admissible(double dt, unsigned number_of_threads, Report& report);
   void step(double dt, double end, const Options& chosen, double longest_displacement,
             Report& report, Energy_judge* judge);
+  void diffuse_field(Flow& flow, double dt, Report& report);
   void add_source_volumes(const Flow& flow, const Step& step, double dt, Report& report);
   Vectors shortened(Vectors destinations, const Flow& flow, double longest_displacement,
                     const Contacts& contacts) const;
@@ -712,18 +776,21 @@ private:
   internal::Side_behaviors m_sides;
   internal::Fluid_motion m_motion;
   internal::Fluid_sources m_sources;
+  // The given values of the field on the boundary; can be empty.
+  std::function<std::optional<double>(const Eigen::Vector3d&, double)> m_fixed_field;
   Liquid_bookkeeping m_liquids; // the volumes and momenta of connected components
   Gas_bookkeeping m_gases;
   double m_time = 0;
   std::uint64_t m_steps = 0;
   std::uint32_t m_damped_steps = 0;
-  bool m_knows_accelerations = false;
+  bool m_knows_accelerations = false, m_has_field = false;
 };
 
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
 #include <CGAL/Incompressible_fluids_3/internal/fluid/Incompressible_fluid_attempts_impl.h>
+#include <CGAL/Incompressible_fluids_3/internal/fluid/Incompressible_fluid_field_impl.h>
 #include <CGAL/Incompressible_fluids_3/internal/fluid/Incompressible_fluid_impl.h>
 #include <CGAL/Incompressible_fluids_3/internal/fluid/Incompressible_fluid_mesh_impl.h>
 

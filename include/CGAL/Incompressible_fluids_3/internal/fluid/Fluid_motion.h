@@ -25,7 +25,8 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // The velocity, the acceleration and the pressure of vertices of liquids, in this order. Where two
-// liquids slip along each other, each of them has its own velocity, acceleration and pressure.
+// liquids slip along each other, each of them has its own velocity, acceleration and pressure. A
+// vertex also has the value of the field that liquids carry, which is common to all of them.
 class Fluid_motion
 {
 public:
@@ -41,6 +42,7 @@ public:
     Numbers common = Numbers::Zero();
     // While the mesh changes: 1 if the vertex is on a wall, and 0 if it is not.
     double wetting = 0;
+    double field = 0;
     std::vector<std::pair<int, Numbers>> deviations;
 
     // Returns the numbers of the liquid with a label, or the common numbers.
@@ -65,6 +67,7 @@ public:
     friend Value operator+(Value a, const Value& b) {
       a.common += b.common;
       a.wetting += b.wetting;
+      a.field += b.field;
       for (const auto& [label, numbers] : b.deviations)
         a.deviation(label) += numbers;
       return a;
@@ -72,6 +75,7 @@ public:
     friend Value operator*(double factor, Value value) {
       value.common *= factor;
       value.wetting *= factor;
+      value.field *= factor;
       for (auto& deviation : value.deviations)
         deviation.second *= factor;
       return value;
@@ -119,6 +123,23 @@ public:
   template <class Vertex_handle>
   double pressure(Vertex_handle v, std::optional<int> label = {}) const {
     return at(v).of(label)(6);
+  }
+
+  template <class Vertex_handle> double field(Vertex_handle v) const { return at(v).field; }
+
+  // Sets the field at all vertices of a mesh.
+  template <class Mesh> void set_field(const Mesh& mesh, const std::vector<double>& field) {
+    for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
+      value_of(mesh.vertices[v]).field = field[v];
+  }
+
+  // Clears velocities, accelerations and pressures. Keeps the field.
+  void stop() {
+    for (auto& entry : m_values) {
+      const double field = entry.second.field;
+      entry.second = Value();
+      entry.second.field = field;
+    }
   }
 
   // Sets the velocities and accelerations of all vertices of a mesh, and keeps the pressures.

@@ -27,7 +27,7 @@ double Incompressible_fluid<Complex, Solver>::relax(double dt, unsigned steps, O
                 "gravity to 0, or call advance()");
   Report report;
   const auto stop = [this](void*) {
-    m_motion = internal::Fluid_motion();
+    m_motion.stop();
     m_knows_accelerations = false;
   };
   const std::unique_ptr<void, decltype(stop)> stops_in_the_end(this, stop);
@@ -104,6 +104,7 @@ template <class Complex, class Solver>
 void Incompressible_fluid<Complex, Solver>::step(double dt, double end, const Options& chosen,
                                                  double longest_displacement, Report& report,
                                                  Energy_judge* judge) {
+  const bool time_passes = end > m_time;
   const Flow flow(*this, m_properties);
   report.dt = dt;
   report.time = end;
@@ -122,7 +123,7 @@ void Incompressible_fluid<Complex, Solver>::step(double dt, double end, const Op
   const auto begin_of_solver = Clock::now();
   Step step(m_complex, flow,
             {m_properties, m_solids, m_sides, m_gases.components_of(flow.mesh),
-             end > m_time ? m_sources : internal::Fluid_sources()},
+             time_passes ? m_sources : internal::Fluid_sources()},
             {m_time, end, {dt, chosen.implicitness}}, m_solver,
             chosen.deformation.number_of_threads);
   step.solve(m_knows_accelerations);
@@ -154,13 +155,16 @@ void Incompressible_fluid<Complex, Solver>::step(double dt, double end, const Op
   report.deformation = move(flow, step.contacts(), destinations, chosen);
   events.insert(events.end(), report.deformation.events.begin(), report.deformation.events.end());
   report.deformation.events = std::move(events);
-  const Flow last = restore_components(chosen, report);
+  Flow last = restore_components(chosen, report);
   report.after = last.balance(*this, last.positions, last.velocities, m_time);
   m_motion.keep(last.mesh.vertices);
   report.depth_in_solids = last.depth_in_solids(*this);
   describe(step, flow, report);
   if (judge)
     judge->check(report, energies_with_gases_of(report));
+  // After the check: while the liquids move, each facet keeps its surface tension.
+  if (time_passes && m_has_field)
+    diffuse_field(last, dt, report);
 }
 
 // Sets the velocities of bodies to those at the end of a step. If `moves`, also sets their places.
@@ -327,6 +331,8 @@ auto Incompressible_fluid<Complex, Solver>::state() const -> State {
     for (const auto& [label, numbers] : value.deviations)
       result.deviations.emplace_back(result.motion.size(), label, array(numbers));
     result.motion.push_back(array(value.common));
+    if (m_has_field)
+      result.field.push_back(value.field);
   }
   result.volumes.assign(m_liquids.volumes().begin(), m_liquids.volumes().end());
   for (const auto& [component, gas] : m_gases.components())
@@ -341,15 +347,15 @@ auto Incompressible_fluid<Complex, Solver>::state() const -> State {
 template <class Complex, class Solver>
 void Incompressible_fluid<Complex, Solver>::restore(const State& state) {
   const auto vertices = m_complex.vertices();
-  const Flow flow(*this, m_properties);
-  const auto present = flow.volumes();
+  const Mesh mesh(updated_complex(), m_properties);
+  const auto present = Liquid_bookkeeping::measure(mesh, mesh.positions(m_complex));
   bool fits = state.motion.size() == vertices.size() && state.volumes.size() == present.size() &&
               std::isfinite(state.time);
   const Liquid_bookkeeping::Volumes volumes(state.volumes.begin(), state.volumes.end());
   fits = fits && volumes.size() == present.size(); // no component occurs twice
   for (const auto& [component, volume] : volumes)
     fits = fits && present.count(component) > 0 && volume > 0 && std::isfinite(volume);
-  auto gases = Gas_bookkeeping::measure(flow.mesh, m_properties);
+  auto gases = Gas_bookkeeping::measure(mesh, m_properties);
   const std::map<Liquid_bookkeeping::Number, std::array<double, 2>> references(state.gases.begin(),
                                                                                state.gases.end());
   fits = fits && state.gases.size() == gases.size() && references.size() == gases.size();
@@ -367,6 +373,8 @@ void Incompressible_fluid<Complex, Solver>::restore(const State& state) {
   };
   for (const auto& numbers : state.motion)
     fits = fits && is_finite(numbers);
+  fits = fits && (state.field.empty() || state.field.size() == vertices.size()) &&
+         is_finite(state.field);
   for (const auto& [vertex, label, numbers] : state.deviations)
     fits = fits && vertex < vertices.size() && m_properties.liquid(label) && is_finite(numbers);
   fits = fits && state.bodies.size() == number_of_bodies() &&
@@ -384,6 +392,8 @@ void Incompressible_fluid<Complex, Solver>::restore(const State& state) {
     values[v].common = Motion::Numbers(state.motion[v].data());
   for (const auto& [vertex, label, numbers] : state.deviations)
     values[vertex].deviation(label) = Motion::Numbers(numbers.data());
+  for (std::size_t v = 0; v < state.field.size(); ++v)
+    values[v].field = state.field[v];
   for (std::size_t v = 0; v < vertices.size(); ++v)
     motion.put(vertices[v], values[v]);
   m_motion = std::move(motion);
@@ -398,6 +408,7 @@ void Incompressible_fluid<Complex, Solver>::restore(const State& state) {
   m_steps = state.steps;
   m_damped_steps = state.damped_steps;
   m_knows_accelerations = state.knows_accelerations;
+  m_has_field = !state.field.empty();
 }
 
 // Returns the options that named parameters give.

@@ -59,10 +59,10 @@ template <class Complex> struct Fluid_mesh
   struct Facet
   {
     std::array<Index, dimension> vertices; // as `Interface_vertices::Facet` defines
-    double tension;                        // energy of a unit of area
-    bool is_free;                          // between a liquid and void or a gas
-    Index gas;                             // the index of the gas, or `no_gas`
-    bool is_gas_in_front;                  // also if it is void
+    double tension;       // energy of a unit of area: 0 until `set_tensions()` sets it
+    bool is_free;         // between a liquid and void or a gas
+    Index gas;            // the index of the gas, or `no_gas`
+    bool is_gas_in_front; // also if it is void
     int label_behind, label_in_front;
     double friction; // of two viscous liquids: force per unit of area and of relative velocity
   };
@@ -294,9 +294,8 @@ private:
       const bool is_free = is_behind != is_in_front;
       const Index gas =
           !is_free ? no_gas : gas_of(is_behind ? f.first->neighbor(f.second) : f.first);
-      Facet facet{
-          {},       properties.surface_tension(behind, in_front),  is_free, gas, is_behind, behind,
-          in_front, is_free ? 0 : friction(complex, f, properties)};
+      Facet facet{{},        0,      is_free,  gas,
+                  is_behind, behind, in_front, is_free ? 0 : friction(complex, f, properties)};
       const auto ends = complex.facet_vertices(f);
       for (std::size_t i = 0; i < dimension; ++i)
         facet.vertices[i] = numbers(ends[i]);

@@ -16,6 +16,7 @@
 #include <CGAL/Incompressible_fluids_3/Saddle_point_system.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Slip_transform.h>
+#include <CGAL/Incompressible_fluids_3/internal/mesh/cell_element.h>
 #include <CGAL/Incompressible_fluids_3/internal/solvers/Cell_rows.h>
 
 #include <Eigen/SparseCore>
@@ -85,7 +86,7 @@ public:
         m_masses(mesh.vertices.size(), 0), m_slips(mesh) {
     bool is_viscous = false;
     for (const auto& cell : mesh.cells) {
-      m_elements.push_back(element(mesh.corners_at(cell.vertices, positions)));
+      m_elements.push_back(cell_element<Complex>(mesh.corners_at(cell.vertices, positions)));
       is_viscous = is_viscous || cell.liquid->is_viscous();
       for (auto v : cell.vertices)
         m_masses[v] += cell.liquid->density * m_elements.back().lumped_mass();
@@ -274,7 +275,7 @@ private:
     if (!cell.liquid->viscosity_at_shear_rate)
       return cell.liquid->viscosity;
     Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();
-    if (has_gradients(m_elements[k], m_mesh.corners_at(cell.vertices, m_positions)))
+    if (has_gradients<Complex>(m_elements[k], m_mesh.corners_at(cell.vertices, m_positions)))
       for (std::size_t i = 0; i < Mesh::corners; ++i)
         gradient +=
             velocities[cell.vertices[i]] * eigen_vector(m_elements[k].gradient(int(i))).transpose();
@@ -287,15 +288,6 @@ private:
     return result;
   }
 
-  using Corners = Corners_3<std::size_t(Mesh::corners)>;
-
-  static Element element(const Corners& positions) {
-    typename Element::Corners corners;
-    for (std::size_t i = 0; i < Mesh::corners; ++i)
-      corners[i] = from_eigen<typename Complex::Approximate_point>(positions[i]);
-    return Element(corners);
-  }
-
   // The contributions of a cell to matrices, see `assemble()`.
   struct Terms
   {
@@ -305,21 +297,6 @@ private:
     bool is_flat; // all gradients of basis functions are 0
   };
 
-  // Returns whether the gradients of the basis functions of a cell can be computed. The result does
-  // not depend on the unit of length.
-  static bool has_gradients(const Element& e, const Corners& positions) {
-    // The least volume, relative to the cube of the longest edge. A regular tetrahedron has 0.12.
-    // In the plane, it is the least area, relative to the square, and a regular triangle has 0.43.
-    // Gradients of basis functions are then at most about 1e5 times as steep as in a regular
-    // tetrahedron, which double precision permits.
-    static constexpr double flattest = 1e-6;
-    double square = 0; // of the longest edge
-    for (std::size_t i = 0; i < Mesh::corners; ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        square = (std::max)(square, (positions[i] - positions[j]).squaredNorm());
-    return e.measure() > flattest * std::pow(square, .5 * Mesh::dimension);
-  }
-
   // Returns the contributions of a cell. Gradients are those at the midpoint, or those at the
   // beginning if the predicted cell is flat.
   Terms terms(std::size_t k, const Vectors_3& midpoint_positions) const {
@@ -328,17 +305,17 @@ private:
     static constexpr double viscous = 12; // factor of Hughes and others, for h^2 / viscosity
     static constexpr double flat = .1;    // relative to the volume at the beginning
     const auto& cell = m_mesh.cells[k];
-    const Corners corners = m_mesh.corners_at(cell.vertices, midpoint_positions);
-    const Element moved = element(corners);
+    const auto corners = m_mesh.corners_at(cell.vertices, midpoint_positions);
+    const Element moved = cell_element<Complex>(corners);
     const bool uses_moved =
-        moved.measure() > flat * m_elements[k].measure() && has_gradients(moved, corners);
+        moved.measure() > flat * m_elements[k].measure() && has_gradients<Complex>(moved, corners);
     const Element& e = uses_moved ? moved : m_elements[k];
     Terms result;
     result.inertia = Mesh::part_at_middle / Mesh::corners * rate(share_of_mass(k));
     for (std::size_t i = 0; i < Mesh::corners; ++i)
       result.changes[i] = eigen_vector(moved.measure_gradient(int(i)));
     result.is_flat =
-        !uses_moved && !has_gradients(e, m_mesh.corners_at(cell.vertices, m_positions));
+        !uses_moved && !has_gradients<Complex>(e, m_mesh.corners_at(cell.vertices, m_positions));
     if (result.is_flat) {
       result.gradients.fill(Eigen::Vector3d::Zero());
       result.viscosity = result.stabilization = 0;

@@ -114,7 +114,7 @@ public:
         return;
       const double mean = sum / open, whole = sum + (Mesh::dimension - open) * mean;
       const Eigen::Vector3d area =
-          area_vector(facet, positions).norm() / products * normal_of_side(side);
+          area_vector(mesh.corners_at(facet, positions)).norm() / products * normal_of_side(side);
       for (std::size_t v : facet)
         if (pressures[v])
           result.segment<3>(3 * Eigen::Index(v)) -= (whole + *pressures[v]) * area;

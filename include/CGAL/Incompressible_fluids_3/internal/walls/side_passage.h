@@ -32,7 +32,7 @@ namespace internal {
 template <class Mesh> Vectors_3 surface_normals(const Mesh& mesh, const Vectors_3& positions) {
   Vectors_3 free(positions.size(), Eigen::Vector3d::Zero()), common = free;
   for (const auto& facet : mesh.facets) {
-    const Eigen::Vector3d area = area_vector(facet.vertices, positions);
+    const Eigen::Vector3d area = area_vector(mesh.corners_at(facet.vertices, positions));
     const bool is_front =
         facet.is_free ? facet.is_gas_in_front : facet.label_behind < facet.label_in_front;
     for (auto v : facet.vertices)
