@@ -23,26 +23,105 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Returns the lower triangle of b P D^-1 P b^T + c, an approximation of the Schur complement of
-// pressures. D is the inertia of velocities, and bt is b^T. The velocities of bodies are omitted:
-// each one would add a dense block of rank 1. The rows of b determine the result directly. A
-// general product of sparse matrices would not use that the three columns of a vertex have the same
-// pattern, nor that the result is symmetric.
+// The matrix b P D^-1 P b^T + c, an approximation of the Schur complement of pressures. D is the
+// inertia of velocities. The velocities of bodies are omitted: each one would add a dense block of
+// rank 1. The rows of b determine the result directly. A general product of sparse matrices would
+// not use that the three columns of a vertex have the same pattern.
+class Pressure_rows
+{
+public:
+  using Matrix = Saddle_point_system::Matrix;
+
+  // The matrix bt is b^T. The system and bt must outlive the object.
+  Pressure_rows(const Saddle_point_system& system, const Matrix& bt)
+      : m_system(system), m_bt(bt), m_vertices(system.nodal.rows() - system.velocities_of_bodies),
+        m_projections(std::size_t(system.nodal.rows()), nullptr) {
+    for (const auto& h : system.constrained)
+      m_projections[std::size_t(h.vertex)] = &h.projection;
+  }
+
+  // Calls `add(column, value)` for the terms of the entries of a row, from the column `first` on.
+  template <class Add> void add_row(Eigen::Index row, Eigen::Index first, const Add& add) const {
+    for (Row k(m_system.b, row); k;) {
+      const Eigen::Index v = k.col() / 3;
+      Eigen::Vector3d gradient;
+      for (int axis = 0; axis < 3; ++axis, ++k)
+        gradient(axis) = k.value();
+      if (v >= m_vertices)
+        continue;
+      if (m_projections[std::size_t(v)])
+        gradient = (*m_projections[std::size_t(v)] * gradient).eval();
+      gradient /= m_system.inertia(v);
+      for (Row x(m_bt, 3 * v), y(m_bt, 3 * v + 1), z(m_bt, 3 * v + 2); x; ++x, ++y, ++z)
+        if (x.col() >= first)
+          add(x.col(),
+              gradient.x() * x.value() + gradient.y() * y.value() + gradient.z() * z.value());
+    }
+    for (Row k(m_system.c, row); k; ++k)
+      if (k.col() >= first)
+        add(k.col(), k.value());
+  }
+
+private:
+  using Row = Matrix::InnerIterator;
+
+  const Saddle_point_system& m_system;
+  const Matrix& m_bt;
+  Eigen::Index m_vertices; // without bodies
+  std::vector<const Eigen::Matrix3d*> m_projections;
+};
+
+// A sparse row that is the sum of terms.
+class Sum_of_row
+{
+public:
+  explicit Sum_of_row(Eigen::Index columns)
+      : m_sums(std::size_t(columns), 0), m_is_met(std::size_t(columns), false) {}
+
+  void add(Eigen::Index column, double value) {
+    if (!m_is_met[std::size_t(column)]) {
+      m_is_met[std::size_t(column)] = true;
+      m_met.push_back(column);
+    }
+    m_sums[std::size_t(column)] += value;
+  }
+
+  // Multiplies an entry by a factor.
+  void scale(Eigen::Index column, double factor) { m_sums[std::size_t(column)] *= factor; }
+
+  // Calls `take(column, value)` for each entry by increasing column, and clears the row. Returns
+  // the number of entries.
+  template <class Take> std::size_t take(const Take& take) {
+    std::sort(m_met.begin(), m_met.end());
+    for (Eigen::Index column : m_met) {
+      take(column, std::exchange(m_sums[std::size_t(column)], 0.));
+      m_is_met[std::size_t(column)] = false;
+    }
+    const std::size_t result = m_met.size();
+    m_met.clear();
+    return result;
+  }
+
+private:
+  std::vector<double> m_sums;
+  std::vector<char> m_is_met;
+  std::vector<Eigen::Index> m_met;
+};
+
+// The factor of diagonal entries. Without a free surface, a constant pressure has no effect, and
+// the matrix is singular. The factor is above the rounding of single precision, which
+// factorizations use.
+constexpr double above_singular = 1 + 1e-6;
+
+// Returns the lower triangle of the matrix of `Pressure_rows`, with diagonal entries multiplied by
+// `above_singular`.
 inline Eigen::SparseMatrix<double> pressure_matrix(const For_each_index& for_each,
                                                    const Saddle_point_system& system,
                                                    const Saddle_point_system::Matrix& bt) {
-  // Without a free surface, a constant pressure has no effect, and the matrix is singular. The
-  // factor is above the rounding of single precision, which is used for the factorization.
-  static constexpr double above_zero = 1 + 1e-6;
   static constexpr std::size_t parts = 16; // each part has a vector of the size of all pressures
-  using Row = Saddle_point_system::Matrix::InnerIterator;
   using Index = Eigen::SparseMatrix<double>::StorageIndex;
-  const Eigen::Index n = system.nodal.rows(), m = system.c.rows(),
-                     vertices = n - system.velocities_of_bodies;
-  std::vector<const Eigen::Matrix3d*> projections(std::size_t(n), nullptr);
-  for (const auto& h : system.constrained)
-    projections[std::size_t(h.vertex)] = &h.projection;
-
+  const Eigen::Index m = system.c.rows();
+  const Pressure_rows matrix(system, bt);
   Eigen::SparseMatrix<double> result(m, m);
   Index* const ends = result.outerIndexPtr() + 1;
   std::array<std::vector<Index>, parts> rows;
@@ -50,45 +129,16 @@ inline Eigen::SparseMatrix<double> pressure_matrix(const For_each_index& for_eac
   for_each(
       parts,
       [&](std::size_t part) {
-        std::vector<double> sums(std::size_t(m), 0);
-        std::vector<char> is_met(std::size_t(m), false);
-        std::vector<Index> met;
-        const auto add = [&](Eigen::Index q, double value) {
-          if (!is_met[std::size_t(q)]) {
-            is_met[std::size_t(q)] = true;
-            met.push_back(Index(q));
-          }
-          sums[std::size_t(q)] += value;
-        };
+        Sum_of_row sum(m);
         const Eigen::Index end = m * Eigen::Index(part + 1) / Eigen::Index(parts);
         for (Eigen::Index p = m * Eigen::Index(part) / Eigen::Index(parts); p < end; ++p) {
-          for (Row k(system.b, p); k;) {
-            const Eigen::Index v = k.col() / 3;
-            Eigen::Vector3d gradient;
-            for (int axis = 0; axis < 3; ++axis, ++k)
-              gradient(axis) = k.value();
-            if (v >= vertices)
-              continue;
-            if (projections[std::size_t(v)])
-              gradient = (*projections[std::size_t(v)] * gradient).eval();
-            gradient /= system.inertia(v);
-            for (Row x(bt, 3 * v), y(bt, 3 * v + 1), z(bt, 3 * v + 2); x; ++x, ++y, ++z)
-              if (x.col() >= p)
-                add(x.col(),
-                    gradient.x() * x.value() + gradient.y() * y.value() + gradient.z() * z.value());
-          }
-          for (Row k(system.c, p); k; ++k)
-            if (k.col() >= p)
-              add(k.col(), k.value());
-          sums[std::size_t(p)] *= above_zero;
-          std::sort(met.begin(), met.end());
-          for (Index q : met) {
-            rows[part].push_back(q);
-            values[part].push_back(std::exchange(sums[std::size_t(q)], 0.));
-            is_met[std::size_t(q)] = false;
-          }
-          ends[p] = Index(met.size());
-          met.clear();
+          // The matrix is symmetric, so a column of the lower triangle is a part of a row.
+          matrix.add_row(p, p, [&sum](Eigen::Index q, double value) { sum.add(q, value); });
+          sum.scale(p, above_singular);
+          ends[p] = Index(sum.take([&](Eigen::Index q, double value) {
+            rows[part].push_back(Index(q));
+            values[part].push_back(value);
+          }));
         }
       },
       2);
