@@ -440,6 +440,14 @@ TEST_F(Fluids, liquids_that_others_cover_are_refused) {
   expect_refusal(json, "liquids[1] of the scene has no cells");
 }
 
+TEST_F(Fluids, solver_is_known_and_built) {
+  expect_error("fluid droplet --solver other", 2);
+  expect_error("fluid droplet -ksp_view", 2);
+  const program::fs::path folder = program::fs::path(DSC_PROGRAM).parent_path();
+  if (!program::fs::exists(folder / "dsc-fluid-petsc"))
+    expect_error("fluid droplet --solver petsc -ksp_view", 1);
+}
+
 TEST_F(Fluids, options_without_effect_are_refused) {
   const std::string file = write_scene(scene());
   const auto expect = [&](const std::string& arguments, const std::string& message) {
