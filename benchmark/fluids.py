@@ -3,8 +3,11 @@
 
 Usage: benchmark/fluids.py DSC [--data DIR] [PART...]
 
+The part `solvers` also runs `mpirun` if the program dsc-fluid-petsc is built.
+
 The parts are droplets, decay, rest, waves, jets, sessile, sloshing, dam, bubble, breathing, figures,
-speed, subdivision, survival, layers, vortices, spin, floating, stokes, wheel, utube, flux, bubble_2 and marangoni.
+speed, solvers, subdivision, survival, layers, vortices, spin, floating, stokes, wheel, utube, flux, bubble_2
+and marangoni.
 Runs all parts by default. The scenes are scenes of the program with the changes that the rows name. The
 part `figures` needs the meshes bunny00.off and armadillo.off of CGAL in DIR.
 """
@@ -29,14 +32,15 @@ def run(dsc, name, change):
     return report_of(dsc, scene, name)["steps"]
 
 
-def report_of(dsc, scene, name):
-    """Returns the report of a run of `scene`."""
+def report_of(dsc, scene, name, prefix=(), options=()):
+    """Returns the report of a run of `scene`. The words of `prefix` precede the command."""
     with tempfile.TemporaryDirectory() as folder:
         files = [os.path.join(folder, f) for f in ("scene.json", "report.json")]
         with open(files[0], "w") as out:
             json.dump(scene, out)
         folder_of_files = ["--data", data] if '"file"' in json.dumps(scene) else []
-        subprocess.run([dsc, "fluid", files[0], "--report", files[1], "--quiet"] + folder_of_files)
+        subprocess.run([*prefix, dsc, "fluid", files[0], "--report", files[1], "--quiet"] + folder_of_files +
+                       list(options))
         if not os.path.exists(files[1]):
             sys.exit(f"the scene {name} did not begin")
         with open(files[1]) as report:
@@ -431,6 +435,45 @@ def speed(dsc):
         print(f"| {found[-1]['vertices']} | {found[-1]['interface_triangles'] // 2 + 2} | "
               f"{solver + mesh:.2f} | {solver:.2f} | {sum(s['iterations'] for s in found) // n} |",
               flush=True)
+
+
+def solvers(dsc):
+    """Compares the built-in solver and PETSc. All reported numbers of the built-in solver must be the same
+    with 1 and 2 threads, except the times."""
+    variants = [("built-in, 1 thread", [], ["--threads", "1"]),
+                ("built-in, 2 threads", [], ["--threads", "2"])]
+    if os.path.exists(os.path.join(os.path.dirname(os.path.realpath(dsc)), "dsc-fluid-petsc")):
+        mpirun = ["mpirun", "--oversubscribe", "--allow-run-as-root", "-n"]
+        variants += [(f"PETSc, processes: {n}", mpirun + [str(n)], ["--solver", "petsc", "--threads", "1"])
+                     for n in (1, 2, 4)]
+
+    def without_times(steps):
+        return [{k: v for k, v in step.items() if not k.startswith("seconds_")} for step in steps]
+
+    print("| vertices | solver | iterations a step | seconds a step | of the solver | difference of the "
+          "amplitude | of the velocity |")
+    print("| --- " * 7 + "|")
+    for triangles in (480, 1320, 2800, 5200, 12000):  # 1k, 4k, 12k, 30k and 100k vertices
+        scene = json.loads(subprocess.check_output([dsc, "fluid", "--print", "droplet"]))
+        scene["liquids"][0]["shape"]["triangles"] = triangles
+        scene["time_step"] = 2 / triangles ** .75
+        scene["end"] = 4 * scene["time_step"]
+        first = None
+        for name, prefix, options in variants:
+            steps = report_of(dsc, scene, "droplet", prefix, options)["steps"]
+            first = first or steps
+            if not prefix and without_times(steps) != without_times(first):
+                sys.exit(f"the number of threads changes the result for {triangles} triangles")
+            timed = steps[2:]  # without the initial state and the first step
+            n = len(timed)
+            solver = sum(s["seconds_of_solver"] for s in timed) / n
+            mesh = sum(s["seconds_of_mesh"] for s in timed) / n
+            amplitude = max(abs(a["probes"]["amplitude"] / b["probes"]["amplitude"] - 1)
+                            for a, b in zip(steps, first))
+            velocity = max(abs(a["greatest_velocity"] / b["greatest_velocity"] - 1)
+                           for a, b in zip(steps[1:], first[1:]))
+            print(f"| {steps[-1]['vertices']} | {name} | {sum(s['iterations'] for s in timed) // n} | "
+                  f"{solver + mesh:.2f} | {solver:.2f} | {amplitude:.1e} | {velocity:.1e} |", flush=True)
 
 
 def subdivision(dsc):
@@ -843,8 +886,8 @@ def main():
     global data
     parts = {"droplets": droplets, "decay": decay, "rest": rest, "waves": waves, "jets": jets,
              "sessile": sessile, "sloshing": sloshing, "dam": dam, "bubble": bubble, "breathing": breathing,
-             "figures": figures, "speed": speed, "subdivision": subdivision, "survival": survival,
-             "layers": layers, "vortices": decay_of_vortices, "spin": spin, "floating": floating,
+             "figures": figures, "speed": speed, "solvers": solvers, "subdivision": subdivision,
+             "survival": survival, "layers": layers, "vortices": decay_of_vortices, "spin": spin, "floating": floating,
              "stokes": stokes, "wheel": wheel, "utube": utube, "flux": flux, "bubble_2": bubble_2,
              "marangoni": marangoni}
     dsc, *wanted = sys.argv[1:]

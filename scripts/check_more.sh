@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
 # Runs the checks that take too long for scripts/test.sh: the benchmarks, all headers alone, the thread
 # sanitizer, the other sanitizers, Clang, CGAL 6, more damaged files, random deformations, all examples, files
-# of all programs that Debian has, packages on a bare Debian 12, and Debian 13.
+# of all programs that Debian has, the parallel solver, packages on a bare Debian 12, and Debian 13.
 # Usage: scripts/check_more.sh [benchmarks] [headers] [threads] [sanitizers] [clang] [cgal_6] [fuzz] [abuse]
-#          [examples] [formats] [packages] [debian_13]
+#          [examples] [formats] [petsc] [packages] [debian_13]
 # Runs all parts by default. Prints a line for each part; its full output is in build-more/PART.log.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 parts=("$@")
 [ ${#parts[@]} -gt 0 ] || parts=(benchmarks headers threads sanitizers clang cgal_6 fuzz abuse examples formats
-  packages debian_13)
+  petsc packages debian_13)
 jobs=$(nproc)
 work=build-more
 mkdir -p "$work"
@@ -39,7 +39,10 @@ check_benchmarks() {
 }
 
 check_headers() {
-  test/headers_alone.sh '*.h' "$jobs" g++ "${flags[@]}"
+  scripts/install_dependencies.sh petsc-dev libopenmpi-dev pkg-config
+  local of_petsc
+  read -ra of_petsc <<<"$(pkg-config --cflags-only-I PETSc ompi-c)"
+  test/headers_alone.sh '*.h' "$jobs" g++ "${flags[@]}" "${of_petsc[@]/#-I/-isystem}"
 }
 
 check_threads() {
@@ -99,6 +102,16 @@ check_formats() {
     -DDSC_BUILD_EXAMPLES=OFF -DDSC_BUILD_BENCHMARKS=OFF -DDSC_BUILD_PYTHON=OFF
   cmake --build "$work/formats" --parallel "$jobs" --target dsc dsc-full dsc-files
   DSC_PROGRAM=$(realpath "$work/formats/dsc") /usr/bin/python3 -m pytest -rs -p no:cacheprovider test/files
+}
+
+# Solves fluids with PETSc in several processes. scripts/test.sh builds without PETSc.
+check_petsc() {
+  scripts/install_dependencies.sh petsc-dev libopenmpi-dev openmpi-bin pkg-config
+  cmake -S . -B "$work/petsc" -G Ninja -DCMAKE_BUILD_TYPE=Release -DDSC_WITH_PETSC=ON \
+    -DDSC_BUILD_EXAMPLES=OFF -DDSC_BUILD_BENCHMARKS=OFF -DDSC_BUILD_PYTHON=OFF
+  cmake --build "$work/petsc" --parallel "$jobs" --target dsc dsc-fluid dsc-fluid-petsc test_petsc \
+    test_petsc_program
+  ctest --test-dir "$work/petsc" --output-on-failure --no-tests=error --tests-regex '^test_petsc'
 }
 
 check_packages() {

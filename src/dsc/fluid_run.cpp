@@ -7,6 +7,7 @@
 #include "errors.h"
 #include "fluid_complex.h"
 #include "fluid_files.h"
+#include "fluid_processes.h"
 #include "fluid_solids.h"
 #include "fluid_start.h"
 #include "report_json.h"
@@ -69,7 +70,7 @@ template <int dimension> auto read_checkpoint_of(const std::string& path) {
 
 template <int dimension>
 Fluid_run<dimension> start_fluid(const Fluid_scene& scene, const std::string& folder,
-                                 unsigned threads, bool quiet) {
+                                 unsigned threads, bool quiet, bool uses_petsc) {
   using Run = Fluid_run<dimension>;
   require_files(scene, folder);
   Run run;
@@ -80,6 +81,8 @@ Fluid_run<dimension> start_fluid(const Fluid_scene& scene, const std::string& fo
   require_effect(run.scene, run.complex->complex);
   run.fluid = fluid_of_scene(run.scene, folder, run.complex->complex);
   require_outside_of_solids(run.scene, *run.fluid);
+  if (uses_petsc)
+    use_petsc(run.fluid->solver());
   if (run.scene.relaxation_steps > 0) {
     const double velocity =
         run.fluid->relax(run.scene.relaxation_step, unsigned(run.scene.relaxation_steps),
@@ -92,7 +95,8 @@ Fluid_run<dimension> start_fluid(const Fluid_scene& scene, const std::string& fo
 }
 
 template <int dimension>
-Fluid_run<dimension> resume_fluid(const std::string& path, const std::string& folder) {
+Fluid_run<dimension> resume_fluid(const std::string& path, const std::string& folder,
+                                  bool uses_petsc) {
   using Run = Fluid_run<dimension>;
   const auto checkpoint = read_checkpoint_of<dimension>(path);
   Run run;
@@ -108,6 +112,8 @@ Fluid_run<dimension> resume_fluid(const std::string& path, const std::string& fo
     run.fluid = fluid_of_scene(run.scene, folder, run.complex->complex);
     run.fluid->restore(state_of(json.at("fluid")));
     set_time(run.scene, run.fluid->time(), *run.fluid);
+    if (uses_petsc)
+      use_petsc(run.fluid->solver());
   } catch (const Json::exception&) {
     throw Input_error(path + " contains a complex, but no fluid to resume; give a checkpoint of "
                              "dsc fluid");
@@ -132,9 +138,9 @@ template <int dimension> std::string Fluid_run<dimension>::metadata() const {
 
 template struct Fluid_run<2>;
 template struct Fluid_run<3>;
-template Fluid_run<2> start_fluid(const Fluid_scene&, const std::string&, unsigned, bool);
-template Fluid_run<3> start_fluid(const Fluid_scene&, const std::string&, unsigned, bool);
-template Fluid_run<2> resume_fluid(const std::string&, const std::string&);
-template Fluid_run<3> resume_fluid(const std::string&, const std::string&);
+template Fluid_run<2> start_fluid(const Fluid_scene&, const std::string&, unsigned, bool, bool);
+template Fluid_run<3> start_fluid(const Fluid_scene&, const std::string&, unsigned, bool, bool);
+template Fluid_run<2> resume_fluid(const std::string&, const std::string&, bool);
+template Fluid_run<3> resume_fluid(const std::string&, const std::string&, bool);
 
 } // namespace dsc

@@ -32,15 +32,17 @@ template <int dimension> struct Fluid_run
 
 /// Starts a scene of this dimension, with the relaxation of the scene.
 /// \param folder folder of the files of the scene
+/// \param uses_petsc whether PETSc solves the linear systems
 /// \throws Input_error if the scene cannot be built
 template <int dimension>
 Fluid_run<dimension> start_fluid(const Fluid_scene& scene, const std::string& folder,
-                                 unsigned threads, bool quiet);
+                                 unsigned threads, bool quiet, bool uses_petsc);
 
 /// Resumes a run from a checkpoint of this dimension.
 /// \throws Input_error if the checkpoint contains no fluid
 template <int dimension>
-Fluid_run<dimension> resume_fluid(const std::string& checkpoint, const std::string& folder);
+Fluid_run<dimension> resume_fluid(const std::string& checkpoint, const std::string& folder,
+                                  bool uses_petsc);
 
 } // namespace dsc
 

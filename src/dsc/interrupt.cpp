@@ -15,6 +15,8 @@ namespace {
 
 volatile std::sig_atomic_t flag = 0;
 timespec time_of_first = {};
+bool (*any_process)(bool) = nullptr; // null if interrupts are not shared
+bool have_agreed = false;            // to stop
 
 // Raises the flag at the first signal. A later signal ends the program at once. Signals that follow
 // within a second are ignored, because timeout(1) and some shells send the same signal to the
@@ -44,7 +46,11 @@ void catch_signals() {
     std::signal(number, SIG_IGN);
 }
 
-bool interrupted() { return flag != 0; }
+bool interrupted() { return any_process != nullptr ? have_agreed : flag != 0; }
+
+void share_interrupts(bool (*any)(bool)) { any_process = any; }
+
+void agree_on_interrupts() { have_agreed = any_process(flag != 0); }
 
 Interruptible::Interruptible(bool quiet)
     : m_shows(!quiet && shows_lines()),

@@ -18,8 +18,19 @@ constexpr int exit_code_of_interrupt = 130; ///< exit code of shells for SIGINT
 /// operations fail, and no longer end the program.
 void catch_signals();
 
-/// Returns whether the flag is raised.
+/// Returns whether the flag is raised. If interrupts are shared, returns the result of the last
+/// call of `agree_on_interrupts()` instead.
 bool interrupted();
+
+/// Shares interrupts between processes that run the same program, which must stop at the same
+/// place.
+/// \param any returns whether the argument is `true` in at least one process. All processes call it
+/// together.
+void share_interrupts(bool (*any)(bool));
+
+/// Asks all processes for their flags. All processes call it together.
+/// \pre `share_interrupts()` was called
+void agree_on_interrupts();
 
 /// A scope in which functions of the package throw Interrupted_error after the flag is raised. On a
 /// terminal, a line names phases that take longer than a second.

@@ -44,9 +44,10 @@ TEST_F(Fluids, scenes_are_listed_and_printed) {
   const Outcome list = run("fluid --list");
   EXPECT_EQ(list.exit_code, 0);
   for (const char* name :
-       {"droplet", "bunny", "collision", "bowl", "dam-break", "crown", "capillary-wave", "bubble",
-        "sessile", "jet", "breathing", "tap", "rising-bubble", "u-tube", "floating-box",
-        "falling-ball", "wheel", "filling", "draining", "thermocapillary"}) {
+       {"droplet",        "bunny",          "collision",    "bowl",         "dam-break", "crown",
+        "capillary-wave", "bubble",         "sessile",      "jet",          "breathing", "tap",
+        "rising-bubble",  "u-tube",         "floating-box", "falling-ball", "wheel",     "filling",
+        "draining",       "thermocapillary"}) {
     EXPECT_NE(list.out.find(name), std::string::npos) << name;
     const Outcome scene = run("fluid --print " + std::string(name));
     EXPECT_EQ(scene.exit_code, 0) << scene.err;
@@ -438,6 +439,14 @@ TEST_F(Fluids, liquids_that_others_cover_are_refused) {
   expect_refusal(json, "label 2 of the scene has no cells");
   json["liquids"][2]["label"] = 2;
   expect_refusal(json, "liquids[1] of the scene has no cells");
+}
+
+TEST_F(Fluids, solver_is_known_and_built) {
+  expect_error("fluid droplet --solver other", 2);
+  expect_error("fluid droplet -ksp_view", 2);
+  const program::fs::path folder = program::fs::path(DSC_PROGRAM).parent_path();
+  if (!program::fs::exists(folder / "dsc-fluid-petsc"))
+    expect_error("fluid droplet --solver petsc -ksp_view", 1);
 }
 
 TEST_F(Fluids, options_without_effect_are_refused) {

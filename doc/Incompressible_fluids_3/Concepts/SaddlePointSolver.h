@@ -10,6 +10,7 @@ one or more right-hand sides. A time step needs between two and a few dozen solu
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Deformable_simplicial_complexes::Direct_saddle_point_solver}
 \cgalHasModels{CGAL::Deformable_simplicial_complexes::Iterative_saddle_point_solver}
+\cgalHasModels{CGAL::Deformable_simplicial_complexes::Petsc_saddle_point_solver}
 \cgalHasModels{CGAL::Deformable_simplicial_complexes::Saddle_point_solver}
 \cgalHasModelsEnd
 */

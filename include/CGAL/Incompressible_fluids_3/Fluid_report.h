@@ -41,7 +41,7 @@ struct Fluid_balance
   double field_integral = 0;         ///< the integral of the field that liquids carry
   double least_field = 0;            ///< the least value of the field at a vertex of a liquid
   double greatest_field = 0;         ///< the greatest value of the field at a vertex of a liquid
-  Vector momentum = Vector(0, 0, 0);         ///< momentum: mass times velocity
+  Vector momentum = Vector(0, 0, 0); ///< momentum: mass times velocity
   Vector angular_momentum = Vector(0, 0, 0); ///< angular momentum about the origin; 0 on a torus
 
   /// Returns the sum of the four energies.

@@ -264,6 +264,10 @@ public:
   /// \throws Error if a coordinate is not finite
   void set_gravity(const std::array<double, 3>& gravity) { m_properties.set_gravity(gravity); }
 
+  /// Returns the solver of the linear systems, to be configured between steps. For example,
+  /// `Saddle_point_solver::use()` replaces the default solver.
+  Solver& solver() { return m_solver; }
+
   /// Sets the velocities of all vertices of liquids. The function `velocity_at(v)` or
   /// `velocity_at(v, label)` returns a `Vector`, the velocity at the vertex `v` of the liquid with
   /// a label. Liquids with different velocities at a common vertex slip along each other, see

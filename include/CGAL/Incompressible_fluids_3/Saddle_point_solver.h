@@ -29,6 +29,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -351,7 +352,7 @@ private:
 \ingroup PkgIncompressibleFluids3Ref
 
 The default solver of saddle point systems. It solves systems with at most 2000 unknowns directly,
-and larger systems iteratively.
+and larger systems iteratively. Another solver can replace both at run time.
 
 \cgalModels `SaddlePointSolver`
 */
@@ -361,9 +362,19 @@ public:
   using System = Saddle_point_system; ///< the system to be solved
   using Vector = System::Vector;      ///< a vector of unknowns
 
+  /// Uses another solver instead, for systems of any size. Call `factorize()` next.
+  /// \tparam Model a model of `SaddlePointSolver` that can be moved
+  template <class Model> void use(Model model) {
+    m_other = std::make_unique<Other_solver<Model>>(std::move(model));
+  }
+
   /// Factorizes the matrix of a system.
   /// \throws Convergence_error if the matrix is singular
   void factorize(System&& system, unsigned number_of_threads = 1) {
+    if (m_other) {
+      m_other->factorize(std::move(system), number_of_threads);
+      return;
+    }
     // In unknowns, which are about 500 vertices. For this size, both solvers take the same time.
     static constexpr Eigen::Index small = 2000;
     m_is_direct = 3 * system.nodal.rows() + system.c.rows() <= small;
@@ -376,7 +387,9 @@ public:
   /// Replaces the system by a similar one. The iterative solver keeps its factorizations.
   /// \throws Convergence_error if the matrix is singular and the solver is direct
   void update(System&& system) {
-    if (m_is_direct)
+    if (m_other)
+      m_other->update(std::move(system));
+    else if (m_is_direct)
       m_direct.update(std::move(system));
     else
       m_iterative.update(std::move(system));
@@ -388,14 +401,41 @@ public:
   /// \param tolerance the tolerance of the true residual, see the two solvers
   /// \throws Convergence_error if the solver does not converge
   unsigned solve(const Vector& f, const Vector& s, Vector& v, Vector& p, double tolerance) {
-    return m_is_direct ? m_direct.solve(f, s, v, p, tolerance)
-                       : m_iterative.solve(f, s, v, p, tolerance);
+    return m_other       ? m_other->solve(f, s, v, p, tolerance)
+           : m_is_direct ? m_direct.solve(f, s, v, p, tolerance)
+                         : m_iterative.solve(f, s, v, p, tolerance);
   }
 
 private:
+  // A solver whose type is erased.
+  struct Other
+  {
+    virtual ~Other() = default;
+    virtual void factorize(System&& system, unsigned number_of_threads) = 0;
+    virtual void update(System&& system) = 0;
+    virtual unsigned solve(const Vector& f, const Vector& s, Vector& v, Vector& p,
+                           double tolerance) = 0;
+  };
+
+  template <class Model> struct Other_solver : Other
+  {
+    explicit Other_solver(Model&& model) : m_model(std::move(model)) {}
+    void factorize(System&& system, unsigned number_of_threads) override {
+      m_model.factorize(std::move(system), number_of_threads);
+    }
+    void update(System&& system) override { m_model.update(std::move(system)); }
+    unsigned solve(const Vector& f, const Vector& s, Vector& v, Vector& p,
+                   double tolerance) override {
+      return m_model.solve(f, s, v, p, tolerance);
+    }
+
+    Model m_model;
+  };
+
   bool m_is_direct = true;
   Direct_saddle_point_solver m_direct;
   Iterative_saddle_point_solver m_iterative;
+  std::unique_ptr<Other> m_other; // null unless the other two are replaced
 };
 
 } // namespace Deformable_simplicial_complexes

@@ -7,6 +7,7 @@
 #include "files.h"
 #include "fluid_fields.h"
 #include "fluid_picture.h"
+#include "fluid_processes.h"
 #include "fluid_report.h"
 #include "fluid_run.h"
 #include "fluid_scene.h"
@@ -37,6 +38,8 @@
 namespace dsc {
 namespace {
 
+constexpr char built_in_solver[] = "built-in";
+
 struct Fluid_options
 {
   std::string scene;       ///< file, or name of an installed scene; empty if `resume` is set
@@ -46,7 +49,8 @@ struct Fluid_options
   std::string written_end; ///< as written
   double end = 0;          ///< final time; if 0, the end of the scene
   unsigned steps = 0;      ///< maximum number; 0 for no limit
-  unsigned threads = default_number_of_threads();
+  unsigned threads = std::max(1u, default_number_of_threads() / processes_of_machine());
+  std::string solver = built_in_solver;
   std::string output; ///< output folder; empty for no files
   unsigned every = 1;
   int subdivisions = 0; ///< of the smooth surfaces in the output, by Loop's scheme; 0 for none
@@ -55,6 +59,8 @@ struct Fluid_options
   Fluid_picture picture;
   std::string written_cut; ///< as written
   bool quiet = false;
+
+  bool uses_petsc() const { return solver != built_in_solver; }
 };
 
 template <int dimension>
@@ -142,8 +148,9 @@ template <int dimension> void Reported_run<dimension>::check_places() {
 template <int dimension> void Reported_run<dimension>::begin() {
   const Interruptible interruptible(m_options.quiet);
   m_run = m_scene
-              ? start_fluid<dimension>(*m_scene, m_options.data, m_options.threads, m_options.quiet)
-              : resume_fluid<dimension>(m_options.resume, m_options.data);
+              ? start_fluid<dimension>(*m_scene, m_options.data, m_options.threads, m_options.quiet,
+                                       m_options.uses_petsc())
+              : resume_fluid<dimension>(m_options.resume, m_options.data, m_options.uses_petsc());
   Fluid<Complex>& fluid = *m_run.fluid;
   m_run.complex->arrays = {[&fluid] { return cell_arrays<Complex>(fluid); },
                            [&fluid] { return interface_arrays<Complex>(fluid); }};
@@ -170,8 +177,10 @@ template <int dimension> void Reported_run<dimension>::write_files() {
 }
 
 /// Returns the name of the last checkpoint in the output folder. Without such a folder, writes a
-/// checkpoint first.
+/// checkpoint first, in the first of several processes.
 template <int dimension> std::string Reported_run<dimension>::checkpoint(const char* name) {
+  if (!is_first_process())
+    return name;
   if (m_folder)
     return m_folder->checkpoint();
   const std::string result = unused_name(name, ".dsc");
@@ -307,6 +316,12 @@ void read(const CLI::App& command, Fluid_options& options) {
                       "scenes");
   if (options.prints && options.scene.empty())
     throw Usage_error("dsc fluid --print needs a SCENE; see dsc fluid --list");
+  if (!is_first_process()) { // the first one writes all files
+    options.quiet = true;
+    options.output.clear();
+    options.report.clear();
+    options.picture.path.clear();
+  }
 }
 
 } // namespace
@@ -325,6 +340,12 @@ void add_fluid(CLI::App& app, int& exit_code) {
   command->add_option("--steps", options->steps, "Maximum number of steps")
       ->check(CLI::Range(1, INT_MAX));
   add_threads_option(*command, options->threads);
+  command
+      ->add_option("--solver", options->solver,
+                   "Solver of the linear systems; petsc runs in parallel with mpirun, and takes "
+                   "options of PETSc like -ksp_view")
+      ->check(CLI::IsMember({built_in_solver, "petsc"}))
+      ->capture_default_str();
   CLI::Option* output =
       command->add_option("--output", options->output,
                           "Folder for ParaView files and a checkpoint; created if necessary");

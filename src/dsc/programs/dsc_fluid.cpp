@@ -2,9 +2,57 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The program of the command `dsc fluid`, which the program `dsc` executes.
+// The program of the command `dsc fluid`, which the program `dsc` executes. The program
+// `dsc-fluid-petsc` contains the solver of PETSc, so that this program does not need PETSc.
 
 #include "../commands/commands.h"
+#include "../fluid_processes.h"
 #include "../program.h"
+#include "../translations.h"
 
-int main(int argc, char** argv) { return dsc::run_program(argc, argv, dsc::add_fluid); }
+#include <CLI/CLI.hpp>
+
+#include <cstddef>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+[[noreturn]] void leave_to_petsc() {
+  static constexpr char name[] = "dsc-fluid-petsc";
+  std::error_code error;
+  if (!std::filesystem::exists(dsc::path_of_program(name), error))
+    throw std::runtime_error("--solver petsc needs the program dsc-fluid-petsc; build it with the "
+                             "CMake option -DDSC_WITH_PETSC=ON (Debian: petsc-dev), or leave the "
+                             "option out");
+  throw dsc::Other_program{name, "the option --solver petsc"};
+}
+
+/// Returns whether the arguments choose PETSc. This program cannot read options of PETSc.
+bool choose_petsc(const std::vector<std::string>& arguments) {
+  for (std::size_t i = 0; i < arguments.size(); ++i)
+    if (arguments[i] == "--solver=petsc" ||
+        (arguments[i] == "--solver" && i + 1 < arguments.size() && arguments[i + 1] == "petsc"))
+      return true;
+  return false;
+}
+
+} // namespace
+
+bool dsc::is_first_process() { return true; }
+
+unsigned dsc::processes_of_machine() { return 1; }
+
+void dsc::use_petsc(CGAL::Deformable_simplicial_complexes::Saddle_point_solver&) {
+  leave_to_petsc();
+}
+
+int main(int argc, char** argv) {
+  return dsc::run_program(argc, argv, [&](CLI::App& app, int& exit_code) {
+    if (choose_petsc({argv, argv + argc}))
+      leave_to_petsc();
+    dsc::add_fluid(app, exit_code);
+  });
+}

@@ -68,8 +68,8 @@ Incompressible_fluid<Complex, Solver>::adapt_lengths(double tolerance,
   using Defaults = defaults::Adaptive_advection<Complex::dimension>;
   Adaptation_options adaptation{tolerance, Defaults::feature_angle};
   adaptation.longest = 1; // the flow at a straight wall needs vertices, too
-  const Improvement_report result =
-      keep_interface_fit(m_complex, adaptation, [](const auto&) { return true; }, visitor);
+  const Improvement_report result = keep_interface_fit(
+      m_complex, adaptation, [](const auto&) { return true; }, visitor);
   const bool is_new = m_steps == 0;
   Detail_options<Complex> detail;
   detail.sizing_field = [edge = mean_edge()](const auto&) { return edge; };

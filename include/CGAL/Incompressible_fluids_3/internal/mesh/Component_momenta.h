@@ -76,7 +76,7 @@ Masses masses_at(const Mesh& mesh, Masses masses, const Vectors_3& positions) {
   std::vector<double> of_vertices(positions.size(), 0);
   for (auto& [k, m] : masses.of_middles) {
     const auto& cell = mesh.cells[k];
-    const double mass = cell.liquid->density * volume(cell.vertices, positions);
+    const double mass = cell.liquid->density * volume(mesh.corners_at(cell.vertices, positions));
     m = Mesh::part_at_middle * mass;
     for (auto v : cell.vertices)
       of_vertices[v] += (1 - Mesh::part_at_middle) * mass / Mesh::corners;

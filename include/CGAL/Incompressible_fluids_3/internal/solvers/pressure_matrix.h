@@ -24,25 +24,103 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Returns the lower triangle of b P D^-1 P b^T + c, an approximation of the Schur complement of
-// pressures, multiplied by `factor`. D is the inertia of velocities. The velocities of bodies are
-// omitted: each one would add a dense block of rank 1. A general product of sparse matrices would
-// not use that the result is symmetric.
+// The matrix b P D^-1 P b^T + c, an approximation of the Schur complement of pressures, multiplied
+// by a factor. D is the inertia of velocities. The velocities of bodies are omitted: each one would
+// add a dense block of rank 1.
+class Pressure_rows
+{
+public:
+  // The system and its operator must outlive the object. Only constraints, inertia and bodies of
+  // the system are used.
+  Pressure_rows(const Saddle_point_system& system, const Saddle_point_operator<double>& matrix,
+                double factor = 1)
+      : m_system(system), m_matrix(matrix), m_factor(factor),
+        m_vertices(matrix.nodal().rows() - system.velocities_of_bodies),
+        m_projections(std::size_t(matrix.nodal().rows()), nullptr) {
+    for (const auto& h : system.constrained)
+      m_projections[std::size_t(h.vertex)] = &h.projection;
+  }
+
+  // Calls `add(column, value)` for the terms of the entries of a row, from the column `first` on.
+  template <class Add> void add_row(Eigen::Index row, Eigen::Index first, const Add& add) const {
+    m_matrix.b().for_each_in_row(row, [&](Eigen::Index v, const auto& of_volume) {
+      if (v >= m_vertices)
+        return;
+      Eigen::Vector3d gradient = of_volume;
+      if (m_projections[std::size_t(v)])
+        gradient = (*m_projections[std::size_t(v)] * gradient).eval();
+      gradient *= m_factor / m_system.inertia(v);
+      m_matrix.bt().for_each_in_row(v, [&](Eigen::Index column, const auto& other) {
+        if (column >= first)
+          add(column, gradient.dot(other));
+      });
+    });
+    m_matrix.c().for_each_in_row(row, [&](Eigen::Index column, const auto& value) {
+      if (column >= first)
+        add(column, m_factor * value(0));
+    });
+  }
+
+private:
+  const Saddle_point_system& m_system;
+  const Saddle_point_operator<double>& m_matrix;
+  double m_factor;
+  Eigen::Index m_vertices; // without bodies
+  std::vector<const Eigen::Matrix3d*> m_projections;
+};
+
+// A sparse row that is the sum of terms.
+class Sum_of_row
+{
+public:
+  explicit Sum_of_row(Eigen::Index columns)
+      : m_sums(std::size_t(columns), 0), m_is_met(std::size_t(columns), false) {}
+
+  void add(Eigen::Index column, double value) {
+    if (!m_is_met[std::size_t(column)]) {
+      m_is_met[std::size_t(column)] = true;
+      m_met.push_back(column);
+    }
+    m_sums[std::size_t(column)] += value;
+  }
+
+  // Multiplies an entry by a factor.
+  void scale(Eigen::Index column, double factor) { m_sums[std::size_t(column)] *= factor; }
+
+  // Calls `take(column, value)` for each entry by increasing column, and clears the row. Returns
+  // the number of entries.
+  template <class Take> std::size_t take(const Take& take) {
+    std::sort(m_met.begin(), m_met.end());
+    for (Eigen::Index column : m_met) {
+      take(column, std::exchange(m_sums[std::size_t(column)], 0.));
+      m_is_met[std::size_t(column)] = false;
+    }
+    const std::size_t result = m_met.size();
+    m_met.clear();
+    return result;
+  }
+
+private:
+  std::vector<double> m_sums;
+  std::vector<char> m_is_met;
+  std::vector<Eigen::Index> m_met;
+};
+
+// The factor of diagonal entries. Without a free surface, a constant pressure has no effect, and
+// the matrix is singular. The factor is above the rounding of single precision, which
+// factorizations use.
+constexpr double above_singular = 1 + 1e-6;
+
+// Returns the lower triangle of the matrix of `Pressure_rows`, with diagonal entries multiplied by
+// `above_singular`.
 inline Eigen::SparseMatrix<double> pressure_matrix(const For_each_index& for_each,
                                                    const Saddle_point_system& system,
                                                    const Saddle_point_operator<double>& matrix,
                                                    double factor) {
-  // Without a free surface, a constant pressure has no effect, and the matrix is singular. The
-  // factor is above the rounding of single precision, which is used for the factorization.
-  static constexpr double above_zero = 1 + 1e-6;
   static constexpr std::size_t parts = 16; // each part has a vector of the size of all pressures
   using Index = Eigen::SparseMatrix<double>::StorageIndex;
-  const Eigen::Index n = matrix.nodal().rows(), m = matrix.c().rows(),
-                     vertices = n - system.velocities_of_bodies;
-  std::vector<const Eigen::Matrix3d*> projections(std::size_t(n), nullptr);
-  for (const auto& h : system.constrained)
-    projections[std::size_t(h.vertex)] = &h.projection;
-
+  const Eigen::Index m = matrix.c().rows();
+  const Pressure_rows of_pressures(system, matrix, factor);
   Eigen::SparseMatrix<double> result(m, m);
   Index* const ends = result.outerIndexPtr() + 1;
   std::array<std::vector<Index>, parts> rows;
@@ -50,43 +128,16 @@ inline Eigen::SparseMatrix<double> pressure_matrix(const For_each_index& for_eac
   for_each(
       parts,
       [&](std::size_t part) {
-        std::vector<double> sums(std::size_t(m), 0);
-        std::vector<char> is_met(std::size_t(m), false);
-        std::vector<Index> met;
-        const auto add = [&](Eigen::Index q, double value) {
-          if (!is_met[std::size_t(q)]) {
-            is_met[std::size_t(q)] = true;
-            met.push_back(Index(q));
-          }
-          sums[std::size_t(q)] += value;
-        };
+        Sum_of_row sum(m);
         const Eigen::Index end = m * Eigen::Index(part + 1) / Eigen::Index(parts);
         for (Eigen::Index p = m * Eigen::Index(part) / Eigen::Index(parts); p < end; ++p) {
-          matrix.b().for_each_in_row(p, [&](Eigen::Index v, const auto& of_volume) {
-            if (v >= vertices)
-              return;
-            Eigen::Vector3d gradient = of_volume;
-            if (projections[std::size_t(v)])
-              gradient = (*projections[std::size_t(v)] * gradient).eval();
-            gradient *= factor / system.inertia(v);
-            matrix.bt().for_each_in_row(v, [&](Eigen::Index q, const auto& other) {
-              if (q >= p)
-                add(q, gradient.dot(other));
-            });
-          });
-          matrix.c().for_each_in_row(p, [&](Eigen::Index q, const auto& value) {
-            if (q >= p)
-              add(q, factor * value(0));
-          });
-          sums[std::size_t(p)] *= above_zero;
-          std::sort(met.begin(), met.end());
-          for (Index q : met) {
-            rows[part].push_back(q);
-            values[part].push_back(std::exchange(sums[std::size_t(q)], 0.));
-            is_met[std::size_t(q)] = false;
-          }
-          ends[p] = Index(met.size());
-          met.clear();
+          // The matrix is symmetric, so a column of the lower triangle is a part of a row.
+          of_pressures.add_row(p, p, [&sum](Eigen::Index q, double value) { sum.add(q, value); });
+          sum.scale(p, above_singular);
+          ends[p] = Index(sum.take([&](Eigen::Index q, double value) {
+            rows[part].push_back(Index(q));
+            values[part].push_back(value);
+          }));
         }
       },
       2);

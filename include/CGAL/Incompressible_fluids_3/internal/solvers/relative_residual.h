@@ -61,6 +61,10 @@ public:
     return std::sqrt(square);
   }
 
+  // Return the weights of the equations of velocities, one for each vertex, and of pressures.
+  const Vector& weights_of_velocities() const { return m_velocities; }
+  const Vector& weights_of_pressures() const { return m_pressures; }
+
 private:
   Vector m_velocities, m_pressures; // the weights of equations
 };

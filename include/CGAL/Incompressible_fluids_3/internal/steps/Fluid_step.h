@@ -287,8 +287,8 @@ public:
   }
 
   // Returns the momentum of a set of masses at the end of the step, with the effects of
-  // `Wall_contacts::constrain_at_end()` and of new liquid. Where liquid passes through an open side, the liquid
-  // that passes takes the difference to the momentum at the end.
+  // `Wall_contacts::constrain_at_end()` and of new liquid. Where liquid passes through an open
+  // side, the liquid that passes takes the difference to the momentum at the end.
   Momentum final_momentum(const Masses& masses) const {
     if (masses.of_vertices.empty())
       return {};

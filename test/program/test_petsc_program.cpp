@@ -1,0 +1,107 @@
+#include "fluid_program.h"
+
+#include <cstddef>
+#include <set>
+#include <string>
+
+// Fluids that PETSc solves in several processes.
+namespace {
+
+using program::Json;
+using program::Outcome;
+
+std::size_t occurrences(const std::string& text, const std::string& part) {
+  std::size_t result = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    ++result;
+  return result;
+}
+
+class Petsc_fluids : public program::Fluid_program_test
+{
+protected:
+  static std::string mpirun(int processes) { return DSC_MPIRUN " " + std::to_string(processes); }
+  std::set<std::string> files(const std::string& folder) const {
+    std::set<std::string> result;
+    for (const auto& entry : program::fs::directory_iterator(path(folder)))
+      result.insert(entry.path().filename().string());
+    return result;
+  }
+};
+
+TEST_F(Petsc_fluids, agree_with_built_in_solver) {
+  const std::string command = "fluid droplet --steps 4 --report ";
+  ASSERT_EQ(run(command + "one.json").exit_code, 0);
+  const Json expected = report("one.json").at("steps");
+  for (int processes : {1, 2, 4}) {
+    SCOPED_TRACE(processes);
+    const std::string file = std::to_string(processes) + ".json",
+                      folder = std::to_string(processes);
+    const Outcome outcome = run(
+        command + file + " --solver petsc --output " + folder + " -ksp_view", mpirun(processes));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(occurrences(outcome.out, "dsc: "), 1u) << outcome.out; // the summary
+    EXPECT_NE(outcome.out.find("type: fgmres"), std::string::npos) << outcome.out;
+    const Json found = report(file).at("steps");
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t k = 1; k < found.size(); ++k) {
+      EXPECT_EQ(found[k].at("vertices"), expected[k].at("vertices"));
+      EXPECT_NEAR(found[k].at("volume"), expected[k].at("volume"), 1e-9);
+      EXPECT_NEAR(found[k].at("probes").at("amplitude"), expected[k].at("probes").at("amplitude"),
+                  1e-5);
+      EXPECT_LT(found[k].at("residual"), 1e-8);
+    }
+    EXPECT_EQ(files(folder),
+              (std::set<std::string>{"checkpoint.dsc", "interface.pvd", "interface_000000.vtu",
+                                     "interface_000001.vtu", "interface_000002.vtu",
+                                     "interface_000003.vtu", "interface_000004.vtu", "volume.pvd",
+                                     "volume_000000.vtu", "volume_000001.vtu", "volume_000002.vtu",
+                                     "volume_000003.vtu", "volume_000004.vtu"}));
+  }
+}
+
+// The first process continues from its own checkpoint; the others read it.
+TEST_F(Petsc_fluids, resume) {
+  ASSERT_EQ(run("fluid droplet --solver petsc --steps 1 --output run", mpirun(2)).exit_code, 0);
+  const Outcome outcome =
+      run("fluid --resume run/checkpoint.dsc --solver petsc --steps 1 --output run", mpirun(2));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(files("run").count("volume_000002.vtu"), 1u);
+}
+
+TEST_F(Petsc_fluids, print_errors_once) {
+  for (const std::string arguments :
+       {"fluid dropelt", "fluid droplet --sterps 3", "fluid droplet --end 0"}) {
+    SCOPED_TRACE(arguments);
+    const Outcome outcome = run(arguments + " --solver petsc", mpirun(2));
+    EXPECT_NE(outcome.exit_code, 0);
+    EXPECT_EQ(occurrences(outcome.err, "dsc: "), 1u) << outcome.err;
+  }
+}
+
+TEST_F(Petsc_fluids, name_unused_options_of_petsc) {
+  const Outcome outcome =
+      run("fluid droplet --steps 1 --solver petsc -ksp_tipe gcr -ksp_type gcr", mpirun(2));
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(occurrences(outcome.err, "dsc: "), 1u) << outcome.err;
+  EXPECT_NE(outcome.err.find("-ksp_tipe;"), std::string::npos) << outcome.err;
+}
+
+// The first process alone writes the report, so it alone meets the error.
+TEST_F(Petsc_fluids, end_if_the_first_process_fails) {
+  const Outcome outcome =
+      run("fluid droplet --steps 3 --solver petsc --report no/report.json", mpirun(2));
+  EXPECT_NE(outcome.exit_code, 0);
+  EXPECT_EQ(occurrences(outcome.err, "dsc: "), 1u) << outcome.err;
+}
+
+// One process gets the signal, and all of them stop.
+TEST_F(Petsc_fluids, stop_together) {
+  const std::string rest = "fluid droplet --end 1000 --solver petsc";
+  const Outcome outcome = run(rest + " : -n 1 '" DSC_PROGRAM "' " + rest,
+                              mpirun(1) + " timeout --preserve-status -s INT 4");
+  EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
+  EXPECT_EQ(occurrences(outcome.err, "dsc: interrupted"), 1u) << outcome.err;
+}
+
+} // namespace
