@@ -98,7 +98,7 @@ public:
     // number, and twice as large if the functions are the same.
     static constexpr int products = Mesh::dimension * (Mesh::dimension + 1);
     for_each_side_facet(mesh, [&](std::size_t k, std::size_t corner, std::size_t side) {
-      std::array<std::size_t, Mesh::dimension> facet;
+      std::array<typename Mesh::Index, std::size_t(Mesh::dimension)> facet;
       for (std::size_t i = 0, n = 0; i < Mesh::corners; ++i)
         if (i != corner)
           facet[n++] = mesh.cells[k].vertices[i];
