@@ -15,8 +15,8 @@
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
 
-#include <array>
 #include <cstddef>
+#include <tuple>
 #include <vector>
 
 namespace CGAL {
