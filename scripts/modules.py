@@ -77,6 +77,7 @@ MODULES = {
     "Cut_loci_2": {"geodesics": "geodesics, their intersections, checks of cut loci"},
     "Incompressible_fluids_3": {
         "solvers": "matrices by cells, factorizations, minimal residuals",
+        "parallel": "systems of several processes, with PETSc",
         "mesh": "vertices and cells of liquids, their masses, liquids that slip along each other",
         "walls": "contacts with solids, constrained velocities, volume constraints at walls",
         "steps": "the equations and the solution of a time step",

@@ -487,6 +487,32 @@ TEST(Moving_solid, starts_impulsively) {
   }
 }
 
+// The liquid starts with the velocity of the tank, also if the tank accelerates. The velocity is
+// exact because the acceleration is constant.
+TEST(Moving_solid, accelerates_from_the_first_instant) {
+  for (const double velocity : {0., .5}) {
+    SCOPED_TRACE(velocity);
+    static constexpr double acceleration = 1;
+    Complex complex =
+        region(divided({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, .125), {}, {-.5, -.5, 2, 1.5});
+    Fluid fluid(complex, liquid(0, 0));
+    const auto motion = dsc::motion_of_places(
+        [velocity](double t) {
+          dsc::Solid_place_3 result;
+          result.displacement = Vector(velocity * t + acceleration * t * t / 2, 0, 0);
+          return result;
+        },
+        1e-5);
+    fluid.add_solid(dsc::Moving_solid_3<dsc::Tank_solid_3>(
+                        dsc::Tank_solid_3(CGAL::Bbox_2(0, 0, 1, 1)), Point(0, 0, 0), motion),
+                    attached(false));
+    for (int k = 0; k < 4; ++k) {
+      const auto report = fluid.advance(.05);
+      EXPECT_NEAR(report.after.momentum.x(), velocity + acceleration * fluid.time(), 1e-6);
+    }
+  }
+}
+
 TEST(Box_solid, walls) {
   const dsc::Box_solid_3 box(CGAL::Bbox_3(0, 0, 0, 1, 2, 3));
   const auto walls = [&](double x, double y, double z) {

@@ -732,8 +732,8 @@ private:
                     std::vector<Wall>& walls) { solid.walls(p, t, walls); },
             std::cos(behavior.contact_angle * CGAL_PI / 180), behavior.sticks, behavior.separates};
   }
-  // Sets the velocities of bodies, and their places after a motion with the velocities `in_step`.
-  void set_motion_of_bodies(const Step& step, bool moves);
+  void set_motion_of_bodies(const Contacts& contacts,
+                            const std::vector<internal::Body_velocity>& velocities, bool moves);
 
   static void require_step(double dt) {
     if (!(dt > 0) || !std::isfinite(dt))

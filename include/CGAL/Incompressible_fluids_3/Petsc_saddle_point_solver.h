@@ -11,7 +11,7 @@
 #include <CGAL/license/Incompressible_fluids_3.h>
 
 #include <CGAL/Incompressible_fluids_3/Saddle_point_system.h>
-#include <CGAL/Incompressible_fluids_3/internal/solvers/Petsc_equations.h>
+#include <CGAL/Incompressible_fluids_3/internal/parallel/Petsc_equations.h>
 
 #include <memory>
 #include <utility>

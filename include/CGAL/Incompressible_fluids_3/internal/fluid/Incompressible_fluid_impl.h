@@ -124,13 +124,13 @@ void Incompressible_fluid<Complex, Solver>::step(double dt, double end, const Op
   Step step(m_complex, flow,
             {m_properties, m_solids, m_sides, m_gases.components_of(flow.mesh),
              time_passes ? m_sources : internal::Fluid_sources()},
-            {m_time, end, {dt, chosen.implicitness}}, m_solver,
+            {m_time, end, {dt, chosen.implicitness}, time_passes}, m_solver,
             chosen.deformation.number_of_threads);
   step.solve(m_knows_accelerations);
   report.seconds_of_solver += seconds_since(begin_of_solver);
   add_source_volumes(flow, step, dt, report);
   m_time = end;
-  set_motion_of_bodies(step, true);
+  set_motion_of_bodies(step.contacts(), step.final_velocities_of_bodies(), true);
   const Vectors after = step.final_velocities(),
                 destinations =
                     shortened(step.destinations(), flow, longest_displacement, step.contacts());
@@ -167,15 +167,14 @@ void Incompressible_fluid<Complex, Solver>::step(double dt, double end, const Op
     diffuse_field(last, dt, report);
 }
 
-// Sets the velocities of bodies to those at the end of a step. If `moves`, also sets their places.
+// Sets the velocities of bodies. If `moves`, also sets their places at the end of a step.
 template <class Complex, class Solver>
-void Incompressible_fluid<Complex, Solver>::set_motion_of_bodies(const Step& step, bool moves) {
-  const auto& velocities = step.final_velocities_of_bodies();
+void Incompressible_fluid<Complex, Solver>::set_motion_of_bodies(
+    const Contacts& contacts, const std::vector<internal::Body_velocity>& velocities, bool moves) {
   for (std::size_t k = 0; k < velocities.size(); ++k) {
-    Rigid_body_3& body = *m_solids[step.contacts().solid_of_body(k)].body;
-    internal::set_motion(
-        body, moves ? step.contacts().place_of_body(k, m_time) : internal::place_of(body),
-        velocities[k]);
+    Rigid_body_3& body = *m_solids[contacts.solid_of_body(k)].body;
+    internal::set_motion(body, moves ? contacts.place_of_body(k, m_time) : internal::place_of(body),
+                         velocities[k]);
   }
 }
 
@@ -278,14 +277,14 @@ void Incompressible_fluid<Complex, Solver>::make_admissible(double dt, unsigned 
         return pressure ? std::optional<double>(0) : pressure;
       };
   Step step(m_complex, flow, {inviscid, m_solids, sides, m_gases.components_of(flow.mesh), {}},
-            {m_time, m_time + dt, {dt, 1}}, m_solver, number_of_threads);
+            {m_time, m_time, {dt, 1}, true}, m_solver, number_of_threads);
   const auto begin = Clock::now();
   step.solve(false); // the stabilization needs the accelerations of an impulsive start
   report.seconds_of_solver += seconds_since(begin);
   report.solutions += step.solutions();
   report.iterations += step.iterations();
   const Vectors& velocities = step.solved_velocities();
-  set_motion_of_bodies(step, false);
+  set_motion_of_bodies(step.contacts(), step.contacts().velocities_of_bodies(), false);
   m_motion.set(flow.mesh, velocities, Vectors(velocities.size(), Eigen::Vector3d::Zero()));
   record_momenta(flow,
                  [&](const internal::Masses& masses) { return step.pushed_momentum(masses); });

@@ -66,11 +66,14 @@ public:
     Fluid_sources sources;
   };
 
-  // The time step. Its length can differ from end - begin: solids do not move if these are equal.
+  // The time step. If begin and end are equal and solids move, the step is a projection: solids and
+  // inflows have their present velocities, but all places stay. If they are equal and solids do not
+  // move, only liquids move, for the time of the step.
   struct Interval
   {
     double begin, end;
     typename Equations::Step step;
+    bool solids_move;
   };
 
   // Prepares the step that begins with the given flow. The complex, the flow, the solver, the
@@ -80,13 +83,14 @@ public:
       : m_mesh(flow.mesh), m_properties(loads.properties), m_solver(solver),
         m_number_of_threads(number_of_threads), m_for_each(number_of_threads),
         m_step(interval.step), m_begin(interval.begin), m_end(interval.end),
-        m_positions(flow.positions), m_before(flow.velocities), m_accelerations(flow.accelerations),
-        m_sides(loads.sides), m_gases(loads.gases), m_sources(loads.sources),
+        m_solids_move(interval.solids_move), m_positions(flow.positions), m_before(flow.velocities),
+        m_accelerations(flow.accelerations), m_sides(loads.sides), m_gases(loads.gases),
+        m_sources(loads.sources),
         m_equations(m_for_each, m_mesh, m_properties, m_step, m_positions),
         m_contacts(m_mesh, loads.solids, complex, m_positions, m_begin), m_solids(loads.solids),
         m_velocities_of_bodies(m_contacts.velocities_of_bodies()),
         m_edge(complex.mean_interface_edge()) {
-    if (m_end > m_begin)
+    if (m_solids_move)
       m_open = Open_sides(m_mesh, m_sides, m_positions, middle_time());
     if (!m_open.empty())
       m_contacts.set_open_sides([this](std::size_t side, const Eigen::Vector3d& p) {
@@ -448,7 +452,7 @@ private:
 
   // Adds the changes of velocities at vertices from which liquid has moved on through open sides.
   void change_velocities_by_passage() {
-    if (m_open.empty())
+    if (m_open.empty() || m_end == m_begin)
       return;
     Vectors_3 shifts = returns_from_open_sides();
     for (std::size_t v = 0; v < shifts.size(); ++v)
@@ -511,11 +515,11 @@ private:
           m_bodies.final_velocities(m_contacts.velocities_of_bodies(), m_step.dt),
           m_unstopped_velocities, m_equations.masses(), constraints);
     constraints.apply(m_final_velocities_of_bodies, m_final_velocities);
-    const Inflow_velocities inflow = m_end > m_begin
+    const Inflow_velocities inflow = m_solids_move
                                          ? inflow_velocities(m_mesh, m_sides, m_destinations, m_end)
                                          : Inflow_velocities();
     const Open_sides open =
-        m_end > m_begin ? Open_sides(m_mesh, m_sides, m_destinations, m_end) : Open_sides();
+        m_solids_move ? Open_sides(m_mesh, m_sides, m_destinations, m_end) : Open_sides();
     stop_on_sides(m_mesh, m_sides, inflow, open, m_final_velocities);
     for (std::size_t v = 0; v < m_final_velocities.size(); ++v)
       m_final_accelerations.push_back((m_final_velocities[v] - m_before[v]) / m_step.dt);
@@ -533,8 +537,11 @@ private:
                                 std::numeric_limits<double>::infinity(), largest_residual);
   }
 
-  // Returns the positions of vertices after a motion for a time t, with the solved velocities.
+  // Returns the positions of vertices that move with the solved velocities for a time t. In a
+  // projection, vertices do not move.
   Vectors_3 at_time(double t) const {
+    if (m_solids_move && m_end == m_begin)
+      return m_positions;
     Vectors_3 result = velocities_of_vertices();
     for (std::size_t v = 0; v < m_positions.size(); ++v) {
       result[v] =
@@ -548,9 +555,9 @@ private:
 
   // Assembles the equations for the geometry that the present velocities predict.
   void assemble() {
-    if (m_end > m_begin)
+    if (m_solids_move)
       m_inflow = inflow_velocities(m_mesh, m_sides, m_positions, (m_begin + m_end) / 2);
-    m_contacts.predict(at_time(m_step.dt), m_end, m_step.dt, m_end > m_begin);
+    m_contacts.predict(at_time(m_step.dt), m_begin, m_end, m_step.dt, m_solids_move);
     m_midpoint_positions = at_time(m_step.dt / 2);
     const std::vector<double> volumes =
         volumes_of_gases(m_mesh, m_gases, m_positions, m_midpoint_positions);
@@ -675,7 +682,7 @@ private:
     return result;
   }
 
-  bool bodies_move() const { return m_end > m_begin && m_contacts.number_of_bodies() > 0; }
+  bool bodies_move() const { return m_solids_move && m_contacts.number_of_bodies() > 0; }
 
   Body_inertia inertia_of_body(std::size_t k) const {
     return {*m_solids[m_contacts.solid_of_body(k)].body, Mesh::dimension};
@@ -737,6 +744,7 @@ private:
   For_each_index m_for_each;
   typename Equations::Step m_step;
   double m_begin, m_end; // times
+  bool m_solids_move;
   Vectors_3 m_positions, m_before, m_accelerations, m_velocities, m_unstopped_velocities,
       m_final_velocities, m_final_accelerations;
   const Side_behaviors& m_sides;

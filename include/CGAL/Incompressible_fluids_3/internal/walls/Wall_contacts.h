@@ -126,10 +126,11 @@ public:
     m_is_open = std::move(is_open);
   }
 
-  // Predicts the contacts of vertices that move to the expected positions in the time dt. Walls are
-  // those at `time`, the end of the motion. They have no velocity if `walls_move` is false. A
-  // vertex that touches a wall is constrained until `revise()` releases it.
-  void predict(const Vectors_3& expected, double time, double dt, bool walls_move) {
+  // Predicts the contacts of vertices that move to the expected positions in the time dt. Walls
+  // move from their places at `begin` to those at `end`. If the times are equal, walls stay, but
+  // have their present velocities. They have no velocity if `walls_move` is false. A vertex that
+  // touches a wall is constrained until `revise()` releases it.
+  void predict(const Vectors_3& expected, double begin, double end, double dt, bool walls_move) {
     // In edge lengths. Later predictions find walls that are farther away.
     static constexpr double near = .5;
     const std::vector<Contact> before = std::move(m_contacts);
@@ -137,36 +138,41 @@ public:
     Vectors_3 middles;
     for (std::size_t v = 0; v < expected.size(); ++v)
       middles.push_back((m_positions[v] + expected[v]) / 2);
-    const double time_of_middle = walls_move ? time - dt / 2 : time;
+    const double time_of_middle = (begin + end) / 2;
     const auto areas = areas_on_walls(middles);
     auto known = before.begin();
     for (std::size_t v = 0; v < expected.size(); ++v)
-      for_each_wall(
-          v, expected[v], time, [&](std::size_t solid, std::size_t wall, const Wall_3& w) {
-            const Place place(v, solid, wall);
-            known = std::lower_bound(known, before.end(), place,
-                                     [](const Contact& c, const auto& p) { return c.place() < p; });
-            const bool is_known = known != before.end() && known->place() == place;
-            const bool touches = is_touching(v, solid, wall);
-            if (w.distance > near * m_spacings[v] && !touches && !is_known)
-              return;
-            const Eigen::Vector3d normal = eigen_vector(w.normal);
-            const Eigen::Vector3d direction =
-                touches ? direction_of(place, areas, middles[v], time_of_middle, normal) : normal;
-            const double remaining = w.distance / direction.dot(normal);
-            m_contacts.push_back({v,
-                                  solid,
-                                  wall,
-                                  normal,
-                                  direction,
-                                  (direction.dot(expected[v] - m_positions[v]) - remaining) / dt,
-                                  (walls_move ? 1. : 0.) * eigen_vector(w.velocity),
-                                  is_known ? known->is_active : touches || w.distance < 0,
-                                  is_known && known->was_released,
-                                  {}});
-            if (walls_move && is_body(solid))
-              attach(m_contacts.back(), middles[v], time_of_middle);
-          });
+      for_each_wall(v, expected[v], end, [&](std::size_t solid, std::size_t wall, const Wall_3& w) {
+        const Place place(v, solid, wall);
+        known = std::lower_bound(known, before.end(), place,
+                                 [](const Contact& c, const auto& p) { return c.place() < p; });
+        const bool is_known = known != before.end() && known->place() == place;
+        const bool touches = is_touching(v, solid, wall);
+        if (w.distance > near * m_spacings[v] && !touches && !is_known)
+          return;
+        const Eigen::Vector3d normal = eigen_vector(w.normal);
+        const Eigen::Vector3d direction =
+            touches ? direction_of(place, areas, middles[v], time_of_middle, normal) : normal;
+        const double remaining = w.distance / direction.dot(normal);
+        m_contacts.push_back({v,
+                              solid,
+                              wall,
+                              normal,
+                              direction,
+                              (direction.dot(expected[v] - m_positions[v]) - remaining) / dt,
+                              (walls_move ? 1. : 0.) * eigen_vector(w.velocity),
+                              is_known ? known->is_active : touches || w.distance < 0,
+                              is_known && known->was_released,
+                              {}});
+        Contact& contact = m_contacts.back();
+        if (walls_move && is_body(solid))
+          attach(contact, middles[v], time_of_middle);
+        if (contact.body && end > begin)
+          contact.least -=
+              direction.dot(m_bodies[contact.body->body].velocity.at(contact.body->arm));
+        if (!contact.body && end == begin)
+          contact.least += direction.dot(contact.wall_velocity);
+      });
   }
 
   // Adds the active contacts to the constraints.
@@ -407,7 +413,6 @@ private:
     const std::size_t k = m_body_of_solid[contact.solid];
     const Eigen::Vector3d arm = arm_of(place_of_body(k, time_of_middle), middle);
     contact.body = {k, arm};
-    contact.least -= contact.direction.dot(m_bodies[k].velocity.at(arm));
   }
 
   // Appends the walls of a solid at a point.

@@ -5,12 +5,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_PETSC_EQUATIONS_H
-#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_PETSC_EQUATIONS_H
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_PARALLEL_PETSC_EQUATIONS_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_PARALLEL_PETSC_EQUATIONS_H
 
 #include <CGAL/Incompressible_fluids_3/Saddle_point_system.h>
 #include <CGAL/Incompressible_fluids_3/fluid_errors.h>
-#include <CGAL/Incompressible_fluids_3/internal/solvers/Petsc_object.h>
+#include <CGAL/Incompressible_fluids_3/internal/parallel/Petsc_object.h>
 #include <CGAL/Incompressible_fluids_3/internal/solvers/pressure_matrix.h>
 #include <CGAL/Incompressible_fluids_3/internal/solvers/relative_residual.h>
 
@@ -597,4 +597,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_PETSC_EQUATIONS_H
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_PARALLEL_PETSC_EQUATIONS_H
