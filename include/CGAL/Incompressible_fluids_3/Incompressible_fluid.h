@@ -619,7 +619,7 @@ private:
       for (const auto& cell : mesh.cells)
         for (auto v : cell.vertices)
           result.field_integral +=
-              field[v] / Complex::corners * volume(mesh.corners_at(cell.vertices, at));
+              field[v] / Complex::corners * internal::volume(mesh.corners_at(cell.vertices, at));
       return result;
     }
 
