@@ -242,6 +242,7 @@ public:
         *m_for_each, [this](const auto& in, auto& out) { multiply(in, out); },
         [this](const auto& in, auto& out) { precondition(in, out); }, right, tolerance, x);
     v = x.head(n) * m_units.velocity;
+    m_system.project(v);
     p = x.tail(m) * m_units.pressure;
     return result;
   }
@@ -276,6 +277,7 @@ private:
     const Eigen::Index n = 3 * m_system.nodal.rows(), m = m_system.c.rows();
     m_scaled.resize(n + m);
     m_scaled << x.head(n) * m_units.velocity, x.tail(m) * m_units.pressure;
+    m_system.project(m_scaled); // corrections in single precision are not projected exactly
     m_matrix.multiply(*m_for_each, m_scaled, y);
     y.head(n) *= m_units.velocity;
     y.tail(m) *= m_units.pressure;

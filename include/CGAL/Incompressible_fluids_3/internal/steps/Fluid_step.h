@@ -557,7 +557,8 @@ private:
   void assemble() {
     if (m_solids_move)
       m_inflow = inflow_velocities(m_mesh, m_sides, m_positions, (m_begin + m_end) / 2);
-    m_contacts.predict(at_time(m_step.dt), m_begin, m_end, m_step.dt, m_solids_move);
+    m_contacts.predict(at_time(m_step.dt), velocities_of_vertices(), m_begin, m_end, m_step.dt,
+                       m_solids_move);
     m_midpoint_positions = at_time(m_step.dt / 2);
     const std::vector<double> volumes =
         volumes_of_gases(m_mesh, m_gases, m_positions, m_midpoint_positions);

@@ -129,8 +129,10 @@ public:
   // Predicts the contacts of vertices that move to the expected positions in the time dt. Walls
   // move from their places at `begin` to those at `end`. If the times are equal, walls stay, but
   // have their present velocities. They have no velocity if `walls_move` is false. A vertex that
-  // touches a wall is constrained until `revise()` releases it.
-  void predict(const Vectors_3& expected, double begin, double end, double dt, bool walls_move) {
+  // touches a wall is constrained until `revise()` releases it. `velocities` are the expected ones;
+  // they matter only if the times are equal.
+  void predict(const Vectors_3& expected, const Vectors_3& velocities, double begin, double end,
+               double dt, bool walls_move) {
     // In edge lengths. Later predictions find walls that are farther away.
     static constexpr double near = .5;
     const std::vector<Contact> before = std::move(m_contacts);
@@ -167,11 +169,19 @@ public:
         Contact& contact = m_contacts.back();
         if (walls_move && is_body(solid))
           attach(contact, middles[v], time_of_middle);
-        if (contact.body && end > begin)
-          contact.least -=
-              direction.dot(m_bodies[contact.body->body].velocity.at(contact.body->arm));
-        if (!contact.body && end == begin)
-          contact.least += direction.dot(contact.wall_velocity);
+        const Eigen::Vector3d of_wall =
+            contact.body ? m_bodies[contact.body->body].velocity.at(contact.body->arm)
+                         : contact.wall_velocity;
+        if (end > begin) {
+          if (contact.body)
+            contact.least -= direction.dot(of_wall);
+        } else if (touches && walls_move) {
+          // The normal component becomes that of the wall.
+          const Eigen::Vector3d relative = velocities[v] - of_wall;
+          contact.least = direction.dot(relative) - normal.dot(relative) / direction.dot(normal);
+        }
+        if (end == begin && !contact.body)
+          contact.least += direction.dot(of_wall);
       });
   }
 
