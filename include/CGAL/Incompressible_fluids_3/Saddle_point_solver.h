@@ -19,7 +19,6 @@
 #include <CGAL/Incompressible_fluids_3/internal/solvers/minimal_residuals.h>
 #include <CGAL/Incompressible_fluids_3/internal/solvers/pressure_matrix.h>
 #include <CGAL/Incompressible_fluids_3/internal/solvers/relative_residual.h>
-#include <CGAL/Incompressible_fluids_3/internal/solvers/unit_of.h>
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
@@ -210,8 +209,7 @@ public:
         2,
         [&](std::size_t k) {
           exists[k] = k == 0 ? compute_pressure_preconditioner()
-                             : m_of_velocities.compute(free_part(m_system) * m_units.velocity *
-                                                       m_units.velocity);
+                             : m_of_velocities.compute(free_part(m_system) * m_units.of_nodal());
         },
         2);
     if (!exists[0] || !exists[1])
@@ -236,7 +234,7 @@ public:
     Vector x(n + m), right(n + m);
     m_system.project(v);
     x << v / m_units.velocity, p / m_units.pressure;
-    right << f * m_units.velocity, -s * m_units.pressure;
+    right << f * (m_units.factor * m_units.velocity), -s * (m_units.factor * m_units.pressure);
     m_system.project(right);
     const unsigned result = internal::minimal_residuals(
         *m_for_each, [this](const auto& in, auto& out) { multiply(in, out); },
@@ -257,14 +255,14 @@ private:
     for (Eigen::Index p = 0; p < system.b.rows(); ++p)
       for (System::Matrix::InnerIterator k(system.b, p); k; ++k)
         pressures(p) += k.value() * k.value() / system.inertia(k.col() / 3);
-    const auto unit = [](const Vector& diagonal) {
-      return 1 / internal::unit_of(std::sqrt(diagonal.size() > 0 ? diagonal.maxCoeff() : 0));
+    const auto largest = [](const Vector& diagonal) {
+      return diagonal.size() > 0 ? diagonal.maxCoeff() : 0;
     };
-    return {unit(velocities), unit(pressures)};
+    return internal::System_units::of(largest(velocities), largest(pressures));
   }
 
   bool compute_pressure_preconditioner() {
-    const double square = m_units.pressure * m_units.pressure;
+    const double square = m_units.of_c();
     m_viscosity = (m_system.viscosity / square).cast<float>();
     m_result.resize(m_viscosity.size());
     return m_of_pressures.compute(
@@ -279,8 +277,8 @@ private:
     m_scaled << x.head(n) * m_units.velocity, x.tail(m) * m_units.pressure;
     m_system.project(m_scaled); // corrections in single precision are not projected exactly
     m_matrix.multiply(*m_for_each, m_scaled, y);
-    y.head(n) *= m_units.velocity;
-    y.tail(m) *= m_units.pressure;
+    y.head(n) *= m_units.factor * m_units.velocity;
+    y.tail(m) *= m_units.factor * m_units.pressure;
     complete_product(x, y);
   }
   void multiply(const Single_vector& x, Single_vector& y) {
@@ -290,7 +288,7 @@ private:
 
   // Adds the term of closed sets to a product, and projects it.
   template <class Values> void complete_product(const Values& x, Values& y) const {
-    const double square = m_units.pressure * m_units.pressure;
+    const double square = m_units.of_c();
     const Eigen::Index n = 3 * m_system.nodal.rows();
     for (const auto& set : m_system.closed)
       set.add(-square * set.weight * set.mean(x, n), y, n);
@@ -300,7 +298,7 @@ private:
   // Applies the preconditioner to a vector.
   void precondition(const Single_vector& x, Single_vector& y) {
     const Eigen::Index n = 3 * m_system.nodal.rows(), m = m_system.c.rows();
-    const double square = m_units.pressure * m_units.pressure;
+    const double square = m_units.of_c();
     (*m_for_each)(
         2,
         [&](std::size_t k) {

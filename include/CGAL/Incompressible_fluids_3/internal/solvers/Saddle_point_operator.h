@@ -12,20 +12,38 @@
 #include <CGAL/Incompressible_fluids_3/Saddle_point_system.h>
 #include <CGAL/Incompressible_fluids_3/internal/solvers/Block_matrix.h>
 #include <CGAL/Incompressible_fluids_3/internal/solvers/blocks_of_vectors.h>
+#include <CGAL/Incompressible_fluids_3/internal/solvers/unit_of.h>
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <cstddef>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The units of velocities and pressures in which the entries of a system are near 1. They are
-// powers of two.
+// The units of velocities and pressures in which the entries of a system are near 1, and the factor
+// of all equations. They are powers of two. So the digits of a solution are the same for all units
+// of the user that differ by powers of two.
 struct System_units
 {
-  double velocity = 1, pressure = 1;
+  double velocity = 1, pressure = 1, factor = 1;
+
+  // Constructs the units for given largest diagonal entries of velocities and of pressures.
+  static System_units of(double largest_of_velocities, double largest_of_pressures) {
+    const auto exponent = [](double x) { return std::ilogb(unit_of(x)); };
+    // Other units of the user change both exponents by even or both by odd numbers.
+    const int odd = exponent(largest_of_velocities) & 1;
+    const auto unit = [odd](int e) { return std::ldexp(1., -((e + odd) >> 1)); };
+    return {unit(exponent(largest_of_velocities)), unit(exponent(largest_of_pressures)),
+            odd ? 2. : 1.};
+  }
+
+  // The factors of the parts of the matrix.
+  double of_nodal() const { return factor * velocity * velocity; }
+  double of_b() const { return factor * velocity * pressure; }
+  double of_c() const { return factor * pressure * pressure; }
 };
 
 // The matrix of a `Saddle_point_system`, without the projection and the closed sets.
@@ -63,15 +81,15 @@ public:
         5,
         [&](std::size_t k) {
           if (k == 0)
-            m_b = {other.b(), units.velocity * units.pressure};
+            m_b = {other.b(), units.of_b()};
           else if (k == 1)
-            m_bt = {other.bt(), units.velocity * units.pressure};
+            m_bt = {other.bt(), units.of_b()};
           else if (k == 2)
-            m_nodal = {other.nodal(), units.velocity * units.velocity};
+            m_nodal = {other.nodal(), units.of_nodal()};
           else if (k == 3)
-            m_coupling = {other.coupling(), units.velocity * units.velocity};
+            m_coupling = {other.coupling(), units.of_nodal()};
           else
-            m_c = {other.c(), units.pressure * units.pressure};
+            m_c = {other.c(), units.of_c()};
         },
         2);
   }
