@@ -537,11 +537,13 @@ private:
                                 std::numeric_limits<double>::infinity(), largest_residual);
   }
 
-  // Returns the positions of vertices that move with the solved velocities for a time t. In a
-  // projection, vertices do not move.
+  // Returns the positions of vertices after a time t of the step.
   Vectors_3 at_time(double t) const {
-    if (m_solids_move && m_end == m_begin)
-      return m_positions;
+    return m_solids_move && m_end == m_begin ? m_positions : moved(t);
+  }
+
+  // Returns the positions of vertices that move with the solved velocities for a time t.
+  Vectors_3 moved(double t) const {
     Vectors_3 result = velocities_of_vertices();
     for (std::size_t v = 0; v < m_positions.size(); ++v) {
       result[v] =
@@ -557,8 +559,7 @@ private:
   void assemble() {
     if (m_solids_move)
       m_inflow = inflow_velocities(m_mesh, m_sides, m_positions, (m_begin + m_end) / 2);
-    m_contacts.predict(at_time(m_step.dt), velocities_of_vertices(), m_begin, m_end, m_step.dt,
-                       m_solids_move);
+    m_contacts.predict(moved(m_step.dt), m_begin, m_end, m_step.dt, m_solids_move);
     m_midpoint_positions = at_time(m_step.dt / 2);
     const std::vector<double> volumes =
         volumes_of_gases(m_mesh, m_gases, m_positions, m_midpoint_positions);

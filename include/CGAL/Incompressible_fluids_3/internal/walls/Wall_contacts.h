@@ -127,62 +127,56 @@ public:
   }
 
   // Predicts the contacts of vertices that move to the expected positions in the time dt. Walls
-  // move from their places at `begin` to those at `end`. If the times are equal, walls stay, but
-  // have their present velocities. They have no velocity if `walls_move` is false. A vertex that
-  // touches a wall is constrained until `revise()` releases it. `velocities` are the expected ones;
-  // they matter only if the times are equal.
-  void predict(const Vectors_3& expected, const Vectors_3& velocities, double begin, double end,
-               double dt, bool walls_move) {
+  // move from their places at `begin` to those at `end`. If the times are equal, the contacts are
+  // those of a projection: nothing changes its place, but walls have their present
+  // velocities. Walls have no velocity if `walls_move` is false. A vertex that touches a wall is
+  // constrained until `revise()` releases it.
+  void predict(const Vectors_3& expected, double begin, double end, double dt, bool walls_move) {
     // In edge lengths. Later predictions find walls that are farther away.
     static constexpr double near = .5;
+    const bool projects = walls_move && begin == end;
     const std::vector<Contact> before = std::move(m_contacts);
     m_contacts.clear();
     Vectors_3 middles;
     for (std::size_t v = 0; v < expected.size(); ++v)
-      middles.push_back((m_positions[v] + expected[v]) / 2);
+      middles.push_back(projects ? m_positions[v]
+                                 : Eigen::Vector3d((m_positions[v] + expected[v]) / 2));
     const double time_of_middle = (begin + end) / 2;
     const auto areas = areas_on_walls(middles);
     auto known = before.begin();
     for (std::size_t v = 0; v < expected.size(); ++v)
-      for_each_wall(v, expected[v], end, [&](std::size_t solid, std::size_t wall, const Wall_3& w) {
-        const Place place(v, solid, wall);
-        known = std::lower_bound(known, before.end(), place,
-                                 [](const Contact& c, const auto& p) { return c.place() < p; });
-        const bool is_known = known != before.end() && known->place() == place;
-        const bool touches = is_touching(v, solid, wall);
-        if (w.distance > near * m_spacings[v] && !touches && !is_known)
-          return;
-        const Eigen::Vector3d normal = eigen_vector(w.normal);
-        const Eigen::Vector3d direction =
-            touches ? direction_of(place, areas, middles[v], time_of_middle, normal) : normal;
-        const double remaining = w.distance / direction.dot(normal);
-        m_contacts.push_back({v,
-                              solid,
-                              wall,
-                              normal,
-                              direction,
-                              (direction.dot(expected[v] - m_positions[v]) - remaining) / dt,
-                              (walls_move ? 1. : 0.) * eigen_vector(w.velocity),
-                              is_known ? known->is_active : touches || w.distance < 0,
-                              is_known && known->was_released,
-                              {}});
-        Contact& contact = m_contacts.back();
-        if (walls_move && is_body(solid))
-          attach(contact, middles[v], time_of_middle);
-        const Eigen::Vector3d of_wall =
-            contact.body ? m_bodies[contact.body->body].velocity.at(contact.body->arm)
-                         : contact.wall_velocity;
-        if (end > begin) {
-          if (contact.body)
-            contact.least -= direction.dot(of_wall);
-        } else if (touches && walls_move) {
-          // The normal component becomes that of the wall.
-          const Eigen::Vector3d relative = velocities[v] - of_wall;
-          contact.least = direction.dot(relative) - normal.dot(relative) / direction.dot(normal);
-        }
-        if (end == begin && !contact.body)
-          contact.least += direction.dot(of_wall);
-      });
+      for_each_wall(
+          v, projects ? m_positions[v] : expected[v], end,
+          [&](std::size_t solid, std::size_t wall, const Wall_3& w) {
+            const Place place(v, solid, wall);
+            known = std::lower_bound(known, before.end(), place,
+                                     [](const Contact& c, const auto& p) { return c.place() < p; });
+            const bool is_known = known != before.end() && known->place() == place;
+            const bool touches = is_touching(v, solid, wall);
+            const Eigen::Vector3d normal = eigen_vector(w.normal),
+                                  velocity = (walls_move ? 1. : 0.) * eigen_vector(w.velocity),
+                                  displacement = expected[v] - m_positions[v];
+            double distance = w.distance; // at the end
+            if (projects)
+              distance += normal.dot(displacement - dt * velocity);
+            if (distance > near * m_spacings[v] && !touches && !is_known)
+              return;
+            const Eigen::Vector3d direction =
+                touches ? direction_of(place, areas, middles[v], time_of_middle, normal) : normal;
+            const double remaining = distance / direction.dot(normal);
+            m_contacts.push_back({v,
+                                  solid,
+                                  wall,
+                                  normal,
+                                  direction,
+                                  (direction.dot(displacement) - remaining) / dt,
+                                  velocity,
+                                  is_known ? known->is_active : touches || distance < 0,
+                                  is_known && known->was_released,
+                                  {}});
+            if (walls_move && is_body(solid))
+              attach(m_contacts.back(), middles[v], time_of_middle);
+          });
   }
 
   // Adds the active contacts to the constraints.
@@ -423,6 +417,7 @@ private:
     const std::size_t k = m_body_of_solid[contact.solid];
     const Eigen::Vector3d arm = arm_of(place_of_body(k, time_of_middle), middle);
     contact.body = {k, arm};
+    contact.least -= contact.direction.dot(m_bodies[k].velocity.at(arm));
   }
 
   // Appends the walls of a solid at a point.
