@@ -193,7 +193,7 @@ void require_liquid_at_sides(const Fluid_scene& scene, const Complex& complex) {
   for (std::size_t side = 0; side < scene.sides.size(); ++side)
     if ((scene.sides[side] || scene.inflows[side] || scene.openings[side]) && !(met >> side & 1))
       throw Input_error("no liquid touches the side '" + std::string(names_of_sides[side]) +
-                        "' of the domain, so the field has no effect; remove it");
+                        "' of the domain, so its condition has no effect; remove it");
   for (std::size_t side = 0; scene.field && side < scene.sides.size(); ++side)
     if (scene.field->on_sides[side] && !(met >> side & 1))
       throw Input_error("no liquid touches the side '" + std::string(names_of_sides[side]) +

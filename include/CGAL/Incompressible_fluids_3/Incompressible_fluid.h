@@ -312,6 +312,8 @@ public:
   - Where two liquids slip along each other, the vertex carries the field with its own velocity.
   - Liquid of a source has the value of the liquid around it. Liquid that enters through a side has
     the values of the vertices in the inflow, which do not move: set them with `fix_field()`.
+  - Vertices at which liquid leaves through a side do not move with the liquid. They keep their
+    values, apart from diffusion and `fix_field()`.
   - `relax()` moves the field, but the field does not diffuse.
 
   Set the field before all other functions are called, if the function of a surface tension is
@@ -555,8 +557,8 @@ public:
 
   /// Restores a state of the fluid. Restore the state of the complex first, as it was when
   /// `state()` was called, and add the bodies.
-  /// \throws Error if the state does not fit the complex or the bodies, or if it contains numbers that are not
-  /// finite; then nothing is changed
+  /// \throws Error if the state does not fit the complex or the bodies, or if it contains numbers that
+  /// are not finite; then nothing is changed
   void restore(const State& state);
 
   /// @}

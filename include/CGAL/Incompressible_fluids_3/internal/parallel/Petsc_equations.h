@@ -23,12 +23,16 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
+
+static_assert(std::is_same_v<PetscScalar, double>,
+              "PETSc must use real numbers in double precision");
 
 // The rows of a distributed matrix that belong to this process.
 class Petsc_rows

@@ -47,7 +47,7 @@ public:
   // Improves the solution until its true residual is below the bound. Returns the number of
   // iterations.
   unsigned solve(Vector& x) {
-    if (m_norm_of_right == 0) {
+    if (m_right.isZero(0)) {
       x.setZero();
       return 0;
     }
@@ -99,7 +99,8 @@ private:
     m_r = (m_residual / m_unit).cast<float>();
     m_precondition(m_r, m_z);
     const double square = dot(m_r, m_z);
-    return std::isnan(square) ? infinite : m_unit * norm(square);
+    const bool is_solved = m_r.isZero(0);
+    return square > 0 || is_solved ? m_unit * norm(square) : infinite;
   }
 
   // Solves for the correction until the residual of the recurrence is below the bound. The names
@@ -112,7 +113,7 @@ private:
     m_w.setZero();
     m_w_before.setZero();
     m_correction.setZero();
-    while (!(std::abs(eta) <= enough)) { // the negation also ends the loop for NaN
+    while (std::abs(eta) > enough) {
       Progress_scope::check();
       if (++m_iterations > most)
         throw Convergence_error("the iterative solver of the equations of the flow does not "

@@ -157,6 +157,8 @@ public:
                                   velocity = (walls_move ? 1. : 0.) * eigen_vector(w.velocity),
                                   displacement = expected[v] - m_positions[v];
             double distance = w.distance; // at the end
+            if (projects && touches)      // a projection does not return vertices to walls
+              distance = 0;
             if (projects)
               distance += normal.dot(displacement - dt * velocity);
             if (distance > near * m_spacings[v] && !touches && !is_known)
