@@ -267,8 +267,8 @@ def test_a_drop_moves_to_smaller_tensions():
     assert report.balance.field_integral == pytest.approx(0, abs=0.1)
     points = fluid.complex.cells().points
     assert fluid.field[points[:, 1] > 0.99] == pytest.approx(1)
-    drop = vertices_of(fluid, 1)
-    assert fluid.velocities[drop, 1].mean() > 0
+    heights = points[vertices_of(fluid, 1), 1]
+    assert (heights.min() + heights.max()) / 2 > 0.002  # 0 at the beginning
 
 
 def test_wrong_fields():
