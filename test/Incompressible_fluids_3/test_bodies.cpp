@@ -576,21 +576,11 @@ INSTANTIATE_TEST_SUITE_P(Start, Inflow, testing::Bool());
 
 TEST_P(Inflow, plug_flow_is_exact) {
   static constexpr double velocity = .5, dt = .05;
-  std::vector<Complex::Point_2> points;
-  std::vector<std::array<std::size_t, 3>> triangles;
-  std::vector<int> labels;
   static constexpr std::size_t nx = 16, ny = 4;
-  for (std::size_t j = 0; j <= ny; ++j)
-    for (std::size_t i = 0; i <= nx; ++i)
-      points.emplace_back(double(i) / ny, double(j) / ny);
-  for (std::size_t j = 0; j < ny; ++j)
-    for (std::size_t i = 0; i < nx; ++i) {
-      const std::size_t a = i + j * (nx + 1), b = a + nx + 1;
-      triangles.push_back({a, a + 1, b + 1});
-      triangles.push_back({a, b + 1, b});
-      labels.insert(labels.end(), 2, i < ny ? 1 : 0);
-    }
-  Complex complex = dsc::make_deformable_simplicial_complex_2<Complex>(points, triangles, labels);
+  Complex complex = planar_regions::grid(
+      nx, ny,
+      [](std::size_t i, std::size_t j) { return Complex::Point_2(double(i) / ny, double(j) / ny); },
+      [](std::size_t i, std::size_t) { return i < ny ? 1 : 0; });
   Fluid fluid(complex, liquid(.1, 0));
   dsc::Side_behavior side;
   side.inflow = [](const std::array<double, 3>&, double) {

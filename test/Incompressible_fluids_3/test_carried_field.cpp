@@ -1,4 +1,6 @@
 // The field that liquids carry, and surface tensions that depend on it.
+#include "planar_regions.h"
+
 #include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Incompressible_fluid_2.h>
@@ -60,16 +62,9 @@ Complex grid(std::size_t columns, std::size_t rows, double width, double height,
 
 // Returns a disk of label 1 in a square of label 0, about the origin.
 Complex disk(std::size_t corners, double radius, double half_side) {
-  std::vector<Complex::Point_2> polygon;
-  for (std::size_t i = 0; i < corners; ++i) {
-    const double a = 2 * CGAL_PI * double(i) / double(corners);
-    polygon.emplace_back(radius * std::cos(a), radius * std::sin(a));
-  }
-  dsc::Labelled_curve_2<Complex::Point_2> curve;
-  curve.add_polyline(polygon);
-  return dsc::make_deformable_simplicial_complex_2<Complex>(
-      {curve},
-      parameters::enclosing_box(CGAL::Bbox_2(-half_side, -half_side, half_side, half_side)));
+  return planar_regions::region(
+      planar_regions::around({0, 0}, corners, [radius](double) { return radius; }), {},
+      CGAL::Bbox_2(-half_side, -half_side, half_side, half_side));
 }
 
 dsc::Liquid liquid(double viscosity, double diffusivity) {

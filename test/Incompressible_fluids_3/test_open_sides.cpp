@@ -1,5 +1,6 @@
 // Liquid that passes through sides of the domain against a pressure.
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
+#include "planar_regions.h"
+
 #include <CGAL/Incompressible_fluid_2.h>
 #if __has_include(<CGAL/Incompressible_fluids_3/compiled_2.h>) // if the component Compiled is used
 #include <CGAL/Incompressible_fluids_3/compiled_2.h>
@@ -29,22 +30,13 @@ using Coordinates = std::array<double, 3>;
 // Returns the liquid with label 1 in [0, 1] x [0, surface(x)] of the domain [0, 1] x [0, 2], with n
 // cells along each side of the liquid. Vertices of the grid move vertically to the surface.
 Complex tank(std::size_t n, const std::function<double(double)>& surface) {
-  std::vector<Complex::Point_2> points;
-  std::vector<std::array<std::size_t, 3>> triangles;
-  std::vector<int> labels;
-  for (std::size_t j = 0; j <= 2 * n; ++j)
-    for (std::size_t i = 0; i <= n; ++i) {
-      const double x = double(i) / double(n), y = double(j) / double(n), s = surface(x);
-      points.emplace_back(x, j <= n ? s * y : s + (2 - s) * (y - 1));
-    }
-  for (std::size_t j = 0; j < 2 * n; ++j)
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t a = i + j * (n + 1), b = a + n + 1;
-      triangles.push_back({a, a + 1, b + 1});
-      triangles.push_back({a, b + 1, b});
-      labels.insert(labels.end(), 2, j < n ? 1 : 0);
-    }
-  return dsc::make_deformable_simplicial_complex_2<Complex>(points, triangles, labels);
+  return planar_regions::grid(
+      n, 2 * n,
+      [&](std::size_t i, std::size_t j) {
+        const double x = double(i) / double(n), y = double(j) / double(n), s = surface(x);
+        return Complex::Point_2(x, j <= n ? s * y : s + (2 - s) * (y - 1));
+      },
+      [n](std::size_t, std::size_t j) { return j < n ? 1 : 0; });
 }
 
 double one(double) { return 1; }

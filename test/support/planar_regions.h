@@ -6,6 +6,7 @@
 
 #include <CGAL/number_utils.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -57,6 +58,27 @@ inline Complex region(const Polygon& polygon, const Polygon& hole, const CGAL::B
   }
   return dsc::make_deformable_simplicial_complex_2<Complex>(curves,
                                                             dsc::parameters::enclosing_box(box));
+}
+
+// Returns a grid of columns and rows of quadrilaterals, each divided into two triangles.
+// `point_at(i, j)` is a vertex, and `label_at(i, j)` is the label of a quadrilateral.
+template <class Point_at, class Label_at>
+Complex grid(std::size_t columns, std::size_t rows, const Point_at& point_at,
+             const Label_at& label_at) {
+  std::vector<Complex::Point_2> points;
+  std::vector<std::array<std::size_t, 3>> triangles;
+  std::vector<int> labels;
+  for (std::size_t j = 0; j <= rows; ++j)
+    for (std::size_t i = 0; i <= columns; ++i)
+      points.push_back(point_at(i, j));
+  for (std::size_t j = 0; j < rows; ++j)
+    for (std::size_t i = 0; i < columns; ++i) {
+      const std::size_t a = i + j * (columns + 1), b = a + columns + 1;
+      triangles.push_back({a, a + 1, b + 1});
+      triangles.push_back({a, b + 1, b});
+      labels.insert(labels.end(), 2, label_at(i, j));
+    }
+  return dsc::make_deformable_simplicial_complex_2<Complex>(points, triangles, labels);
 }
 
 } // namespace planar_regions

@@ -114,7 +114,7 @@ void Incompressible_fluid<Complex, Solver>::step(double dt, double end, const Op
   report.torques_on_solids = report.forces_on_solids;
   if (!flow.mesh.can_move()) { // only bodies can move
     for (internal::Any_solid_3& solid : m_solids)
-      if (solid.body && end > m_time)
+      if (solid.body && time_passes)
         internal::move_freely(*solid.body, Eigen::Vector3d(m_properties.gravity().data()), dt,
                               dimension);
     m_time = end;

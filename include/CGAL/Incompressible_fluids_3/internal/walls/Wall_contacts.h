@@ -156,9 +156,8 @@ public:
             const Eigen::Vector3d normal = eigen_vector(w.normal),
                                   velocity = (walls_move ? 1. : 0.) * eigen_vector(w.velocity),
                                   displacement = expected[v] - m_positions[v];
-            double distance = w.distance; // at the end
-            if (projects && touches)      // a projection does not return vertices to walls
-              distance = 0;
+            // At the end. A projection does not return vertices to walls.
+            double distance = projects && touches ? 0 : w.distance;
             if (projects)
               distance += normal.dot(displacement - dt * velocity);
             if (distance > near * m_spacings[v] && !touches && !is_known)
