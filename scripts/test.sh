@@ -27,7 +27,7 @@ echo "== Inputs that were once lost, misread or rejected for a wrong reason"
 echo "== Debug, with the checks of CGAL and of the standard library: the headers"
 cmake -S . -B build-checked -G Ninja -DCMAKE_BUILD_TYPE=Debug \
   -DCMAKE_CXX_FLAGS_DEBUG="-O1 -D_GLIBCXX_ASSERTIONS" \
-  -DDSC_BUILD_PROGRAM=OFF -DDSC_BUILD_EXAMPLES=OFF -DDSC_BUILD_BENCHMARKS=OFF \
+  -DDSC_BUILD_COMPILED=OFF -DDSC_BUILD_PROGRAM=OFF -DDSC_BUILD_EXAMPLES=OFF -DDSC_BUILD_BENCHMARKS=OFF \
   -DDSC_BUILD_PYTHON=OFF -DDSC_SHARE_COMPILATION=ON -DDSC_BUILD_SLOW_TESTS=OFF
 cmake --build build-checked --parallel "$jobs"
 ctest --test-dir build-checked --output-on-failure --no-tests=error --parallel "$jobs"

@@ -166,9 +166,8 @@ TEST(Fluid, relaxes_to_rest) {
 TEST(Fluid, rests_when_solved_by_iterations) {
   Complex complex = sphere(8, .6);
   Fluid(complex, liquid(1, 0, 1)).relax(1, 100);
-  CGAL::Incompressible_fluid_3<Complex,
-                               CGAL::Deformable_simplicial_complexes::Iterative_saddle_point_solver>
-      fluid(complex, liquid(1, 0, 1));
+  Fluid fluid(complex, liquid(1, 0, 1));
+  fluid.solver().use(CGAL::Deformable_simplicial_complexes::Iterative_saddle_point_solver());
   for (int k = 0; k < 5; ++k)
     EXPECT_LT(
         fluid

@@ -72,11 +72,14 @@ private:
 unsigned Faulty_solver::failures = 0;
 unsigned Faulty_solver::wrong_solutions = 0;
 
-using Fluid = CGAL::Incompressible_fluid_3<Complex, Faulty_solver>;
+using Fluid = CGAL::Incompressible_fluid_3<Complex>;
 
 struct Fluid_steps : testing::Test
 {
-  void SetUp() override { Faulty_solver::failures = Faulty_solver::wrong_solutions = 0; }
+  void SetUp() override {
+    Faulty_solver::failures = Faulty_solver::wrong_solutions = 0;
+    fluid.solver().use(Faulty_solver());
+  }
 
   Complex complex = sphere(8, .4);
   Fluid fluid{complex, liquid(1, .1, .5, 1)};
@@ -158,6 +161,7 @@ TEST_F(Fluid_steps, that_fail_for_ever_leave_the_state_before) {
 TEST_F(Fluid_steps, that_are_interrupted_leave_no_trace) {
   Complex other_complex = sphere(8, .4);
   Fluid other(other_complex, liquid(1, .1, .5, 1));
+  other.solver().use(Faulty_solver());
   fluid.advance(.02);
   other.advance(.02);
   unsigned calls = 0;
