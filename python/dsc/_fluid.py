@@ -215,7 +215,7 @@ class Fluid(Solids):
         self,
         side: Side,
         *,
-        slip: bool = False,
+        slip: bool | None = None,
         velocity: Sequence[float] | None = None,
         inflow: Sequence[float] | Callable[[Points, float], Any] | None = None,
         pressure: float | Callable[[Points, float], float | None] | None = None,
@@ -225,7 +225,8 @@ class Fluid(Solids):
         Liquid can pass through the side, with a given velocity or against a given pressure.
 
         side: 'x-' for the side with the smallest x, 'x+' for the largest x, and so on
-        slip: whether liquid slips along the side
+        slip: whether liquid slips along the side; by default, only if there is an `inflow` or a `pressure`
+            but no `velocity`
         velocity: velocity of a no-slip side, by default 0; the component perpendicular to the side has
             no effect
         inflow: velocity with which liquid enters, or leaves; or a function of a point and the time that
@@ -243,6 +244,8 @@ class Fluid(Solids):
             raise ValueError(f"side must be one of {', '.join(sides)}, not {side!r}")
         if slip and velocity is not None:
             raise ValueError("a slip side has no velocity")
+        if slip is None:
+            slip = velocity is None and not (inflow is None and pressure is None)
         given = [0] * self._dimension if velocity is None else velocity
         axis, is_upper = divmod(sides.index(side), 2)
         if inflow is not None and pressure is not None:

@@ -50,7 +50,10 @@ bool interrupted() { return any_process != nullptr ? have_agreed : flag != 0; }
 
 void share_interrupts(bool (*any)(bool)) { any_process = any; }
 
-void agree_on_interrupts() { have_agreed = any_process(flag != 0); }
+void agree_on_interrupts() {
+  if (any_process != nullptr)
+    have_agreed = any_process(flag != 0);
+}
 
 Interruptible::Interruptible(bool quiet)
     : m_shows(!quiet && shows_lines()),

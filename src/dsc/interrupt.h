@@ -28,8 +28,7 @@ bool interrupted();
 /// together.
 void share_interrupts(bool (*any)(bool));
 
-/// Asks all processes for their flags. All processes call it together.
-/// \pre `share_interrupts()` was called
+/// Asks all processes for their flags if interrupts are shared. All processes call it together.
 void agree_on_interrupts();
 
 /// A scope in which functions of the package throw Interrupted_error after the flag is raised. On a

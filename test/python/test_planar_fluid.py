@@ -115,8 +115,8 @@ def test_hydrostatic_pressure_outside_keeps_a_pool_at_rest():
 
 def test_liquid_leaves_and_enters_through_sides():
     fluid = pool()
-    fluid.set_side("x+", slip=True, pressure=0)
-    fluid.set_side("y-", slip=True, inflow=lambda p, t: (0, 0.1) if p[0] < 0.6 else None)
+    fluid.set_side("x+", pressure=0)
+    fluid.set_side("y-", inflow=lambda p, t: (0, 0.1) if p[0] < 0.6 else None)
     before = fluid.balance.volume
     report = fluid.step(0.02)
     assert report.volume_through_sides.shape == (4,)

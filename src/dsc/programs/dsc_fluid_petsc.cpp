@@ -178,7 +178,10 @@ int main(int argc, char** argv) {
     std::cerr << "dsc: PETSc does not start; check its options and the installation of MPI\n";
     return 1;
   }
-  dsc::share_interrupts(any);
+  int processes_in_all = 1;
+  MPI_Comm_size(MPI_COMM_WORLD, &processes_in_all);
+  if (processes_in_all > 1)
+    dsc::share_interrupts(any);
   // Other processes print nothing, unless they alone fail.
   std::ostringstream messages;
   std::streambuf* const terminal = std::cerr.rdbuf();
