@@ -23,6 +23,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -241,25 +242,38 @@ private:
       vertices.push_back(std::get<2>(key));
   }
 
-  // Adds cells by their first vertices, and then by time stamp.
+  // Adds cells by their first vertices, and then by time stamp. Sorts by counting, because the
+  // cells of a large complex are far apart in memory: each one is visited once.
   void add_cells(const std::vector<Cell_handle>& liquid, const Vertex_numbers& numbers,
                  const Fluid_properties& properties) {
-    std::vector<std::vector<std::pair<std::size_t, Cell_handle>>> by_first(vertices.size());
+    struct Stamped
+    {
+      std::size_t stamp;
+      Index first;
+      Cell cell;
+    };
+    std::vector<Stamped> unordered;
+    unordered.reserve(liquid.size());
+    std::vector<std::size_t> begin(vertices.size() + 1, 0); // of the cells of each first vertex
     for (Cell_handle c : liquid) {
-      Index first = numbers(c->vertex(0));
-      for (int i = 1; i < corners; ++i)
-        first = (std::min)(first, Index(numbers(c->vertex(i))));
-      by_first[first].emplace_back(c->time_stamp(), c);
+      Cell cell{{}, {}, properties.liquid(c->label()), c->label(), c->component()};
+      for (std::size_t i = 0; i < corners; ++i)
+        cell.vertices[i] = numbers(c->vertex(int(i)));
+      const Index first = *std::min_element(cell.vertices.begin(), cell.vertices.end());
+      unordered.push_back({c->time_stamp(), first, cell});
+      ++begin[first + 1];
     }
-    for (auto& around : by_first) {
-      std::sort(around.begin(), around.end(),
-                [](const auto& a, const auto& b) { return a.first < b.first; });
-      for (const auto& [stamp, c] : around) {
-        Cell cell{{}, {}, properties.liquid(c->label()), c->label(), c->component()};
-        for (std::size_t i = 0; i < corners; ++i)
-          cell.vertices[i] = numbers(c->vertex(int(i)));
-        cells.push_back(cell);
-      }
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    std::vector<std::pair<std::size_t, std::size_t>> order(liquid.size()); // stamps and places
+    std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+    for (std::size_t k = 0; k < unordered.size(); ++k)
+      order[next[unordered[k].first]++] = {unordered[k].stamp, k};
+    cells.reserve(liquid.size());
+    for (std::size_t v = 0; v < vertices.size(); ++v) {
+      std::sort(order.begin() + std::ptrdiff_t(begin[v]),
+                order.begin() + std::ptrdiff_t(begin[v + 1]));
+      for (std::size_t k = begin[v]; k < begin[v + 1]; ++k)
+        cells.push_back(unordered[order[k].second].cell);
     }
   }
 
@@ -357,8 +371,11 @@ private:
       if (facet.is_free)
         for (Index v : facet.vertices)
           around[v].is_shared = true;
+    const auto is_mixed = [&](Index v) { return around[v].least != around[v].largest; };
     const Vectors_3 at = positions(complex);
     for (const Cell& cell : cells) {
+      if (std::none_of(cell.vertices.begin(), cell.vertices.end(), is_mixed))
+        continue;
       const double mass = cell.liquid->density * volume(corners_at(cell.vertices, at));
       for (Index v : cell.vertices)
         around[v].masses[cell.label != around[v].least] += mass;
