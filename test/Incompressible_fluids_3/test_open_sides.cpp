@@ -80,6 +80,17 @@ double height_at_right(const Complex& complex) {
 
 } // namespace
 
+// All vertices are on sides: liquid that passes through the sides bounds the step, too.
+TEST(Open_sides, limit_the_step) {
+  Complex complex = tank(1, one); // edges of length 1
+  Fluid fluid(complex, liquid(0, 0));
+  fluid.set_velocities([](Vertex_handle) { return Fluid::Vector(2, 0); });
+  EXPECT_EQ(fluid.largest_step(), std::numeric_limits<double>::infinity());
+  fluid.set_side(0, false, inflow_of(2));
+  fluid.set_side(0, true, open_to(0));
+  EXPECT_DOUBLE_EQ(fluid.largest_step(.25), .125);
+}
+
 // The flux of the flow of Poiseuille is h^3 dp / (12 mu L).
 TEST(Open_sides, channel_has_the_flux_of_poiseuille) {
   static constexpr double dt = .1, exact = 1. / 12;

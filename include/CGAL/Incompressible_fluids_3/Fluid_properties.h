@@ -49,7 +49,7 @@ struct Gas
 {
   double pressure; ///< initial pressure, relative to void, 0 or more
   /// Exponent, 0 or more: 1.4 for air without heat exchange, 1 for a constant temperature, 0 for a
-  /// constant pressure, such as that of the atmosphere.
+  /// constant pressure, as in the atmosphere.
   double exponent = 1.4;
 };
 

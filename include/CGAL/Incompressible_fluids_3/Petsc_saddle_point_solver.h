@@ -37,9 +37,8 @@ Comput. 14, 1993) with an upper block triangular preconditioner:
 The number of iterations grows slowly with the number of vertices.
 
 The options of PETSc apply: `-ksp_type`, `-ksp_monitor`, `-ksp_view` and others for the method,
-options with the prefix `-velocity_` for the preconditioner of velocities, and options with the
-prefix `-pressure_` for that of pressures, such as `-pressure_pc_type gamg`. The tolerance is the
-argument of `solve()`, so `-ksp_rtol` has no effect.
+options with the prefixes `-velocity_` and `-pressure_` for the two preconditioners, such as
+`-pressure_pc_type gamg`. The tolerance is the argument of `solve()`, so `-ksp_rtol` has no effect.
 
 The unknowns are scaled so that the norm of residuals is the norm in which the fluid checks the
 solution.

@@ -34,16 +34,6 @@
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
-namespace internal {
-
-// Throws the error of a factorization that fails.
-[[noreturn]] inline void throw_singular_equations() {
-  throw Convergence_error("the equations of the flow are singular: cells may be flat",
-                          std::numeric_limits<double>::infinity(), largest_residual);
-}
-
-} // namespace internal
-
 /*!
 \ingroup PkgIncompressibleFluids3Ref
 

@@ -294,6 +294,7 @@ void Incompressible_fluid<Complex, Solver>::make_admissible(double dt, unsigned 
 
 template <class Complex, class Solver>
 double Incompressible_fluid<Complex, Solver>::largest_step(double fraction) const {
+  const Boundary_class::Bits closed = internal::sides_without_openings(m_sides);
   double result = std::numeric_limits<double>::infinity();
   for (Vertex_handle v : m_complex.finite_vertices()) {
     const auto& motion = m_motion.at(v);
@@ -303,7 +304,7 @@ double Incompressible_fluid<Complex, Solver>::largest_step(double fraction) cons
       if (k > 0)
         numbers += motion.deviations[k - 1].second;
       for (int axis = 0; axis < 3; ++axis)
-        if (Boundary_class::fixes(v->boundary_class(), axis))
+        if (Boundary_class::fixes(Boundary_class::Bits(v->boundary_class() & closed), axis))
           numbers(axis) = numbers(3 + axis) = 0;
       velocity = (std::max)(velocity, numbers.template head<3>().squaredNorm());
       acceleration = (std::max)(acceleration, numbers.template segment<3>(3).squaredNorm());

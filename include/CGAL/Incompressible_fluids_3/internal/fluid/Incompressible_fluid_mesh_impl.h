@@ -88,7 +88,7 @@ template <class Complex, class Solver>
 auto Incompressible_fluid<Complex, Solver>::restore_components(const Options& chosen,
                                                                Report& report) -> Flow {
   Flow result(*this, m_properties);
-  report.lost_volume += update_components(result);
+  report.lost_volume += update_components(result.mesh, result.volumes());
   restore_volumes(result, chosen, report);
   m_motion.set_wetting(result.mesh, [](std::size_t) { return false; });
   report.greatest_correction = (std::max)(report.greatest_correction, restore_momenta(result));
@@ -142,7 +142,8 @@ Incompressible_fluid<Complex, Solver>::move(const Flow& flow, const Contacts& co
 }
 
 // Calls a function that changes the mesh, with a visitor that interpolates velocities. If the
-// function throws, the bookkeeping of components is updated nevertheless.
+// function throws, the bookkeeping of components is updated nevertheless. The update calls no
+// function of the user, which could throw again.
 template <class Complex, class Solver>
 template <class Change>
 auto Incompressible_fluid<Complex, Solver>::change_mesh(const Change& change) {
@@ -151,7 +152,8 @@ auto Incompressible_fluid<Complex, Solver>::change_mesh(const Change& change) {
   try {
     return change(&visitor);
   } catch (...) {
-    update_components(Flow(*this, m_properties));
+    const Mesh mesh(updated_complex(), m_properties);
+    update_components(mesh, Liquid_bookkeeping::measure(mesh, mesh.positions(m_complex)));
     throw;
   }
 }
@@ -230,7 +232,7 @@ auto Incompressible_fluid<Complex, Solver>::move_interface(const Flow& flow,
   auto& events = report.deformation.events;
   events.insert(events.end(), deformation.events.begin(), deformation.events.end());
   Flow result(*this, m_properties);
-  report.lost_volume += update_components(result);
+  report.lost_volume += update_components(result.mesh, result.volumes());
   return result;
 }
 
@@ -258,13 +260,14 @@ void Incompressible_fluid<Complex, Solver>::record_momenta(const Flow& flow,
   m_liquids.set_momenta(std::move(momenta), set_of_component);
 }
 
-// Updates the bookkeeping of components after changes of the mesh. Returns the volume of components
-// that vanished.
+// Updates the bookkeeping of components after changes of the mesh, to the present mesh and volumes.
+// Returns the volume of components that vanished.
 template <class Complex, class Solver>
-double Incompressible_fluid<Complex, Solver>::update_components(const Flow& now) {
+double Incompressible_fluid<Complex, Solver>::update_components(
+    const Mesh& mesh, const Liquid_bookkeeping::Volumes& volumes) {
   const auto lineage = m_complex.take_component_lineage();
-  m_gases.update(lineage, Gas_bookkeeping::measure(now.mesh, m_properties));
-  return m_liquids.update(lineage, now.volumes());
+  m_gases.update(lineage, Gas_bookkeeping::measure(mesh, m_properties));
+  return m_liquids.update(lineage, volumes);
 }
 
 // Restores the momenta of connected components by rigid motions, on a torus by translations.

@@ -106,7 +106,7 @@ private:
     m_levels.clear();
     while (lower.cols() > small) {
       Aggregates of_level = aggregates(strong_entries(lower, strong));
-      if (2 * of_level.number > lower.cols()) // aggregation makes no progress
+      if (of_level.number == lower.cols()) // no unknown is coupled to another one
         break;
       Level& level = m_levels.emplace_back();
       level.aggregates = std::move(of_level);

@@ -9,6 +9,7 @@
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_RELATIVE_RESIDUAL_H
 
 #include <CGAL/Incompressible_fluids_3/Saddle_point_system.h>
+#include <CGAL/Incompressible_fluids_3/fluid_errors.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +25,12 @@ namespace internal {
 // The largest relative residual that is accepted, for any solver. The tolerance of solvers is
 // smaller, but in their own norm. The two norms can differ by the condition of the preconditioner.
 constexpr double largest_residual = 1e-8;
+
+// Throws the error of a factorization that fails.
+[[noreturn]] inline void throw_singular_equations() {
+  throw Convergence_error("the equations of the flow are singular: cells may be flat",
+                          std::numeric_limits<double>::infinity(), largest_residual);
+}
 
 // The norm of residuals of a saddle point system. The weight of an equation of velocities is the
 // inverse of the diagonal entry of the matrix. The weight of an equation of pressures is the

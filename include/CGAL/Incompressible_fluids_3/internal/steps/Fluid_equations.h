@@ -186,7 +186,9 @@ public:
         volumes(p) += m_elements[k].lumped_mass();
         m_system.viscosity(p) += m_viscosities[k] * m_elements[k].lumped_mass();
       }
-    m_system.viscosity.array() /= volumes.array().square();
+    // The volume of a pressure whose cells are all flat can be 0.
+    m_system.viscosity =
+        (volumes.array() > 0).select(m_system.viscosity.array() / volumes.array().square(), 0.);
     m_forces = m_pushes = Vector::Zero(3 * Eigen::Index(m_masses.size()));
     for (std::size_t f = 0; f < m_mesh.facets.size(); ++f) {
       const auto& facet = m_mesh.facets[f];

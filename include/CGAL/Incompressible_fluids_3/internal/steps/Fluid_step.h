@@ -21,6 +21,7 @@
 #include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_equations.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_sources.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Roughness_damper.h>
+#include <CGAL/Incompressible_fluids_3/internal/steps/Side_fluxes.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Body_equations.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Open_sides.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Vertex_constraints.h>
@@ -215,11 +216,7 @@ public:
     std::array<double, 6> result = {};
     for_each_passage(
         [&](std::size_t, std::size_t, double gain, std::size_t side) { result[side] += gain; });
-    for (std::size_t k = 0; k < m_mesh.cells.size() && !m_inflow.empty(); ++k)
-      for (std::size_t i = 0; i < Mesh::corners; ++i)
-        if (const std::size_t v = m_mesh.cells[k].vertices[i]; m_inflow[v])
-          for_each_part(k, i, sides_of_inflow(v), *m_inflow[v],
-                        [&](double gain, std::size_t side) { result[side] += gain; });
+    side_fluxes().for_each_inflow([&](double gain, std::size_t side) { result[side] += gain; });
     return result;
   }
 
@@ -286,7 +283,7 @@ public:
       result.resize(m_mesh.cells.size(), 0);
     for (std::size_t k = 0; k < m_mesh.cells.size() && !m_inflow.empty(); ++k)
       for (std::size_t i = 0; i < Mesh::corners; ++i)
-        result[k] += gain_by_inflow(k, i);
+        result[k] += side_fluxes().by_inflow(k, i);
     return result;
   }
 
@@ -315,7 +312,7 @@ public:
       for (std::size_t i = 0; i < Mesh::corners && !m_inflow.empty(); ++i) {
         const std::size_t v = m_mesh.cells[k].vertices[i];
         if (m_inflow[v])
-          add(k, gain_by_inflow(k, i), *m_inflow[v], m_midpoint_positions[v]);
+          add(k, side_fluxes().by_inflow(k, i), *m_inflow[v], m_midpoint_positions[v]);
       }
     }
     const Momentum stopped = momentum(m_mesh, masses, m_destinations, m_final_velocities),
@@ -362,60 +359,14 @@ public:
   }
 
 private:
-  // Returns the volume that cell k gains by inflow at its corner i in a unit of time: the change
-  // that the motion of the corner with the liquid would cause, because the corner does not move.
-  double gain_by_inflow(std::size_t k, std::size_t i) const {
-    const auto& velocity = m_inflow[m_mesh.cells[k].vertices[i]];
-    return velocity ? gain_by_passage(k, i, *velocity) : 0;
-  }
-
-  // Returns the volume that cell k gains in a unit of time because its corner i does not move with
-  // the liquid. `velocity` is the velocity of the liquid relative to the corner.
-  double gain_by_passage(std::size_t k, std::size_t i, const Eigen::Vector3d& velocity) const {
-    const auto& cell = m_mesh.cells[k];
-    auto corners = m_mesh.corners_at(cell.vertices, m_midpoint_positions);
-    const double before = volume(corners);
-    corners[i] += velocity; // the volume is linear in the position of the corner
-    return before - volume(corners);
-  }
-
-  // Calls `f(gain, side)` for the gains of cell k at its corner i through a set of sides. If the
-  // corner is on several of these sides, the components of the relative velocity pass through their
-  // sides.
-  template <class Function>
-  void for_each_part(std::size_t k, std::size_t i, Boundary_class::Bits sides,
-                     const Eigen::Vector3d& velocity, const Function& f) const {
-    for (std::size_t side = 0; side < 6; ++side)
-      if (sides >> side & 1) {
-        const bool is_only = sides == 1u << side;
-        const Eigen::Vector3d normal = normal_of_side(side);
-        f(gain_by_passage(k, i,
-                          is_only ? velocity : Eigen::Vector3d(velocity.dot(normal) * normal)),
-          side);
-      }
+  Side_fluxes<Mesh> side_fluxes() const {
+    return {m_mesh, m_sides, m_inflow, m_open, m_midpoint_positions};
   }
 
   // Calls `f(cell, vertex, gain, side)` for each gain of a cell through an open side.
   template <class Function> void for_each_passage(const Function& f) const {
-    if (m_open.empty())
-      return;
-    const Vectors_3 moving = velocities_of_vertices();
-    for (std::size_t k = 0; k < m_mesh.cells.size(); ++k)
-      for (std::size_t i = 0; i < Mesh::corners; ++i) {
-        const std::size_t v = m_mesh.cells[k].vertices[i];
-        if (m_open.sides(v) != 0 && !is_inflow(m_inflow, v))
-          for_each_part(k, i, m_open.sides(v), m_velocities[v] - moving[v],
-                        [&](double gain, std::size_t side) { f(k, v, gain, side); });
-      }
-  }
-
-  // Returns the sides with an inflow on which a vertex lies, as bits.
-  Boundary_class::Bits sides_of_inflow(std::size_t v) const {
-    unsigned result = 0;
-    for (std::size_t side = 0; side < m_sides.size(); ++side)
-      if (m_sides[side].inflow)
-        result |= m_mesh.vertices[v]->boundary_class() & 1u << side;
-    return Boundary_class::Bits(result);
+    if (!m_open.empty())
+      side_fluxes().for_each_passage(m_velocities, velocities_of_vertices(), f);
   }
 
   double middle_time() const { return (m_begin + m_end) / 2; }

@@ -10,6 +10,7 @@
 
 #include <CGAL/Incompressible_fluids_3/Saddle_point_system.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
+#include <CGAL/Incompressible_fluids_3/internal/solvers/relative_residual.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Body_motion.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Vertex_constraints.h>
 
@@ -169,8 +170,11 @@ public:
     inertia = is_free.asDiagonal() * inertia;
     inertia = inertia * is_free.asDiagonal();
     inertia += matrix_of(fixed, all, all);
+    const Eigen::SimplicialLDLT<Columns> factorization(inertia);
+    if (factorization.info() != Eigen::Success)
+      throw_singular_equations();
     const Vector impulse = is_free.cwiseProduct(weighted.transpose() * missing),
-                 change = Eigen::SimplicialLDLT<Columns>(inertia).solve(impulse);
+                 change = factorization.solve(impulse);
     std::vector<Body_velocity> result = before;
     for (std::size_t k = 0; k < before.size(); ++k) {
       result[k].linear += change.segment<3>(6 * Eigen::Index(k));

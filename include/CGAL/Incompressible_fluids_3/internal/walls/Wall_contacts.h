@@ -195,10 +195,12 @@ public:
     for (const Contact& c : m_contacts) {
       if (!c.is_active)
         continue;
-      auto body = c.body;
-      if (body)
-        body->arm = arm_of(place_of_body(body->body, time), positions[c.vertex]);
-      constrain(c, c.normal, body ? 0 : c.normal.dot(c.wall_velocity), body, constraints);
+      if (c.body) {
+        const std::size_t body = c.body->body;
+        const Eigen::Vector3d arm = arm_of(place_of_body(body, time), positions[c.vertex]);
+        constrain(c, c.normal, 0, Vertex_constraints::Attached_body{body, arm}, constraints);
+      } else
+        constrain(c, c.normal, c.normal.dot(c.wall_velocity), std::nullopt, constraints);
     }
   }
 

@@ -8,6 +8,7 @@
 #ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_OPENING_CHECKS_H
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_OPENING_CHECKS_H
 
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Incompressible_fluids_3/Side_behavior.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
@@ -18,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <string>
 
 namespace CGAL {
@@ -28,6 +30,15 @@ namespace internal {
 inline bool have_openings(const Side_behaviors& behaviors) {
   return std::any_of(behaviors.begin(), behaviors.end(),
                      [](const Side_behavior& side) { return side.inflow || side.pressure; });
+}
+
+// Returns all bits of a boundary class but those of the sides through which liquid may pass.
+inline Boundary_class::Bits sides_without_openings(const Side_behaviors& behaviors) {
+  unsigned result = (std::numeric_limits<Boundary_class::Bits>::max)();
+  for (std::size_t side = 0; side < behaviors.size(); ++side)
+    if (behaviors[side].inflow || behaviors[side].pressure)
+      result &= ~(1u << side);
+  return Boundary_class::Bits(result);
 }
 
 // Throws an exception if liquid cannot pass through an inlet or an open part of a side at a time,
