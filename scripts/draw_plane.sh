@@ -23,7 +23,7 @@ cd "$work"
 picture() { # FILE.svg NAME [WIDTH]
   local package=Interface_flows
   [[ $2 != cut_locus* ]] || package=Cut_loci_2
-  [[ $2 != bubble* && $2 != wheel && $2 != u_tube && $2 != floating* ]] || package=Incompressible_fluids_3
+  [[ ! $2 =~ ^(bubble|wheel|u_tube|floating|draining|thermocapillary) ]] || package=Incompressible_fluids_3
   rsvg-convert --width "${3:-480}" --background-color white "$1" --output "$doc/$package/fig/plane_$2.png"
 }
 
@@ -68,6 +68,8 @@ liquid floating_1 floating-box pressure .02
 liquid floating_2 floating-box pressure 2
 liquid u_tube u-tube velocity 2
 liquid wheel wheel velocity 1 340
+liquid draining draining velocity 1
+liquid thermocapillary thermocapillary field 10
 locus() { # NAME V B
   "$cut_locus" .15 "$2" "$3" "$1.svg"
   picture "$1.svg" "$1"

@@ -60,9 +60,15 @@ public:
   }
 
 private:
-  /// Returns the value in a cell: the mean pressure, or the length of the mean velocity or of the
-  /// vorticity. In the plane, the vorticity has a sign.
+  /// Returns the value in a cell: the mean pressure or field, or the length of the mean velocity or
+  /// of the vorticity. In the plane, the vorticity has a sign.
   double value(Cell_handle c) const {
+    if (m_quantity == "field") {
+      double result = 0;
+      for (const auto v : m_fields.vertices_of(c))
+        result += m_fields.fluid().field(v) / Complex::corners;
+      return result;
+    }
     if (m_quantity == "pressure")
       return m_fields.mean_pressure(m_fields.vertices_of(c), c);
     if (m_quantity == "velocity")
@@ -160,7 +166,7 @@ void draw_cut(const std::string& path, const Tracked_complex_3::Complex& complex
 } // namespace
 
 const std::vector<std::string>& quantities_of_pictures() {
-  static const std::vector<std::string> result = {"pressure", "velocity", "vorticity"};
+  static const std::vector<std::string> result = {"field", "pressure", "velocity", "vorticity"};
   return result;
 }
 

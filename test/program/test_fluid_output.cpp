@@ -188,9 +188,11 @@ TEST_F(Fluid_output_3, of_smooth_surfaces_has_velocities) {
 
 TEST_P(Fluid_output, is_drawn_by_colors) {
   const bool is_plane = GetParam() == 2;
-  const std::string fluid = "fluid " + write_scene(rotating_ball(GetParam())) + " --picture ",
+  Json warm = rotating_ball(GetParam());
+  warm["field"] = {{"initial", "x"}};
+  const std::string fluid = "fluid " + write_scene(warm) + " --picture ",
                     picture = is_plane ? "a.svg" : "a.png", cut = is_plane ? "" : " --cut z=0";
-  for (const std::string quantity : {"pressure", "velocity", "vorticity"}) {
+  for (const std::string quantity : {"field", "pressure", "velocity", "vorticity"}) {
     const Outcome outcome = run(fluid + picture + cut + " --color " + quantity);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find(", " + quantity + " from "), std::string::npos) << outcome.out;
@@ -198,6 +200,10 @@ TEST_P(Fluid_output, is_drawn_by_colors) {
     EXPECT_GT(contents(path(picture)).size(), 1000u);
   }
   EXPECT_EQ(run(fluid + picture + cut + " --color heat").exit_code, 2);
+  write_scene(rotating_ball(GetParam()));
+  const Outcome cold = run(fluid + picture + cut + " --color field");
+  EXPECT_EQ(cold.exit_code, 2);
+  EXPECT_NE(cold.err.find("only to a scene with a field"), std::string::npos) << cold.err;
 }
 
 TEST_F(Fluid_output_3, is_drawn_in_a_cut) {

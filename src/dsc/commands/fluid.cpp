@@ -76,13 +76,17 @@ void print_summary(const Fluid_run<dimension>& run, unsigned steps, const Repeti
               balance.volume, balance.energy(), range.c_str(), repetitions.text().c_str(), seconds);
 }
 
-/// Checks that a cut intersects cells in the domain of a scene.
-/// \throws Usage_error
-void require_cut_of_domain(const Cut& cut, const Fluid_scene& scene) {
-  if (!(scene.domain[cut.axis] < cut.value && cut.value <= scene.domain[cut.axis + 3]))
-    throw Usage_error("--cut is outside the domain; choose a coordinate greater than " +
-                      Json(scene.domain[cut.axis]).dump() + " and at most " +
-                      Json(scene.domain[cut.axis + 3]).dump());
+/// Checks that the cut of a picture intersects cells in the domain of a scene, and that the scene
+/// has the quantity of the picture. \throws Usage_error
+void require_contents(const Fluid_picture& picture, const Fluid_scene& scene) {
+  if (const auto& cut = picture.cut)
+    if (!(scene.domain[cut->axis] < cut->value && cut->value <= scene.domain[cut->axis + 3]))
+      throw Usage_error("--cut is outside the domain; choose a coordinate greater than " +
+                        Json(scene.domain[cut->axis]).dump() + " and at most " +
+                        Json(scene.domain[cut->axis + 3]).dump());
+  if (picture.quantity == "field" && !scene.field)
+    throw Usage_error(
+        "--color field applies only to a scene with a field; choose another quantity");
 }
 
 /// A run with its output files and messages.
@@ -136,8 +140,8 @@ template <int dimension> void Reported_run<dimension>::check_places() {
     throw Usage_error("--color needs a --cut in space, like --cut x=0.5");
   if (!m_options.picture.path.empty())
     require_extension(m_options.picture.path, {dimension == 2 ? "svg" : "png"});
-  if (m_options.picture.cut && m_scene)
-    require_cut_of_domain(*m_options.picture.cut, *m_scene);
+  if (m_scene)
+    require_contents(m_options.picture, *m_scene);
   if (!m_options.output.empty())
     m_folder.emplace(m_options.output, m_options.resume, m_options.subdivisions);
   require_place("--report", m_options.report, {m_options.resume, m_options.scene});
@@ -154,8 +158,8 @@ template <int dimension> void Reported_run<dimension>::begin() {
   Fluid<Complex>& fluid = *m_run.fluid;
   m_run.complex->arrays = {[&fluid] { return cell_arrays<Complex>(fluid); },
                            [&fluid] { return interface_arrays<Complex>(fluid); }};
-  if (m_options.picture.cut && !m_scene)
-    require_cut_of_domain(*m_options.picture.cut, m_run.scene);
+  if (!m_scene)
+    require_contents(m_options.picture, m_run.scene);
   m_end = m_options.end > 0 ? m_options.end : m_run.scene.end;
   if (!(m_end > fluid.time()))
     throw Usage_error("the final time " + Json(m_end).dump() + " is not after the time " +

@@ -67,7 +67,6 @@ Incompressible_fluid<Complex, Solver>::adapt_lengths(double tolerance,
   static constexpr double longest_of_new = 1.7, longest = 2.5, shortest = .3;
   using Defaults = defaults::Adaptive_advection<Complex::dimension>;
   Adaptation_options adaptation{tolerance, Defaults::feature_angle};
-  adaptation.longest = 1; // the flow at a straight wall needs vertices, too
   const Improvement_report result = keep_interface_fit(
       m_complex, adaptation, [](const auto&) { return true; }, visitor);
   const bool is_new = m_steps == 0;

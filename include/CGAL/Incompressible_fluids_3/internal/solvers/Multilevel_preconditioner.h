@@ -16,6 +16,7 @@
 #include <Eigen/SparseCore>
 
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <list>
 #include <utility>
@@ -94,6 +95,7 @@ private:
   {
     Eigen::SparseMatrix<float> matrix; // both triangles
     Incomplete_factorization<1> smoother;
+    float damping; // of the smoother
     Aggregates aggregates;
     Vector residual, correction, coarse_in, coarse_out;
   };
@@ -113,6 +115,7 @@ private:
       if (!level.smoother.compute(lower))
         return false;
       level.matrix = Matrix(lower.selfadjointView<Eigen::Lower>()).cast<float>();
+      level.damping = damping(level);
       level.residual.resize(lower.cols());
       level.correction.resize(lower.cols());
       level.coarse_in.resize(level.aggregates.number);
@@ -134,13 +137,34 @@ private:
     }
     Level& level = *at;
     level.smoother.solve(in, out);
+    out *= level.damping;
     level.residual = in - level.matrix * out;
     restrict(level.aggregates, level.residual, level.coarse_in);
     cycle(std::next(at), level.coarse_in, level.coarse_out);
     add_prolongation(level.aggregates, level.coarse_out, out);
     level.residual = in - level.matrix * out;
     level.smoother.solve(level.residual, level.correction);
-    out += level.correction;
+    out += level.damping * level.correction;
+  }
+
+  // Returns a factor with which the smoother of a level reduces errors. The V-cycle is positive
+  // definite only if all eigenvalues of the damped smoother, applied to the matrix, are less than 2.
+  // An incomplete factorization of a matrix with positive entries off the diagonal can have larger
+  // ones. The power method estimates the largest eigenvalue, always too small.
+  static float damping(Level& level) {
+    static constexpr int iterations = 12;
+    static constexpr double largest = 1.5; // less than 2 because of the error of the estimate
+    Vector x(level.matrix.cols()), y;
+    for (Eigen::Index i = 0; i < x.size(); ++i) // no eigenvector is perpendicular to it in practice
+      x(i) = float(std::uint32_t(i) * 2654435761u >> 22) / 1024 - .5f;
+    double eigenvalue = 0;
+    for (int k = 0; k < iterations; ++k) {
+      x /= x.norm();
+      y = level.matrix * x;
+      level.smoother.solve(y, x);
+      eigenvalue = x.norm();
+    }
+    return eigenvalue > largest ? float(largest / eigenvalue) : 1;
   }
 
   static void restrict(const Aggregates& aggregates, const Vector& fine, Vector& coarse) {
