@@ -28,12 +28,12 @@ struct Expression::Parser
   [[noreturn]] void refuse_value(double value) const {
     std::ostringstream message;
     message.precision(10);
-    message << place << " '" << text << "' is " << value << " at ";
+    message << place << " '" << text << "' is " << value;
     const auto used = parser.GetUsedVar();
     bool is_first = true;
     for (std::size_t i = 0; i < names.size(); ++i)
       if (used.count(names[i]) > 0) {
-        message << (is_first ? "" : ", ") << names[i] << " = " << variables[i];
+        message << (is_first ? " at " : ", ") << names[i] << " = " << variables[i];
         is_first = false;
       }
     message << "; the value must be finite, as in 'x>0?1/x:0'";

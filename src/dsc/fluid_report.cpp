@@ -123,6 +123,8 @@ const char* name_of(CGAL::Deformable_simplicial_complexes::Fluid_failure cause) 
     return "equations";
   case Failure::motion:
     return "motion";
+  case Failure::volume:
+    return "volume";
   case Failure::mesh:
     break;
   }

@@ -129,14 +129,19 @@ std::vector<Fluid_scene::Tension> read_tensions(const Json_fields& scene) {
   return result;
 }
 
-/// Reads the box of a part of a side. Without `from` and `to`, the part is the whole side.
-std::array<double, 6> read_part(const Json_fields& side, const std::array<double, 6>& domain) {
-  std::array<double, 6> result = domain;
+/// Reads the box of a part of a side with a number. Without `from` and `to`, the part is the whole
+/// side.
+std::array<double, 6> read_part(const Json_fields& side, std::size_t number,
+                                const std::array<double, 6>& domain) {
+  std::array<double, 6> result = domain, whole = domain; // whole: the box of the side
+  whole[number / 2] = whole[number / 2 + 3] = domain[number / 2 + 3 * (number % 2)];
   if (side.has("from") || side.has("to")) {
     const auto from = side.point("from"), to = side.point("to");
     for (std::size_t i = 0; i < 3; ++i) {
       if (!(to[i] >= from[i]))
         side.refuse("to", "must not be smaller than 'from' in any coordinate");
+      if (from[i] > whole[i + 3] || to[i] < whole[i])
+        side.refuse("to", "and 'from' must be corners of a box that meets the side");
       result[i] = from[i];
       result[i + 3] = to[i];
     }
@@ -144,14 +149,17 @@ std::array<double, 6> read_part(const Json_fields& side, const std::array<double
   return result;
 }
 
-Scene_inflow read_inflow(const Json_fields& side, const std::array<double, 6>& domain) {
-  side.require_known({"inflow", "from", "to"});
-  return {read_vector_in_time(side, "inflow"), read_part(side, domain)};
+Scene_inflow read_inflow(const Json_fields& side, std::size_t number,
+                         const std::array<double, 6>& domain) {
+  if (side.has("velocity"))
+    side.refuse("velocity", "applies only together with 'pressure'; remove it");
+  return {read_vector_in_time(side, "inflow"), read_part(side, number, domain)};
 }
 
-Scene_opening read_opening(const Json_fields& side, std::size_t axis,
+Scene_opening read_opening(const Json_fields& side, std::size_t number,
                            const std::array<double, 6>& domain) {
-  side.require_known({"pressure", "velocity", "from", "to"});
+  if (side.has("inflow"))
+    side.refuse("inflow", "cannot be combined with 'pressure'; remove one of them");
   const bool is_planar = side.dimension() == 2;
   const std::vector<std::string> variables = is_planar
                                                  ? std::vector<std::string>{"x", "y", "t"}
@@ -162,10 +170,10 @@ Scene_opening read_opening(const Json_fields& side, std::size_t axis,
                            ? side.expression("pressure", variables, 1, form)
                            : Expression(Json(side.number("pressure")).dump(), variables,
                                         "pressure of " + side.name(), form),
-                       std::nullopt, read_part(side, domain)};
+                       std::nullopt, read_part(side, number, domain)};
   if (side.has("velocity")) {
     result.velocity = side.point("velocity");
-    if ((*result.velocity)[axis] != 0)
+    if ((*result.velocity)[number / 2] != 0)
       side.refuse("velocity", "must be a velocity along the side");
   }
   return result;
@@ -177,10 +185,11 @@ void read_sides(const Json_fields& sides, Fluid_scene& scene) {
   for (std::size_t side = 0; side < number; ++side)
     if (sides.has(names_of_sides[side]) && sides.any(names_of_sides[side]).is_object()) {
       const Json_fields given = sides.object(names_of_sides[side]);
+      given.require_known({"inflow", "pressure", "velocity", "from", "to"});
       if (given.has("pressure"))
-        scene.openings[side] = read_opening(given, side / 2, scene.domain);
+        scene.openings[side] = read_opening(given, side, scene.domain);
       else
-        scene.inflows[side] = read_inflow(given, scene.domain);
+        scene.inflows[side] = read_inflow(given, side, scene.domain);
     } else if (sides.has(names_of_sides[side])) {
       const Vector_in_time velocity = read_vector_in_time(sides, names_of_sides[side]);
       if (velocity.at(0)[side / 2] != 0)

@@ -146,10 +146,10 @@ bool is_outside(const Scene_solid& box, const Fluid_scene& scene) {
   return false;
 }
 
-/// Returns whether no liquid inside the domain can touch a solid. Returns false for moving solids,
-/// which may enter the domain, and for cylinders and meshes, which are not tested.
+/// Returns whether no liquid inside the domain can touch a solid. Returns false for solids with a
+/// given motion, which may enter the domain, and for cylinders and meshes, which are not tested.
 bool is_out_of_reach(const Scene_solid& solid, const Fluid_scene& scene) {
-  if (solid.moves())
+  if (solid.moves() && !solid.is_body())
     return false;
   const auto [least, largest] = distances(solid.point, scene.domain);
   switch (solid.kind) {

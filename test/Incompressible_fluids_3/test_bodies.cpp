@@ -8,6 +8,7 @@
 #endif
 
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/generators.h>
 
 #include <gtest/gtest.h>
@@ -91,6 +92,8 @@ TEST(Rigid_body, inertia) {
   EXPECT_DOUBLE_EQ(dsc::rigid_disk(Point(0, 0, 0), 2, 3).inertia[8], 12 * CGAL_PI * 4 / 2);
   EXPECT_THROW(dsc::rigid_ball(Point(0, 0, 0), 0, 1), dsc::Error);
   EXPECT_THROW(dsc::rigid_body_of_mesh(CGAL::Surface_mesh<Point>(), 1), dsc::Error);
+  CGAL::Euler::remove_face(mesh.halfedge(*mesh.faces().begin()), mesh); // leaves a hole
+  EXPECT_THROW(dsc::rigid_body_of_mesh(mesh, 1), dsc::Error);
 }
 
 TEST(Rigid_body, errors) {

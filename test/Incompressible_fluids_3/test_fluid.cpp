@@ -167,7 +167,7 @@ TEST(Fluid, rests_when_solved_by_iterations) {
   Complex complex = sphere(8, .6);
   Fluid(complex, liquid(1, 0, 1)).relax(1, 100);
   Fluid fluid(complex, liquid(1, 0, 1));
-  fluid.solver().use(CGAL::Deformable_simplicial_complexes::Iterative_saddle_point_solver());
+  fluid.solver().use<CGAL::Deformable_simplicial_complexes::Iterative_saddle_point_solver>();
   for (int k = 0; k < 5; ++k)
     EXPECT_LT(
         fluid

@@ -78,7 +78,7 @@ struct Fluid_steps : testing::Test
 {
   void SetUp() override {
     Faulty_solver::failures = Faulty_solver::wrong_solutions = 0;
-    fluid.solver().use(Faulty_solver());
+    fluid.solver().use<Faulty_solver>();
   }
 
   Complex complex = sphere(8, .4);
@@ -161,7 +161,7 @@ TEST_F(Fluid_steps, that_fail_for_ever_leave_the_state_before) {
 TEST_F(Fluid_steps, that_are_interrupted_leave_no_trace) {
   Complex other_complex = sphere(8, .4);
   Fluid other(other_complex, liquid(1, .1, .5, 1));
-  other.solver().use(Faulty_solver());
+  other.solver().use<Faulty_solver>();
   fluid.advance(.02);
   other.advance(.02);
   unsigned calls = 0;

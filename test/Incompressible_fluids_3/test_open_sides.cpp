@@ -91,6 +91,52 @@ TEST(Open_sides, limit_the_step) {
   EXPECT_DOUBLE_EQ(fluid.largest_step(.25), .125);
 }
 
+// Two liquids fill the domain, so the liquid that enters has no room.
+TEST(Open_sides, are_necessary_for_an_inflow_without_a_surface) {
+  for (const bool is_open : {false, true}) {
+    Complex complex = tank(4, one);
+    dsc::Fluid_properties properties = liquid(.1, 0);
+    properties.set_liquid(0, {2, .1});
+    Fluid fluid(complex, properties);
+    fluid.set_side(0, false, inflow_of(.5));
+    if (is_open)
+      fluid.set_side(0, true, open_to(0));
+    if (is_open)
+      EXPECT_LT(fluid.advance(.02).volume_error, 1e-9);
+    else
+      EXPECT_THROW(fluid.advance(.02), dsc::Error);
+  }
+}
+
+// Surface tension along a flat surface is balanced where it ends at an opening.
+TEST(Open_sides, pull_at_surfaces) {
+  Complex complex = tank(6, one);
+  dsc::Fluid_properties properties = liquid(0, 0);
+  properties.set_surface_tension(0, 1, 1);
+  Fluid fluid(complex, properties);
+  fluid.set_side(0, true, open_to(0));
+  for (int k = 0; k < 5; ++k) {
+    const auto report = fluid.advance(.02);
+    EXPECT_LT(report.greatest_velocity, 1e-8);
+    EXPECT_NEAR(report.volume_through_sides[1], 0, 1e-12);
+  }
+}
+
+// Lengths and masses stay, and times are longer by a power of two.
+TEST(Open_sides, pass_the_same_volume_in_any_unit_of_time) {
+  std::array<double, 2> volumes;
+  for (const int exponent : {0, 60}) {
+    const double unit = std::ldexp(1., exponent);
+    Complex complex = tank(6, one);
+    Fluid fluid(complex, liquid(.01 / unit, 1 / (unit * unit)));
+    fluid.set_side(0, true, open_to(0));
+    for (int k = 0; k < 5; ++k)
+      volumes[exponent > 0] = fluid.advance(.02 * unit).after.volume;
+  }
+  EXPECT_LT(volumes[0], .9999);
+  EXPECT_EQ(volumes[1], volumes[0]);
+}
+
 // The flux of the flow of Poiseuille is h^3 dp / (12 mu L).
 TEST(Open_sides, channel_has_the_flux_of_poiseuille) {
   static constexpr double dt = .1, exact = 1. / 12;

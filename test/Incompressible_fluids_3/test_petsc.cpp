@@ -151,7 +151,7 @@ TEST(Petsc_saddle_point_solver, updates) {
   std::vector<Vector> solutions;
   for (bool is_updated : {false, true}) {
     dsc::Saddle_point_solver solver;
-    solver.use(dsc::Petsc_saddle_point_solver());
+    solver.use<dsc::Petsc_saddle_point_solver>();
     solver.factorize(System(is_updated ? similar : system));
     if (is_updated)
       solver.update(System(system));

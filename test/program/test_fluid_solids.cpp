@@ -306,7 +306,36 @@ TEST_F(Fluid_solids, liquid_leaves_through_an_open_side) {
   json["sides"]["x+"]["velocity"] = {1, 0};
   expect_refusal(json, "along the side");
   json["sides"]["x+"] = {{"pressure", 0}, {"inflow", {0, 1}}};
-  expect_refusal(json, "inflow");
+  expect_refusal(json, "cannot be combined with 'pressure'");
+  json["sides"]["x+"] = {{"pressure", 0}, {"from", {0, 0}}, {"to", {0.5, 0.5}}};
+  expect_refusal(json, "meets the side");
+  json["sides"]["x+"] = {{"inflow", {-1, 0}}, {"from", {1, 3}}, {"to", {1, 4}}};
+  expect_refusal(json, "meets the side");
+  json["sides"]["x+"] = {{"pressur", 0}};
+  expect_refusal(json, "did you mean 'pressure'");
+}
+
+// The state before the step is kept, and the message tells the step and the time.
+TEST_F(Fluid_solids, steps_that_fail_leave_a_checkpoint) {
+  Json json = floating();
+  json["sources"] = {{{"center", {1, 0.4}}, {"radius", 0.3}, {"flux", "t<0.05?0.1:1/0"}}};
+  const Outcome outcome = run("fluid " + write_scene(json));
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find("step 3 of the fluid at time 0.04 failed: "), std::string::npos)
+      << outcome.err;
+  EXPECT_NE(outcome.err.find("the state before this step is in "), std::string::npos)
+      << outcome.err;
+  EXPECT_TRUE(std::filesystem::exists(path("dsc_failed.dsc")));
+}
+
+// A box that floats in equilibrium stays there.
+TEST_F(Fluid_solids, relaxation_of_a_fluid_at_rest_ends) {
+  Json json = floating();
+  json["solids"][1]["from"] = {0.75, 0.82};
+  json["solids"][1]["to"] = {1.25, 1.12};
+  json["relaxation"] = {{"time_step", 0.1}, {"steps", 30}};
+  json["end"] = 0.02;
+  EXPECT_EQ(steps_of(json).size(), 2u);
 }
 
 TEST_F(Fluid_solids, flux_is_exact) {
@@ -397,6 +426,7 @@ TEST_F(Fluid_solids, wrong_solids_are_refused) {
   expect_refusal_of_solid(0, R"({"displacement": "t"})", "1 component instead of 2");
   expect_refusal_of_solid(0, R"({"rotation": "0,0,t"})", "3 components instead of 1");
   expect_refusal_of_solid(0, R"({"displacement": [0, 0]})", "string");
+  expect_refusal_of_solid(1, R"({"from": [5, 0.8], "to": [5.5, 1.1]})", "outside the domain");
   expect_refusal_of_solid(1, R"({"center": [0, 0]})",
                           "'center': cannot be combined with the field 'density'");
   expect_refusal_of_solid(1, R"({"density": null, "rotation": "1+t"})", "must be 0 at the time 0");

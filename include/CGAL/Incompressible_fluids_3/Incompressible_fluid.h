@@ -774,6 +774,9 @@ private:
 
   static constexpr std::uint32_t steps_after_change = 4; // of topology: waves are then smooth
   static constexpr double implicitness_after_change = .6;
+  // Relative to the volume of a component. Corrections are exact up to rounding unless walls leave
+  // no room.
+  static constexpr double largest_volume_error = 1e-4;
 
   Complex& m_complex;
   Properties m_properties;

@@ -13,6 +13,7 @@
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/number_utils.h>
 
 #include <array>
@@ -105,10 +106,13 @@ inline Rigid_body_3 rigid_box(const Rigid_body_3::Point& from, const Rigid_body_
 /// \tparam Mesh an instance of `Surface_mesh` with points of `Simple_cartesian<double>`
 /// \param mesh the surface, oriented outwards or inwards
 /// \param density the density
-/// \throws Error if the volume of the mesh is 0 or not finite, or if the density is not positive
-/// and finite
+/// \throws Error if the mesh is not closed or not a triangle mesh, if its volume is 0 or not finite,
+/// or if the density is not positive and finite
 template <class Mesh> Rigid_body_3 rigid_body_of_mesh(const Mesh& mesh, double density) {
   using Vector = Rigid_body_3::Vector;
+  if (!is_closed(mesh) || !is_triangle_mesh(mesh))
+    throw Error("the mesh of a body is not closed or not a triangle mesh: fill its holes and "
+                "triangulate its facets");
   // Sums over the tetrahedra between the triangles and the origin of the first point, which reduces
   // rounding: 6 times the volume, 24 times the first moments, and 120 times the second moments.
   double volume = 0;
@@ -120,8 +124,7 @@ template <class Mesh> Rigid_body_3 rigid_body_of_mesh(const Mesh& mesh, double d
     std::array<Vector, 4> p = {};
     std::size_t k = 0;
     for (const auto v : mesh.vertices_around_face(mesh.halfedge(f)))
-      if (k < 3)
-        p[k++] = mesh.point(v) - origin;
+      p[k++] = mesh.point(v) - origin;
     const double det = p[0] * cross_product(p[1], p[2]);
     p[3] = p[0] + p[1] + p[2];
     volume += det;

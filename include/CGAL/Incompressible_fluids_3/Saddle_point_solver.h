@@ -352,9 +352,10 @@ public:
   using Vector = System::Vector;      ///< a vector of unknowns
 
   /// Uses another solver instead, for systems of any size. Call `factorize()` next.
-  /// \tparam Model a model of `SaddlePointSolver` that can be moved
-  template <class Model> void use(Model model) {
-    m_other = std::make_unique<Other_solver<Model>>(std::move(model));
+  /// \tparam Model a model of `SaddlePointSolver`
+  /// \param arguments the arguments of the constructor of `Model`
+  template <class Model, class... Arguments> void use(Arguments&&... arguments) {
+    m_other = std::make_unique<Other_solver<Model>>(std::forward<Arguments>(arguments)...);
   }
 
   /// Factorizes the matrix of a system.
@@ -408,7 +409,9 @@ private:
 
   template <class Model> struct Other_solver : Other
   {
-    explicit Other_solver(Model&& model) : m_model(std::move(model)) {}
+    template <class... Arguments>
+    explicit Other_solver(Arguments&&... arguments)
+        : m_model(std::forward<Arguments>(arguments)...) {}
     void factorize(System&& system, unsigned number_of_threads) override {
       m_model.factorize(std::move(system), number_of_threads);
     }

@@ -54,7 +54,9 @@ enum class Fluid_failure {
   motion,
   /// The energy rises by more than moving walls and sources supply, and changes of the mesh cause
   /// the larger part.
-  mesh
+  mesh,
+  /// The volume of a component cannot be restored: its relative error is above 1e-4.
+  volume
 };
 
 /// \ingroup PkgIncompressibleFluids3Ref
@@ -66,8 +68,9 @@ struct Fluid_repetition
   Fluid_failure cause; ///< the reason of the failure
   double time;         ///< the time at the beginning of the attempt
   double dt;           ///< the length of the attempt
-  /// For `equations`, the relative residual; otherwise the unexplained rise of the energy, relative
-  /// to the amount of energy, see `Incompressible_fluid::advance()`.
+  /// For `equations`, the relative residual; for `volume`, the relative error of the volume;
+  /// otherwise the unexplained rise of the energy, relative to the amount of energy, see
+  /// `Incompressible_fluid::advance()`.
   double amount;
   /// For `equations`, the barycenter of the liquid cell of lowest quality; otherwise the vertex of
   /// greatest velocity.

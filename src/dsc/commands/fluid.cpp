@@ -89,6 +89,12 @@ void require_contents(const Fluid_picture& picture, const Fluid_scene& scene) {
         "--color field applies only to a scene with a field; choose another quantity");
 }
 
+/// The error of a step that cannot be completed. The fluid is in its state before the step.
+struct Failed_step : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
 /// A run with its output files and messages.
 template <int dimension> class Reported_run
 {
@@ -212,8 +218,19 @@ template <int dimension> void Reported_run<dimension>::advance() {
   options.interface_tolerance = m_run.scene.interface_tolerance;
   options.adaptation_interval = unsigned(m_run.scene.adaptation_interval);
   const double dt = m_run.next_step(m_end);
-  set_time(m_run.scene, fluid.time() + dt / 2, fluid);
-  const auto report = fluid.advance(dt, options); // all or nothing
+  const auto report = [&] {
+    try {
+      set_time(m_run.scene, fluid.time() + dt / 2, fluid);
+      return fluid.advance(dt, options); // all or nothing
+    } catch (const DSC::Interrupted_error&) {
+      throw;
+    } catch (const DSC::Fluid_step_error& error) {
+      throw Failed_step(error.what());
+    } catch (const std::exception& error) {
+      throw Failed_step("step " + std::to_string(step() + 1) + " of the fluid at time " +
+                        Json(fluid.time()).dump() + " failed: " + error.what());
+    }
+  }();
   set_time(m_run.scene, fluid.time(), fluid);
   ++m_done;
   m_steps.push_back(step_json<Complex>(fluid, m_run.scene, step(), report));
@@ -241,8 +258,8 @@ template <int dimension> void Reported_run<dimension>::do_steps() {
       if (step() % m_options.every == 0)
         write_files();
     }
-  } catch (const CGAL::Deformable_simplicial_complexes::Interrupted_error&) {
-  } catch (const CGAL::Deformable_simplicial_complexes::Fluid_step_error& error) {
+  } catch (const DSC::Interrupted_error&) {
+  } catch (const Failed_step& error) {
     write_all();
     throw std::runtime_error(std::string(error.what()) + "; the state before this step is in " +
                              checkpoint("dsc_failed"));

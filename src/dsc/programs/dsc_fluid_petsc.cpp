@@ -169,7 +169,7 @@ unsigned dsc::processes_of_machine() {
   return unsigned(result);
 }
 
-void dsc::use_petsc(DSC::Saddle_point_solver& solver) { solver.use(Interruptible_solver()); }
+void dsc::use_petsc(DSC::Saddle_point_solver& solver) { solver.use<Interruptible_solver>(); }
 
 int main(int argc, char** argv) {
   Arguments arguments(argc, argv);

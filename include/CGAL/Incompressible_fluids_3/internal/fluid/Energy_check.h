@@ -52,6 +52,8 @@ inline std::string message_of(const Fluid_repetition& failure, std::uint64_t ste
       return "the equations of the flow have no accurate solution, with a relative residual of ";
     case Fluid_failure::motion:
       return "the motion increases the energy without a cause, by a fraction of ";
+    case Fluid_failure::volume:
+      return "the volume of a component cannot be restored, with a relative error of ";
     case Fluid_failure::mesh:
       break;
     }

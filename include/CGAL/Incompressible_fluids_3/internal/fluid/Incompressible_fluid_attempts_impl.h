@@ -120,6 +120,9 @@ auto Incompressible_fluid<Complex, Solver>::attempt(const internal::Step_plan& p
       make_admissible(length, chosen.deformation.number_of_threads, report);
     step(length, begin + plan.end() * dt, chosen, std::numeric_limits<double>::infinity(), report,
          &judge);
+    if (!judge.failure && report.volume_error > largest_volume_error)
+      return Fluid_repetition{Fluid_failure::volume, from, length, report.volume_error,
+                              fastest_vertex()};
     if (!judge.failure)
       return std::nullopt;
     return Fluid_repetition{*judge.failure, from, length, judge.rise, fastest_vertex()};

@@ -17,7 +17,8 @@ namespace Deformable_simplicial_complexes {
 // Moves the liquids to an equilibrium of forces, see `relax()`.
 template <class Complex, class Solver>
 double Incompressible_fluid<Complex, Solver>::relax(double dt, unsigned steps, Options chosen) {
-  static constexpr double rest = 1e-14;              // relative to the velocity of the first step
+  // Relative to the velocity of the first step, and to an edge in a step.
+  static constexpr double rest = 1e-14;
   static constexpr double longest_displacement = .3; // in edges: forces change over an edge
   chosen.check();
   chosen.implicitness = 1;
@@ -49,7 +50,7 @@ double Incompressible_fluid<Complex, Solver>::relax(double dt, unsigned steps, O
     stop(this);
     velocity = report.greatest_velocity;
     first = k == 0 ? velocity : first;
-    if (velocity <= rest * first)
+    if (velocity <= rest * (std::max)(first, mean_edge() / dt))
       break;
     if (before != stamps_of_interface()) {
       accelerator.forget();
@@ -57,7 +58,12 @@ double Incompressible_fluid<Complex, Solver>::relax(double dt, unsigned steps, O
     }
     const Eigen::VectorXd to = last = coordinates_of_interface(from);
     const double energy = balance().energy();
-    move_interface(accelerator.next(from, to));
+    const Eigen::VectorXd next = accelerator.next(from, to);
+    if (!((next - to).lpNorm<Eigen::Infinity>() <= mean_edge())) {
+      accelerator.forget(); // the extrapolation is too far or not finite
+      continue;
+    }
+    move_interface(next);
     if (before != stamps_of_interface()) {
       accelerator.forget();
       continue;
@@ -223,7 +229,7 @@ void Incompressible_fluid<Complex, Solver>::describe(const Step& step, const Flo
   report.residual = (std::max)(report.residual, step.residual());
   report.flat_cells = (std::max)(report.flat_cells, step.number_of_flat_cells());
   report.contacts = step.contacts().number_of_constrained();
-  report.contacts_settled = step.is_settled();
+  report.contacts_settled = report.contacts_settled && step.is_settled();
   const auto loads = step.loads_on_solids();
   for (std::size_t k = 0; k < loads.size(); ++k) {
     report.forces_on_solids[k] = internal::from_eigen<typename Report::Vector>(loads[k].force);

@@ -39,6 +39,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -131,6 +132,7 @@ public:
       }
     }
     check_residual();
+    require_room();
     end();
   }
 
@@ -200,7 +202,7 @@ public:
       power += term;
       size += std::abs(term);
     };
-    const Vector forces = m_open.forces(m_mesh, m_midpoint_positions);
+    const Vector forces = forces_of_open_sides();
     for (std::size_t v = 0; v < m_velocities.size(); ++v)
       add(m_velocities[v].dot(forces.segment<3>(3 * Eigen::Index(v))));
     for_each_passage([&](std::size_t k, std::size_t v, double gain, std::size_t) {
@@ -359,7 +361,14 @@ public:
   }
 
 private:
-  Side_fluxes<Mesh> side_fluxes() const {
+  // Returns the forces of the pressures and of the surfaces beyond open sides on vertices.
+  Vector forces_of_open_sides() const {
+    return m_open.forces(m_mesh, m_midpoint_positions) +
+           m_open.forces_of_surfaces(m_mesh, m_midpoint_positions,
+                                     [this](std::size_t f) { return m_contacts.tension(f); });
+  }
+
+  Side_fluxes<Complex> side_fluxes() const {
     return {m_mesh, m_sides, m_inflow, m_open, m_midpoint_positions};
   }
 
@@ -448,6 +457,32 @@ private:
                               m_residual, largest_residual);
   }
 
+  // Checks that a liquid without a free surface neither gains nor loses volume by sources, inflows
+  // and moving walls. Its equations have a solution nevertheless, because closed sets have an
+  // additional pressure.
+  // \throws Error if it does
+  void require_room() const {
+    static constexpr double largest = 1e-6; // volume that is gained, relative to the volume
+    if (m_closed.empty())
+      return;
+    Vector volumes = Vector::Zero(m_pressures.size());
+    for (const auto& cell : m_mesh.cells)
+      for (auto p : cell.pressures)
+        volumes(p) +=
+            volume(m_mesh.corners_at(cell.vertices, m_midpoint_positions)) / Mesh::corners;
+    for (const auto& set : m_closed) {
+      double gain = 0, whole = 0;
+      for (Eigen::Index p : set.pressures) {
+        gain += m_last_solution.s(p);
+        whole += volumes(p);
+      }
+      if (std::abs(gain) * m_step.dt > largest * whole)
+        throw Error(std::string("a liquid without a free surface ") +
+                    (gain > 0 ? "gains" : "loses") +
+                    " volume by sources, inflows or moving walls: add an open side or a gas");
+    }
+  }
+
   // Computes the destinations and the velocities at the end of the step, with damping and contacts.
   // \throws Convergence_error if a velocity is not finite
   void end() {
@@ -521,7 +556,7 @@ private:
         m_midpoint_positions, m_velocities, [&](std::size_t f) { return m_contacts.tension(f); },
         pressures);
     if (!m_open.empty())
-      m_equations.add_pushes(m_open.forces(m_mesh, m_midpoint_positions));
+      m_equations.add_pushes(forces_of_open_sides());
     m_gains =
         gains_of_cells(m_sources, m_mesh, m_midpoint_positions, (m_begin + m_end) / 2, m_step.dt);
     m_is_assembled = false;

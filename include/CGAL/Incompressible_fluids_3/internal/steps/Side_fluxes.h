@@ -10,6 +10,8 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Incompressible_fluids_3/Side_behavior.h>
+#include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
+#include <CGAL/Incompressible_fluids_3/internal/mesh/cell_element.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Open_sides.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/side_velocities.h>
@@ -24,8 +26,10 @@ namespace internal {
 
 // The volumes that cells gain in a unit of time through sides of the domain: their corners at
 // inlets and on open sides do not move with the liquid.
-template <class Mesh> struct Side_fluxes
+template <class Complex> struct Side_fluxes
 {
+  using Mesh = Fluid_mesh<Complex>;
+
   const Mesh& mesh;
   const Side_behaviors& behaviors;
   const Inflow_velocities& inflow;
@@ -66,10 +70,8 @@ private:
   // change that this motion would cause. `velocity` is the velocity of the liquid relative to the
   // corner.
   double gain(std::size_t k, std::size_t i, const Eigen::Vector3d& velocity) const {
-    auto corners = mesh.corners_at(mesh.cells[k].vertices, positions);
-    const double before = volume(corners);
-    corners[i] += velocity; // the volume is linear in the position of the corner
-    return before - volume(corners);
+    const auto cell = cell_element<Complex>(mesh.corners_at(mesh.cells[k].vertices, positions));
+    return -velocity.dot(eigen_vector(cell.measure_gradient(int(i))));
   }
 
   // Calls `f(gain, side)` for the gains of cell k at its corner i through a set of sides. If the

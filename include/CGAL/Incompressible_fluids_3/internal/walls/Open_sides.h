@@ -122,6 +122,37 @@ public:
     return result;
   }
 
+  // Returns the forces of the surfaces beyond the open sides on the vertices where surfaces end. A
+  // surface continues the facet at the side, with its tension. So the forces along a flat surface
+  // are balanced. `tension_of(facet)` returns the energy of a unit of area of a facet.
+  template <class Mesh, class Tension_of>
+  Eigen::VectorXd forces_of_surfaces(const Mesh& mesh, const Vectors_3& positions,
+                                     const Tension_of& tension_of) const {
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(3 * Eigen::Index(positions.size()));
+    static constexpr std::size_t n = Mesh::dimension;
+    for (std::size_t f = 0; f < mesh.facets.size() && !empty(); ++f)
+      for (std::size_t i = 0; i < n; ++i) {
+        const auto& vertices = mesh.facets[f].vertices;
+        unsigned common = ~0u; // open sides of the edge opposite to corner i, in the plane a vertex
+        for (std::size_t k = 1; k < n; ++k)
+          common &= sides(vertices[(i + k) % n]);
+        if ((common & ~unsigned(mesh.vertices[vertices[i]]->boundary_class())) == 0)
+          continue;
+        const auto corners = mesh.corners_at(vertices, positions);
+        const Eigen::Vector3d edge = corners[(i + n - 1) % n] - corners[(i + 1) % n];
+        Eigen::Vector3d outward = corners[(i + 1) % n] - corners[i];
+        double length = 1;
+        if (n == 3) {
+          length = edge.norm();
+          outward -= outward.dot(edge) / edge.squaredNorm() * edge;
+        }
+        const Eigen::Vector3d share = tension_of(f) * length / double(n - 1) * outward.normalized();
+        for (std::size_t k = 1; k < n && share.allFinite(); ++k)
+          result.segment<3>(3 * Eigen::Index(vertices[(i + k) % n])) += share;
+      }
+    return result;
+  }
+
 private:
   std::vector<Boundary_class::Bits> m_sides;                     // by vertex
   std::array<std::vector<std::optional<double>>, 6> m_pressures; // by side and vertex
