@@ -15,6 +15,7 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -26,10 +27,12 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // Returns the lower triangle of the near part of a symmetric matrix: the entries with the pattern
-// of `near`. Positive sums of the other entries of a row are added to the diagonal. Both matrices
-// are given by their lower triangles, with sorted entries.
+// of `near`. Positive sums of the other entries of a row are added to the diagonal, or with
+// `is_safe`, the sums of their absolute values. The result is then positive definite if the matrix
+// is. Both matrices are given by their lower triangles, with sorted entries.
 inline Eigen::SparseMatrix<double> near_part(const Eigen::SparseMatrix<double>& lower,
-                                             const Eigen::SparseMatrix<double>& near) {
+                                             const Eigen::SparseMatrix<double>& near,
+                                             bool is_safe) {
   using Entry = Eigen::SparseMatrix<double>::InnerIterator;
   Eigen::SparseMatrix<double> result = near;
   Eigen::VectorXd far = Eigen::VectorXd::Zero(lower.cols());
@@ -42,8 +45,9 @@ inline Eigen::SparseMatrix<double> near_part(const Eigen::SparseMatrix<double>& 
         to.valueRef() = from.value();
         ++to;
       } else {
-        far(from.row()) += from.value();
-        far(j) += from.value();
+        const double value = is_safe ? std::abs(from.value()) : from.value();
+        far(from.row()) += value;
+        far(j) += value;
       }
     }
     for (; to; ++to)
@@ -73,11 +77,12 @@ public:
   // Computes the levels of a matrix. The near part has the pattern of the matrix `near`. Returns
   // whether all factorizations exist. Takes about linear time.
   bool compute(const Matrix& matrix, const Matrix& near) {
-    const Matrix near_matrix = near_part(matrix, near);
+    const Matrix near_matrix = near_part(matrix, near, false);
     m_aggregates = aggregates(near_matrix.selfadjointView<Eigen::Lower>());
     m_coarse_in.resize(m_aggregates.number);
     m_coarse_out.resize(m_aggregates.number);
-    return m_of_near_part.compute(near_matrix) &&
+    return (m_of_near_part.compute(near_matrix) ||
+            m_of_near_part.compute(near_part(matrix, near, true))) &&
            compute_levels(matrix_of_aggregates(matrix, m_aggregates));
   }
 
@@ -148,9 +153,9 @@ private:
   }
 
   // Returns a factor with which the smoother of a level reduces errors. The V-cycle is positive
-  // definite only if all eigenvalues of the damped smoother, applied to the matrix, are less than 2.
-  // An incomplete factorization of a matrix with positive entries off the diagonal can have larger
-  // ones. The power method estimates the largest eigenvalue, always too small.
+  // definite only if all eigenvalues of the damped smoother, applied to the matrix, are less
+  // than 2. An incomplete factorization of a matrix with positive entries off the diagonal can have
+  // larger ones. The power method estimates the largest eigenvalue, always too small.
   static float damping(Level& level) {
     static constexpr int iterations = 12;
     static constexpr double largest = 1.5; // less than 2 because of the error of the estimate
