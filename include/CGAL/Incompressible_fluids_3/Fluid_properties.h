@@ -32,7 +32,9 @@ struct Liquid
   /// The dynamic viscosity as a function of the shear rate, 0 or more. The shear rate is the square
   /// root of 2 D : D, where D is the symmetric part of the gradient of the velocity. It is 0 or
   /// more and has the unit 1 / time. If the function is empty, `viscosity` applies. The friction
-  /// between two liquids depends on `viscosity` only.
+  /// between two liquids depends on `viscosity` only. `Incompressible_fluid::advance()` and
+  /// `Incompressible_fluid::relax()` throw an `Error` if the function returns a number that is
+  /// negative or not finite.
   std::function<double(double)> viscosity_at_shear_rate = {};
   /// The diffusivity of the field that liquids carry, 0 or more: area in a unit of time. See
   /// `Incompressible_fluid::set_field()`.

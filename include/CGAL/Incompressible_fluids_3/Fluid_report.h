@@ -61,7 +61,7 @@ struct Fluid_gas
 /*!
 \ingroup PkgIncompressibleFluids3Ref
 
-The report of a time step of `Incompressible_fluid_3`.
+The report of a time step of `Incompressible_fluid`.
 
 In the plane, vectors lie in the plane, and the angular momentum is perpendicular to it.
 
@@ -74,7 +74,8 @@ template <class Complex> struct Fluid_report
   double time = 0;      ///< the time after the step
   double dt = 0;        ///< the length of the step
   Fluid_balance before; ///< the balance at the beginning
-  /// The balance after the motion, before changes of the mesh and of its topology.
+  /// The balance after the motion, before changes of the mesh and of its topology. If the step was
+  /// divided, it is the balance of the last part.
   Fluid_balance moved;
   /// The balance at the end; the difference to `moved` is due to the mesh, and to
   /// `work_of_tensions`.
@@ -110,11 +111,14 @@ template <class Complex> struct Fluid_report
   std::size_t flat_cells = 0;
   unsigned parts = 1; ///< the number of time steps that the step was divided into
   std::vector<Fluid_repetition> repetitions; ///< the attempts that were undone, in order
-  /// The number of vertices constrained by solids, or by the distance to sides of the domain.
+  /// The number of vertices constrained by solids, or by the distance to sides of the domain. If
+  /// the step was divided, it is the number in the last part.
   std::size_t contacts = 0;
   /// Whether the search for the vertices constrained by contacts converged.
   bool contacts_settled = true;
-  double depth_in_solids = 0; ///< the depth of the deepest vertex in a solid, after the step
+  /// The depth of the deepest surface vertex in a solid, after the step. Vertices inside liquids
+  /// are not tested.
+  double depth_in_solids = 0;
   /// The mean force of liquids on each solid in the step, in the order of `add_solid()` and
   /// `add_body()`.
   std::vector<Vector> forces_on_solids;

@@ -23,12 +23,12 @@ namespace Deformable_simplicial_complexes {
 /// The boundary conditions of liquids at a solid.
 struct Wall_behavior
 {
-  /// contact angle in degrees, in [0, 180]: the angle in the liquid between the solid and the
-  /// surface
+  /// Contact angle in degrees, in [0, 180]: the angle in the liquid between the solid and the
+  /// surface.
   double contact_angle = 90;
-  /// whether a liquid in contact moves with the wall (no-slip), instead of sliding along it (slip)
+  /// Whether a liquid in contact moves with the wall (no-slip), instead of sliding along it (slip).
   bool sticks = false;
-  /// whether the liquid may leave the wall where the normal force would be negative. With surface
+  /// Whether the liquid may leave the wall where the normal force would be negative. With surface
   /// tension, the vertices of wetted facets stay on the wall. They leave it only when the contact
   /// line recedes along the wall.
   bool separates = true;
@@ -36,8 +36,8 @@ struct Wall_behavior
 
 /// \ingroup PkgIncompressibleFluids3Ref
 /// The state of `Incompressible_fluid`, in addition to the state of its complex, as plain
-/// numbers. It contains the places and motions of bodies, but neither solids, nor sides, nor
-/// sources, nor the given values of the field.
+/// numbers. It contains the field and the places and motions of bodies. It does not contain the
+/// media, gravity, solids, sides, sources and given values of the field.
 struct Fluid_state
 {
   double time = 0;         ///< the present time

@@ -37,7 +37,8 @@ template <class Complex> struct Fluid_step_options
   /// interface, at least 0. With 0, the interface is not remeshed before steps.
   double interface_tolerance =
       defaults::Adaptive_advection<Complex::dimension>::interface_tolerance;
-  /// Number of steps between two adaptations of the mesh. With 0, the mesh is never adapted.
+  /// Number of steps between two adaptations of the mesh. With 0, the mesh is never adapted
+  /// before steps. The motion can still change it.
   unsigned adaptation_interval =
       defaults::Adaptive_advection<Complex::dimension>::adaptation_interval;
 

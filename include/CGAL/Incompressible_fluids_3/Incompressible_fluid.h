@@ -83,10 +83,11 @@ Each label is a liquid, a gas or void, see `Fluid_properties`. A time step solve
 all velocities and pressures.
 
 - With the default `implicitness`, the system is the implicit midpoint rule. Energy then changes
-only by external work, viscosity, damping, contacts and remeshing. Surface tension and viscosity are
+  only by external work, viscosity, damping, contacts and remeshing. External work includes the
+  work of sources and of liquid that passes through sides. Surface tension and viscosity are
   implicit, so they do not bound the time step.
 - The volume of each connected component of a liquid changes only by sources and through sides, up
-to rounding. When components merge, their volumes are added. `Report::volume_error` contains the
+  to rounding. When components merge, their volumes are added. `Report::volume_error` contains the
   remaining error.
 - The momentum and the angular momentum of each connected component change only by gravity, gases,
   walls, bodies, sources and the liquid that passes through sides.
@@ -233,7 +234,7 @@ public:
   /// and returns the divergence of the velocity: the volume that a unit of volume of liquid gains
   /// in a unit of time. It is positive for inflow and negative for outflow. New liquid has the
   /// velocity of the liquid around it. The function is evaluated at the barycenter of each liquid
-  /// cell at the midpoint of the step.
+  /// cell, at the midpoint of the step, or of each part if the step is divided.
   ///
   /// `advance()` throws the exceptions of the function. It throws an `Error` if a divergence is not
   /// finite, or if its absolute value, multiplied by the time step, is 1 or more. `relax()` ignores
@@ -246,9 +247,10 @@ public:
   }
 
   /// Adds a source with a given flux. The cells of liquids whose barycenters are in a region gain
-  /// together the volume `flux_at(time)` in a unit of time, evaluated at the midpoint of the step.
-  /// Each unit of their volume gains the same volume. The flux is negative for a drain. If no cell
-  /// is in the region, the source has no effect, and `Report::gained_volume` is 0.
+  /// together the volume `flux_at(time)` in a unit of time. The function is evaluated at the
+  /// midpoint of the step, or of each part if the step is divided. Each unit of their volume gains
+  /// the same volume. The flux is negative for a drain. If no cell is in the region, the source has
+  /// no effect, and `Report::gained_volume` is 0.
   ///
   /// New liquid, exceptions, `relax()` and `state()` are as for `set_sources()`, and the divergence
   /// has the same bound. Both kinds of sources are added.
@@ -273,7 +275,8 @@ public:
   /// a label. Liquids with different velocities at a common vertex slip along each other, see
   /// `velocity()`. The next step begins with a projection: it takes the nearest velocities, in the
   /// norm of the kinetic energy, that preserve volumes and enter no wall.
-  /// \throws Error if a velocity is not finite; then nothing is changed
+  /// \throws Error if a velocity is not finite. Also throws `Error`, and exceptions of functions of
+  /// the user, as `advance()` does. After any exception, nothing is changed.
   template <class VelocityAt> void set_velocities(const VelocityAt& velocity_at) {
     const Flow flow(*this, m_properties);
     Vectors velocities(flow.mesh.vertices.size(), Eigen::Vector3d::Zero()), count = velocities;
@@ -316,8 +319,8 @@ public:
     values, apart from diffusion and `fix_field()`.
   - `relax()` moves the field, but the field does not diffuse.
 
-  Set the field before all other functions are called, if the function of a surface tension is
-  negative at 0.
+  If a surface tension is negative at a field of 0, set the field before any other function is
+  called. Otherwise, `advance()` and other functions throw an `Error`.
 
   \throws Error if a value is not finite; then nothing is changed
   */
@@ -353,17 +356,20 @@ public:
   const Complex& complex() const { return m_complex; }          ///< Returns the complex.
   const Properties& properties() const { return m_properties; } ///< Returns the media.
   double time() const { return m_time; }                        ///< Returns the time, initially 0.
-  /// Returns the velocity of a vertex of a liquid.
+  /// Returns the velocity of a vertex of a liquid, or 0 at other vertices.
   Vector velocity(Vertex_handle v) const { return vector(m_motion.velocity(v)); }
   /// Returns the velocity of the liquid with a label at a vertex. At the interface of two liquids,
-  /// it is the velocity of the vertex plus a velocity along the interface.
+  /// it is the velocity of the vertex plus a velocity along the interface. If the liquid is not at
+  /// the vertex, returns the common velocity.
   Vector velocity(Vertex_handle v, int label) const { return vector(m_motion.velocity(v, label)); }
   /// Returns the pressure at a vertex of a liquid in the last step: the mean of the pressures of
-  /// the liquids around the vertex. It is 0 before the first step.
+  /// the liquids around the vertex. It is 0 at other vertices and before the first step.
   double pressure(Vertex_handle v) const { return m_motion.pressure(v); }
-  /// Returns the pressure of the liquid with a label at a vertex in the last step.
+  /// Returns the pressure of the liquid with a label at a vertex in the last step. If the liquid is
+  /// not at the vertex, returns the mean pressure of the liquids around it.
   double pressure(Vertex_handle v, int label) const { return m_motion.pressure(v, label); }
-  /// Returns the value of the field at a vertex of a liquid, see `set_field()`.
+  /// Returns the value of the field at a vertex of a liquid, or 0 at other vertices. See
+  /// `set_field()`.
   double field(Vertex_handle v) const { return m_motion.field(v); }
   /// Returns whether the liquids carry a field.
   bool has_field() const { return m_has_field; }
@@ -384,12 +390,14 @@ public:
       return vector(result);
   }
   /// Returns the present balance of all liquids. Takes O(n log n) time.
+  /// \throws Error, and exceptions of functions of the user, as `advance()` does
   Balance balance() const {
     const Flow flow(*this, m_properties);
     return flow.balance(*this, flow.positions, flow.velocities, m_time);
   }
   /// Returns the connected components of gases, by increasing number of component. Takes O(n log n)
   /// time.
+  /// \throws Error, and exceptions of functions of the user, as `advance()` does
   std::vector<Fluid_gas> gases() const {
     if (m_properties.gases().empty())
       return {};
@@ -420,15 +428,20 @@ public:
 
   /// Returns the depth of the deepest surface vertex in a solid, or 0 if no vertex is inside a
   /// solid. Takes O(n log n) time.
+  /// \throws Error, and exceptions of functions of the user, as `advance()` does
   double depth_in_solids() const { return Flow(*this, m_properties).depth_in_solids(*this); }
 
   /*!
   Returns the longest time step in which no vertex of a liquid moves by more than a fraction of an
   edge. It uses the present velocities and the accelerations of the last step. At a vertex of the
   interface, the length of an edge is the length when the surface was built or last remeshed. At
-  other vertices, it is `mean_interface_edge()`. If the complex was built without an interface on a
-  torus, it is the edge length of a regular simplex with the mean measure of the cells. Returns
-  infinity for a fluid at rest. Takes linear time.
+  other vertices, it is `Complex::mean_interface_edge()`. If the complex was built without an
+  interface on a torus, it is the edge length of a regular simplex with the mean measure of the
+  cells. Returns infinity for a fluid at rest. Takes linear time.
+
+  The result does not include the effect of solids, sides and sources that begin to move the liquid
+  later.
+  \pre `fraction > 0`
   \param fraction the fraction of an edge, also called CFL number. Use at most 0.25 if liquids
          collide.
   */
@@ -444,14 +457,17 @@ public:
   Each attempt at a step is checked, and an attempt that fails is undone. An attempt fails if
 
   - the equations have no accurate solution, or
-  - the energy rises by more than moving walls and sources supply, and this unexplained rise exceeds
-    its bound. The bound is 1e-3 if the motion causes at least half of the rise. It is 0.05 if
-    changes of the mesh cause the larger part.
+  - the volume of a component differs from its preserved volume by more than 1e-4, relative to it,
+    or
+  - the energy rises by more than moving walls, bodies, sources and liquid that passes through sides
+    supply, and this unexplained rise exceeds its bound. On a torus, gravity also supplies energy.
+    The bound is 1e-3 if the motion causes at least half of the rise. It is 0.05 if changes of the
+    mesh cause the larger part.
 
-  Both bounds are relative to an amount of energy. This amount is the sum of the kinetic energy, the
-  absolute surface energy, the potential energy above the lowest vertex, and the products of
-  pressure and volume of compressible gases. On a torus, the potential energy is replaced by the
-  weight of the liquids, multiplied by half of the period along gravity.
+  Both bounds of the energy are relative to an amount of energy. This amount is the sum of the
+  kinetic energy, the absolute surface energy, the potential energy above the lowest vertex, and the
+  products of pressure and volume of compressible gases. On a torus, the potential energy is
+  replaced by the weight of the liquids, multiplied by half of the period along gravity.
 
   The next attempt depends on the cause of the failure:
 
@@ -480,9 +496,9 @@ public:
     \cgalParamNEnd
     \cgalParamNBegin{interface_tolerance}
       \cgalParamDescription{the largest distance of an edge of the interface to a smooth surface, in
-                            units of `mean_interface_edge()`. The interface is remeshed as in
-                            `advect_adaptively()` if too many edges are too long or too short. With
-                            0, the interface is not remeshed before steps.}
+                            units of `Complex::mean_interface_edge()`. The interface is remeshed as
+                            in `advect_adaptively()` if too many edges are too long or too short.
+                            With 0, the interface is not remeshed before steps.}
       \cgalParamType{`double`} \cgalParamDefault{0.04}
     \cgalParamNEnd
     \cgalParamNBegin{adaptation_interval}
@@ -494,15 +510,17 @@ public:
   \cgalNamedParamsEnd
 
   \return the report of the step
-  \throws Error if a parameter is out of its range, or if `dt` is not positive, not finite, or too
-          short to change the time
+  \throws Error if a parameter is out of its range, if `dt` is not positive, not finite, or too
+          short to change the time, if a viscosity is negative or not finite, or if a liquid without
+          a free surface gains or loses volume. Also throws the exceptions described at
+          `set_side()`, `set_sources()`, `add_source()`, `fix_field()`, `Moving_solid_3` and
+          `Fluid_properties::set_surface_tension()`.
   \throws Fluid_step_error if no attempt succeeds. It contains the step, the time, the cause and the
           place.
 
   After any exception, the fluid and the complex are in their state before the step. This includes
-  exceptions of `topology_control`, of the sources and of a `Progress_scope`. The handles of the
-  complex are invalidated if an attempt that was undone had changed the complex. This also holds if
-  a later attempt succeeds.
+  exceptions of all functions of the user. The handles of the complex are invalidated if an attempt
+  that was undone had changed the complex. This also holds if a later attempt succeeds.
 
   A step solves from two to some dozens of linear systems and deforms the complex. Its time is
   almost linear in the number of vertices of liquids.
@@ -534,8 +552,10 @@ public:
   \param np the named parameters of `advance()`
   \return the greatest velocity of a vertex in the last step
   \throws Error as `advance()` does, or if there is gravity on a torus
-  \throws Convergence_error if the equations have no accurate solution. The complex is then valid,
-          and the fluid is at rest.
+  \throws Convergence_error if the equations have no accurate solution
+
+  If an argument is out of its range, or if there is gravity on a torus, nothing is changed. After
+  any other exception, the complex is valid but may have changed, and the fluid is at rest.
   */
   template <class NamedParameters = parameters::Default_named_parameters>
   double relax(double dt, unsigned steps, const NamedParameters& np = NamedParameters()) {
@@ -551,8 +571,9 @@ public:
   /// @{
 
   /// Returns the state of the fluid. Together with `Complex::state()`, it permits to continue with
-  /// bitwise identical results. It contains the field and the places and motions of bodies, but
-  /// neither solids, nor sides, nor sources, nor given values of the field. Takes O(n log n) time.
+  /// bitwise identical results. It contains the field and the places and motions of bodies. It does
+  /// not contain the media, gravity, solids, sides, sources and given values of the field. Takes
+  /// O(n log n) time.
   State state() const;
 
   /// Restores a state of the fluid. Restore the state of the complex first, as it was when

@@ -104,6 +104,9 @@ private:
 /// Returns the motion of a solid whose place is a function of time. Its velocities are differences
 /// of places, with errors of second order in the step. They are central differences. Before the
 /// time `step`, they are one-sided, so that no place at a negative time is evaluated.
+///
+/// The function must be continuous, with a continuous derivative. The solid must rotate by less
+/// than half a turn in a time of two steps. Larger rotations are taken for their remainder.
 /// \param place_at a function that returns the place at a time
 /// \param step the time between two places of a difference
 /// \throws Error if the step is not positive and finite. The motion throws an `Error` if the step is
@@ -142,7 +145,8 @@ public:
   using Point = Simple_cartesian<double>::Point_3;   ///< a point in space
   using Vector = Simple_cartesian<double>::Vector_3; ///< a vector in space
   /// A function that returns the motion at a time. Its velocities must be the derivatives of its
-  /// places, see `motion_of_places()`. It is called once for all points at a time.
+  /// places, see `motion_of_places()`. The motion of the last time is stored, so the function is
+  /// usually called once for each time and not for each point.
   using Motion = std::function<Solid_motion_3(double)>;
 
   /// Constructs a solid that moves as a function of time.
@@ -172,6 +176,7 @@ public:
   }
 
   /// Appends the walls at time `t`.
+  /// \throws Error if the motion is not finite
   void walls(const Point& p, double t, std::vector<Wall_3>& result) const {
     const Solid_motion_3 motion = m_motion(t);
     for (const Vector& v :

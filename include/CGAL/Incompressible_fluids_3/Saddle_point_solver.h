@@ -217,7 +217,8 @@ public:
   /// \param v,p the initial guess, and then the solution
   /// \param tolerance the tolerance of the true residual, relative to the right side, in the norm
   /// of the preconditioner. If rounding prevents convergence to it, a residual of 1e-9 is accepted.
-  /// \throws Convergence_error if the iterations do not converge
+  /// \throws Convergence_error if the iterations do not converge; v is then projected, and p is
+  /// unchanged
   unsigned solve(const Vector& f, const Vector& s, Vector& v, Vector& p, double tolerance) {
     const Eigen::Index n = f.size(), m = s.size();
     Vector x(n + m), right(n + m);

@@ -29,17 +29,21 @@ struct Side_behavior
 
   /// The velocity with which liquid enters the domain at a point of the side and a time, or nothing
   /// where the side is a wall. The function can be empty. A vertex of a liquid at which it returns
-  /// a velocity does not move. New liquid continues the liquid at the vertex. The function can also
-  /// return velocities with which liquid leaves the domain.
+  /// a velocity does not move. New liquid has the label of the liquid at the vertex. A component
+  /// without a free surface needs an outlet.
+  ///
+  /// The function can also return velocities with which liquid leaves the domain. Where a surface
+  /// of a liquid ends in the inlet, its vertex does not move, so do not prescribe an outflow there.
   std::function<std::optional<std::array<double, 3>>(const std::array<double, 3>&, double)> inflow =
       {};
 
   /// The pressure outside at a point of the side and a time, or nothing where the side is a wall.
   /// The pressure is relative to void. The function can be empty. A vertex of a liquid at which it
   /// returns a pressure is open, and liquid passes there in both directions with a velocity that
-  /// the equations determine. The vertex stays on the side. Liquid that enters continues the
-  /// liquid at the vertex. With slip, no force acts along the open part. With no-slip, the
-  /// component of the velocity along the side is that of `velocity`, except at free surfaces. Where
+  /// the equations determine. The vertex stays on the side. Liquid that enters has the label
+  /// of the liquid at the vertex. With slip, no force acts along the open part. With no-slip, the
+  /// liquid has the component of `velocity` along the side, except at vertices of interfaces. Where
+  /// a surface ends at the open part, the surface beyond it pulls with the same tension. Where
   /// there is an inflow, the pressure has no effect.
   std::function<std::optional<double>(const std::array<double, 3>&, double)> pressure = {};
 };

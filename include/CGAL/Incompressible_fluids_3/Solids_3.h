@@ -141,7 +141,8 @@ private:
 
 /// \ingroup PkgIncompressibleFluids3Ref
 /// A tank: the outside of a box, with six walls, or five if it is open. In the plane, a tank has
-/// four walls, or three if it is open. \cgalModels `Solid_3`
+/// four walls, or three if it is open.
+/// \cgalModels `Solid_3`
 class Tank_solid_3
 {
 public:
@@ -185,8 +186,8 @@ private:
 /// \ingroup PkgIncompressibleFluids3Ref
 /// A box, or a rectangle in the plane. Liquids are outside.
 ///
-/// Vertices at an edge of the box touch both of its sides, so that they stay on the edge. Vertices
-/// that slide along a side stop at its edges.
+/// Vertices at an edge of the box touch both sides that meet there, so that they stay on the edge.
+/// Vertices that slide along a side stop at its edges.
 /// \cgalModels `Solid_3`
 class Box_solid_3
 {

@@ -49,11 +49,13 @@ private:
 /// The reasons for which an attempt at a time step of `Incompressible_fluid` is undone.
 enum class Fluid_failure {
   equations, ///< the linear equations have no solution, or the residual is above the bound
-  /// The energy rises by more than moving walls and sources supply, and the motion causes at least
-  /// half of the rise.
+  /// The energy rises by more than moving walls, bodies, sources and liquid that passes through
+  /// sides supply, and the motion causes at least half of the rise. On a torus, gravity also
+  /// supplies energy.
   motion,
-  /// The energy rises by more than moving walls and sources supply, and changes of the mesh cause
-  /// the larger part.
+  /// The energy rises by more than moving walls, bodies, sources and liquid that passes through
+  /// sides supply, and changes of the mesh cause the larger part. On a torus, gravity also supplies
+  /// energy.
   mesh,
   /// The volume of a component cannot be restored: its relative error is above 1e-4.
   volume
