@@ -57,7 +57,7 @@ enum class Fluid_failure {
   /// sides supply, and changes of the mesh cause the larger part. On a torus, gravity also supplies
   /// energy.
   mesh,
-  /// The volume of a component cannot be restored: its relative error is above 1e-4.
+  /// The volume of a component cannot be restored: its relative error is above 0.05.
   volume
 };
 

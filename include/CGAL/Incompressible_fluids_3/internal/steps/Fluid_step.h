@@ -457,30 +457,31 @@ private:
                               m_residual, largest_residual);
   }
 
-  // Checks that a liquid without a free surface neither gains nor loses volume by sources, inflows
-  // and moving walls. Its equations have a solution nevertheless, because closed sets have an
-  // additional pressure.
+  // Checks that a liquid without a free surface neither gains nor loses volume by sources and
+  // inflows. Its equations have a solution nevertheless, because closed sets have an additional
+  // pressure.
   // \throws Error if it does
   void require_room() const {
-    static constexpr double largest = 1e-6; // volume that is gained, relative to the volume
-    if (m_closed.empty())
+    static constexpr double largest = 1e-6; // gain in a step, relative to the volume
+    const std::vector<double> gains = gains_without_open_sides();
+    if (m_closed.empty() || gains.empty())
       return;
-    Vector volumes = Vector::Zero(m_pressures.size());
-    for (const auto& cell : m_mesh.cells)
-      for (auto p : cell.pressures)
-        volumes(p) +=
-            volume(m_mesh.corners_at(cell.vertices, m_midpoint_positions)) / Mesh::corners;
-    for (const auto& set : m_closed) {
-      double gain = 0, whole = 0;
-      for (Eigen::Index p : set.pressures) {
-        gain += m_last_solution.s(p);
-        whole += volumes(p);
-      }
-      if (std::abs(gain) * m_step.dt > largest * whole)
-        throw Error(std::string("a liquid without a free surface ") +
-                    (gain > 0 ? "gains" : "loses") +
-                    " volume by sources, inflows or moving walls: add an open side or a gas");
+    std::vector<std::size_t> set_of_pressure(std::size_t(m_pressures.size()), m_closed.size());
+    for (std::size_t k = 0; k < m_closed.size(); ++k)
+      for (Eigen::Index p : m_closed[k].pressures)
+        set_of_pressure[std::size_t(p)] = k;
+    std::vector<double> gain(m_closed.size() + 1, 0), whole = gain;
+    for (std::size_t k = 0; k < gains.size(); ++k) {
+      const auto& cell = m_mesh.cells[k];
+      const std::size_t set = set_of_pressure[cell.pressures[0]];
+      gain[set] += gains[k] * m_step.dt;
+      whole[set] += volume(m_mesh.corners_at(cell.vertices, m_midpoint_positions));
     }
+    for (std::size_t k = 0; k < m_closed.size(); ++k)
+      if (std::abs(gain[k]) > largest * whole[k])
+        throw Error(std::string("a liquid without a free surface ") +
+                    (gain[k] > 0 ? "gains" : "loses") +
+                    " volume by sources or inflows: add an open side or a gas");
   }
 
   // Computes the destinations and the velocities at the end of the step, with damping and contacts.
