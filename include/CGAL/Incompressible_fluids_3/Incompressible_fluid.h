@@ -511,10 +511,10 @@ public:
 
   \return the report of the step
   \throws Error if a parameter is out of its range, if `dt` is not positive, not finite, or too
-          short to change the time, if a viscosity is negative or not finite, or if a liquid without
-          a free surface gains or loses volume. Also throws the exceptions described at
-          `set_side()`, `set_sources()`, `add_source()`, `fix_field()`, `Moving_solid_3` and
-          `Fluid_properties::set_surface_tension()`.
+          short to change the time, if a viscosity is negative or not finite, or if sources or
+          inflows change the volume of a liquid without a free surface. Also throws the exceptions
+          described at `set_side()`, `set_sources()`, `add_source()`, `fix_field()`,
+          `Moving_solid_3` and `Fluid_properties::set_surface_tension()`.
   \throws Fluid_step_error if no attempt succeeds. It contains the step, the time, the cause and the
           place.
 
