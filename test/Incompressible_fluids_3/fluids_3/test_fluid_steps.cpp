@@ -19,6 +19,8 @@
 #include <type_traits>
 #include <utility>
 
+namespace test_fluid_steps {
+
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace {
@@ -305,3 +307,5 @@ TEST(Fluid_equations, of_flat_cells_are_finite) {
   EXPECT_TRUE(is_finite(equations.system().c));
   EXPECT_LT(equations.system().c.coeffs().abs().maxCoeff(), 1);
 }
+
+} // namespace test_fluid_steps

@@ -19,6 +19,7 @@
 #include <optional>
 #include <vector>
 
+namespace test_open_sides {
 namespace {
 
 namespace dsc = CGAL::Deformable_simplicial_complexes;
@@ -316,3 +317,5 @@ TEST(Open_sides, refuses_what_makes_no_sense) {
   Fluid in_rhombus(rhombus, liquid(0, 1));
   EXPECT_THROW(in_rhombus.set_side(0, true, open_to(0)), dsc::Error);
 }
+
+} // namespace test_open_sides

@@ -21,6 +21,7 @@
 #include <utility>
 #include <vector>
 
+namespace test_carried_field {
 namespace {
 
 namespace dsc = CGAL::Deformable_simplicial_complexes;
@@ -291,3 +292,5 @@ TEST(Carried_field, refuses_what_makes_no_sense) {
   other.field.pop_back();
   EXPECT_THROW(fluid.restore(other), dsc::Error);
 }
+
+} // namespace test_carried_field

@@ -11,6 +11,7 @@
 #include <array>
 #include <numeric>
 
+namespace test_open_sides_3 {
 namespace {
 
 namespace dsc = CGAL::Deformable_simplicial_complexes;
@@ -60,3 +61,5 @@ TEST(Open_sides_3, hydrostatic_pressure_outside_keeps_a_tank_at_rest) {
   for (int k = 0; k < 3; ++k)
     EXPECT_LT(fluid.advance(.05).greatest_velocity, 1e-8);
 }
+
+} // namespace test_open_sides_3

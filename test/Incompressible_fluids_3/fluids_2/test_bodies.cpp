@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <vector>
 
+namespace test_bodies {
 namespace {
 
 namespace dsc = CGAL::Deformable_simplicial_complexes;
@@ -622,3 +623,5 @@ TEST(Gravity, changes_between_steps) {
   const auto balance = fluid.balance();
   EXPECT_NEAR(balance.momentum.x() / balance.mass, .1, 1e-9);
 }
+
+} // namespace test_bodies

@@ -20,6 +20,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_fluid {
+
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace {
@@ -881,3 +883,5 @@ TEST(Liquid_bookkeeping, follows_components) {
   EXPECT_EQ(bookkeeping.set_of(5), bookkeeping.set_of(6));
   EXPECT_EQ(bookkeeping.momenta()[bookkeeping.set_of(7)].linear.x(), 3);
 }
+
+} // namespace test_fluid

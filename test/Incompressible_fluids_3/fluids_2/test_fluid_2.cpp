@@ -16,6 +16,7 @@
 #include <functional>
 #include <vector>
 
+namespace test_fluid_2 {
 namespace {
 
 namespace dsc = CGAL::Deformable_simplicial_complexes;
@@ -242,3 +243,5 @@ TEST(Fluid_2, refuses_what_makes_no_sense) {
   EXPECT_THROW(fluid.set_side(0, true, {{{NAN, 0, 0}}}), dsc::Error);
   EXPECT_THROW(fluid.set_velocities([](Vertex_handle) { return Vector(NAN, 0); }), dsc::Error);
 }
+
+} // namespace test_fluid_2
