@@ -77,7 +77,8 @@ void print_summary(const Fluid_run<dimension>& run, unsigned steps, const Repeti
 }
 
 /// Checks that the cut of a picture intersects cells in the domain of a scene, and that the scene
-/// has the quantity of the picture. \throws Usage_error
+/// has the quantity of the picture.
+/// \throws Usage_error
 void require_contents(const Fluid_picture& picture, const Fluid_scene& scene) {
   if (const auto& cut = picture.cut)
     if (!(scene.domain[cut->axis] < cut->value && cut->value <= scene.domain[cut->axis + 3]))

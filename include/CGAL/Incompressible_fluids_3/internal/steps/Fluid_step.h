@@ -463,8 +463,10 @@ private:
   // \throws Error if it does
   void require_room() const {
     static constexpr double largest = 1e-6; // gain in a step, relative to the volume
+    if (m_closed.empty())
+      return;
     const std::vector<double> gains = gains_without_open_sides();
-    if (m_closed.empty() || gains.empty())
+    if (gains.empty())
       return;
     std::vector<std::size_t> set_of_pressure(std::size_t(m_pressures.size()), m_closed.size());
     for (std::size_t k = 0; k < m_closed.size(); ++k)

@@ -32,7 +32,7 @@ inline bool have_openings(const Side_behaviors& behaviors) {
                      [](const Side_behavior& side) { return side.inflow || side.pressure; });
 }
 
-// Returns all bits of a boundary class but those of the sides through which liquid may pass.
+// Returns a mask for boundary classes. It clears the sides through which liquid may pass.
 inline Boundary_class::Bits sides_without_openings(const Side_behaviors& behaviors) {
   unsigned result = (std::numeric_limits<Boundary_class::Bits>::max)();
   for (std::size_t side = 0; side < behaviors.size(); ++side)
