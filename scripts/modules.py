@@ -79,6 +79,7 @@ MODULES = {
         "solvers": "matrices by cells, factorizations, minimal residuals",
         "parallel": "systems of several processes, with PETSc",
         "mesh": "vertices and cells of liquids, their masses, liquids that slip along each other",
+        "sides": "flow through sides of the domain, and along them",
         "walls": "contacts with solids, constrained velocities, volume constraints at walls",
         "steps": "the equations and the solution of a time step",
         "fluid": "bookkeeping of liquids and gases, attempts of a step",

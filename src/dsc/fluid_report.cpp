@@ -125,6 +125,8 @@ const char* name_of(CGAL::Deformable_simplicial_complexes::Fluid_failure cause) 
     return "motion";
   case Failure::volume:
     return "volume";
+  case Failure::walls:
+    return "walls";
   case Failure::mesh:
     break;
   }

@@ -119,12 +119,13 @@ void read_fixed(const Json_fields& solid, Scene_solid& result) {
     refuse();
   for (const Json& name : names) {
     const auto axis = std::find(axes.begin(), axes.begin() + number, name);
-    if (axis != axes.begin() + number)
-      result.is_fixed[std::size_t(axis - axes.begin())] = true;
-    else if (name == "rotation")
-      result.is_rotation_fixed = true;
-    else
+    if (axis == axes.begin() + number && name != "rotation")
       refuse();
+    bool& is_fixed = name == "rotation" ? result.is_rotation_fixed
+                                        : result.is_fixed[std::size_t(axis - axes.begin())];
+    if (is_fixed)
+      solid.refuse("fixed", "contains " + name.dump() + " twice; remove one of them");
+    is_fixed = true;
   }
 }
 

@@ -414,6 +414,7 @@ TEST_F(Fluid_solids, wrong_solids_are_refused) {
   expect_refusal_of_solid(1, R"({"density": null, "fixed": ["x"]})", "without the field 'density'");
   expect_refusal_of_solid(1, R"({"fixed": ["z"]})", "\"x\", \"y\" and \"rotation\"");
   expect_refusal_of_solid(1, R"({"fixed": "x"})", "list");
+  expect_refusal_of_solid(1, R"({"fixed": ["rotation", "x", "rotation"]})", "twice");
   expect_refusal_of_solid(1, R"({"fixed": ["x"], "velocity": [1, 0]})", "'velocity': must be 0");
   expect_refusal_of_solid(1, R"({"fixed": ["rotation"], "angular_velocity": 1})",
                           "'angular_velocity': must be 0");

@@ -22,7 +22,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -46,9 +45,6 @@ struct Adaptation_options
   bool only_if_worn = true;
   /// Whether junctions of more than three phases are split, in the plane.
   bool splits_junctions = false;
-  /// Upper bound on target edge lengths, in mean edges of the initial interface, at least
-  /// `Adaptation_rule::shortest`. The default is `Adaptation_rule::longest`.
-  std::optional<double> longest = {};
 };
 
 /*!
@@ -144,12 +140,12 @@ public:
         m_edge(complex.mean_interface_edge()), m_options(options),
         m_lengths(interface_, m_positions, options.tolerance * m_edge, Rule::shortest * m_edge,
                   options.feature_angle),
-        m_sizes(sizes(longest())) {}
+        m_sizes(sizes(Rule::longest)) {}
 
   /// Returns whether the interface is worn: too many of its edges are much longer than their target
   /// edge length, or much shorter. n log n in the size of the interface.
   bool is_worn() const {
-    const std::vector<double> sizes_if_flat = sizes(Rule::longest_if_flat * longest());
+    const std::vector<double> sizes_if_flat = sizes(Rule::longest_if_flat * Rule::longest);
     std::size_t edges = 0, short_ones = 0, long_ones = 0;
     internal::for_each_edge_of(m_interface.facets(), [&](std::size_t a, std::size_t b) {
       const double length =
@@ -175,7 +171,7 @@ public:
   ///         `Interrupted_error` leave a valid complex.
   Improvement_report apply(Complex& complex, Any_visitor<Complex>* visitor) const {
     const Curvature_sizing_field<Complex::dimension> field(m_interface, m_positions, m_sizes,
-                                                           longest() * m_edge);
+                                                           Rule::longest * m_edge);
     Interface_improvement_options<Complex> options;
     options.sizing_field = std::cref(field);
     options.interface_split_length = Rule::split;
@@ -192,9 +188,6 @@ public:
 
 private:
   using Rule = Adaptation_rule<Complex::dimension>;
-
-  // Returns the upper bound on target edge lengths, in mean edges.
-  double longest() const { return m_options.longest.value_or(Rule::longest); }
 
   // Returns the target edge lengths of the vertices. `longest` is in mean edges.
   std::vector<double> sizes(double longest) const {

@@ -13,10 +13,13 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/Linear_element.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Marks.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/geometry/cell_corners.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -258,9 +261,38 @@ bool propose_edge_collapse(const Complex& complex, typename Complex::Cell_handle
 
 namespace internal {
 
+// Returns the volume, in the plane the area, that the interface sweeps if it moves with the vertex
+// a onto the vertex b.
+template <class Complex>
+double volume_swept_by_collapse(const Complex& complex, typename Complex::Vertex_handle a,
+                                typename Complex::Vertex_handle b) {
+  if (!a->is_interface())
+    return 0;
+  const auto from = complex.position(a), to = complex.position_near(from, b);
+  std::vector<typename Complex::Cell_handle> star;
+  complex.star(a, star);
+  double result = 0;
+  for (auto c : star)
+    for (int i = 0; i < Complex::corners; ++i) {
+      if (complex.is_infinite(c) || c->vertex(i) == a || complex.is_infinite(c->neighbor(i)) ||
+          c->label() <= c->neighbor(i)->label()) // each facet of the interface once
+        continue;
+      auto corners = cell_corners(complex, c, from);
+      corners[i] = to;
+      result += std::abs(Linear_element<Complex>(corners).measure());
+    }
+  return result;
+}
+
+// Proposes to collapse an edge in one of its directions. The one in which the interface sweeps less
+// has priority, so that a vertex that slides along the interface does not replace a corner.
 template <class Complex>
 bool propose_collapse_either_way(const Complex& complex, typename Complex::Cell_handle cell, int i,
                                  int j, double minimum_quality, Cavity<Complex>& cavity) {
+  const auto a = cell->vertex(i), b = cell->vertex(j);
+  if (a->is_interface() && b->is_interface() &&
+      volume_swept_by_collapse(complex, b, a) < volume_swept_by_collapse(complex, a, b))
+    std::swap(i, j);
   return propose_edge_collapse(complex, cell, i, j, minimum_quality, cavity) ||
          propose_edge_collapse(complex, cell, j, i, minimum_quality, cavity);
 }

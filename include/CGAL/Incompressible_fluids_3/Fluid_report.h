@@ -116,8 +116,8 @@ template <class Complex> struct Fluid_report
   std::size_t contacts = 0;
   /// Whether the search for the vertices constrained by contacts converged.
   bool contacts_settled = true;
-  /// The depth of the deepest surface vertex in a solid, after the step. Vertices inside liquids
-  /// are not tested.
+  /// The depth in a solid of the deepest vertex, after the step. Barycenters of cells inside
+  /// liquids count as vertices.
   double depth_in_solids = 0;
   /// The mean force of liquids on each solid in the step, in the order of `add_solid()` and
   /// `add_body()`.

@@ -43,12 +43,12 @@
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Component_momenta.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Liquid_flow.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/set_tensions.h>
+#include <CGAL/Incompressible_fluids_3/internal/sides/Open_sides.h>
+#include <CGAL/Incompressible_fluids_3/internal/sides/opening_checks.h>
+#include <CGAL/Incompressible_fluids_3/internal/sides/side_velocities.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Field_diffusion.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_sources.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_step.h>
-#include <CGAL/Incompressible_fluids_3/internal/walls/Open_sides.h>
-#include <CGAL/Incompressible_fluids_3/internal/walls/opening_checks.h>
-#include <CGAL/Incompressible_fluids_3/internal/walls/side_velocities.h>
 
 #include <algorithm>
 #include <array>
@@ -61,6 +61,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <tuple>
 #include <type_traits>
 #include <unordered_map>
@@ -98,7 +99,8 @@ all velocities and pressures.
   slips along the side, see `set_side()`. Other surfaces keep a distance of a quarter of an edge
   from the sides.
 - The surface of a liquid can touch a solid and leave it, see `Wall_behavior`. Vertices of the
-  surface are moved out of solids. `Report::depth_in_solids` contains the remaining depth.
+  surface are moved out of solids. `Report::depth_in_solids` contains the remaining depth. A solid
+  inside a liquid needs a hole: its cells must have a label that is not a liquid.
 
 Coordinates are those of the complex. All units must be consistent. In the plane, volumes are areas,
 and masses, forces and energies are those of a layer of thickness 1. The reports, gravity and solids
@@ -315,8 +317,8 @@ public:
   - Where two liquids slip along each other, the vertex carries the field with its own velocity.
   - Liquid of a source has the value of the liquid around it. Liquid that enters through a side has
     the values of the vertices in the inflow, which do not move: set them with `fix_field()`.
-  - Vertices at which liquid leaves through a side do not move with the liquid. They keep their
-    values, apart from diffusion and `fix_field()`.
+  - Vertices at which liquid leaves through a side do not move with the liquid. They take the values
+    of the liquid that reaches them, by linear interpolation.
   - `relax()` moves the field, but the field does not diffuse.
 
   If a surface tension is negative at a field of 0, set the field before any other function is
@@ -511,8 +513,9 @@ public:
 
   \return the report of the step
   \throws Error if a parameter is out of its range, if `dt` is not positive, not finite, or too
-          short to change the time, if a viscosity is negative or not finite, or if sources or
-          inflows change the volume of a liquid without a free surface. Also throws the exceptions
+          short to change the time, if a viscosity is negative or not finite, if sources or
+          inflows change the volume of a liquid without a free surface, or if a part of a liquid
+          without free vertices is in a solid by more than half an edge. Also throws the exceptions
           described at `set_side()`, `set_sources()`, `add_source()`, `fix_field()`,
           `Moving_solid_3` and `Fluid_properties::set_surface_tension()`.
   \throws Fluid_step_error if no attempt succeeds. It contains the step, the time, the cause and the
@@ -672,23 +675,60 @@ private:
       return Contacts(mesh, fluid.m_solids, fluid.m_complex, positions, fluid.m_time);
     }
 
+    // Returns the depth in a solid of the deepest vertex, or of the deepest barycenter of a cell
+    // without free vertices: a solid can lie between vertices.
     double depth_in_solids(const Incompressible_fluid& fluid) const {
       const Contacts contacts = this->contacts(fluid);
       double result = 0;
-      for (std::size_t v = 0; v < positions.size(); ++v)
-        result = (std::max)(result, contacts.depth(v, positions[v], fluid.m_time));
+      for (const Eigen::Vector3d& p : positions)
+        result = (std::max)(result, contacts.depth(p, fluid.m_time));
+      for (std::size_t k = 0; k < mesh.cells.size(); ++k)
+        if (is_inside(contacts, k))
+          result = (std::max)(result, contacts.depth(mesh.barycenter(k, positions), fluid.m_time));
       return result;
+    }
+
+    // Throws an exception if a solid is inside a liquid, where it has no effect.
+    // \throws Error if a vertex or a barycenter inside a liquid is in a solid, by more than half an
+    //         edge
+    void require_holes(const Incompressible_fluid& fluid, const Contacts& contacts) const {
+      static constexpr double deepest = .5; // in edges; the flow moves inner vertices
+      const double bound = deepest * fluid.mean_edge();
+      const auto check = [&](const Eigen::Vector3d& p) {
+        if (contacts.depth(p, fluid.m_time) <= bound)
+          return;
+        std::ostringstream message;
+        message << "a solid is inside a liquid near (" << p.x() << ", " << p.y() << ", " << p.z()
+                << ") at time " << fluid.m_time
+                << ", but solids act on free surfaces only: give the cells in the solid a label "
+                   "that is not a liquid";
+        throw Error(message.str());
+      };
+      for (std::size_t v = 0; v < positions.size(); ++v)
+        if (!contacts.is_free(v))
+          check(positions[v]);
+      for (std::size_t k = 0; k < mesh.cells.size(); ++k)
+        if (is_inside(contacts, k))
+          check(mesh.barycenter(k, positions));
     }
 
     // Returns whether no vertex is in a solid, and no change of the mesh has moved a vertex off a
     // wall.
     bool fits_solids(const Incompressible_fluid& fluid, const Contacts& contacts) const {
       for (std::size_t v = 0; v < positions.size(); ++v)
-        if (contacts.depth(v, positions[v], fluid.m_time) > 0 ||
+        if ((contacts.is_free(v) && contacts.depth(positions[v], fluid.m_time) > 0) ||
             (fluid.m_motion.is_from_wall(mesh.vertices[v]) &&
              !contacts.displacement_to_wall(v, fluid.m_time).isZero(0)))
           return false;
       return true;
+    }
+
+  private:
+    // Returns whether no vertex of a cell is on a free surface.
+    bool is_inside(const Contacts& contacts, std::size_t k) const {
+      const auto& vertices = mesh.cells[k].vertices;
+      return std::none_of(vertices.begin(), vertices.end(),
+                          [&](auto v) { return contacts.is_free(v); });
     }
   };
 
@@ -774,6 +814,10 @@ private:
   void make_admissible(double dt, unsigned number_of_threads, Report& report);
   void step(double dt, double end, const Options& chosen, double longest_displacement,
             Report& report, Energy_judge* judge);
+  bool jumps(const Flow& flow, const Contacts& contacts, double end, Energy_judge& judge) const;
+  std::vector<char> give_field(const Mesh& mesh, const Vectors& positions,
+                               std::vector<double>& field) const;
+  void carry_field(const Flow& flow, const Step& step);
   void diffuse_field(Flow& flow, double dt, Report& report);
   void add_source_volumes(const Flow& flow, const Step& step, double dt, Report& report);
   Vectors shortened(Vectors destinations, const Flow& flow, double longest_displacement,

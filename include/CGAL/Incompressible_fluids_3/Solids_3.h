@@ -46,6 +46,10 @@ struct Wall_3
   double distance; ///< signed distance of the point, negative inside the solid
   Vector normal;   ///< outward normal of the solid, of unit length: the gradient of the distance
   Vector velocity = Vector(0, 0, 0); ///< velocity of the wall
+  /// Whether the wall is seen from behind: it ends other walls of the solid at a convex edge. The
+  /// normal points into the solid, and the distance is that to the plane of the wall. Vertices that
+  /// slide along the other walls stay in front of this plane, while the liquid flows past the edge.
+  bool is_end = false;
 };
 
 /// \ingroup PkgIncompressibleFluids3Ref
@@ -187,7 +191,7 @@ private:
 /// A box, or a rectangle in the plane. Liquids are outside.
 ///
 /// Vertices at an edge of the box touch both sides that meet there, so that they stay on the edge.
-/// Vertices that slide along a side stop at its edges.
+/// Other sides are ends of walls for the vertices on a side, see `Wall_3::is_end`.
 /// \cgalModels `Solid_3`
 class Box_solid_3
 {
@@ -220,8 +224,8 @@ public:
         result.push_back(wall_from_outside(p, box_of_side(side)));
       else if (distance == outermost || std::abs(distance) <= m_width_of_edges)
         result.push_back({distance, outward(side)});
-      else // the edge of the side limits motions along other sides
-        result.push_back({-distance, -outward(side)});
+      else // the edge of the side ends other sides
+        result.push_back({-distance, -outward(side), Vector(0, 0, 0), true});
     }
   }
 

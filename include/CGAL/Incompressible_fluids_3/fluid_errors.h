@@ -58,7 +58,9 @@ enum class Fluid_failure {
   /// energy.
   mesh,
   /// The volume of a component cannot be restored: its relative error is above 0.05.
-  volume
+  volume,
+  /// A wall jumps: its displacement in the step and its velocity differ by more than an edge.
+  walls
 };
 
 /// \ingroup PkgIncompressibleFluids3Ref
@@ -70,12 +72,12 @@ struct Fluid_repetition
   Fluid_failure cause; ///< the reason of the failure
   double time;         ///< the time at the beginning of the attempt
   double dt;           ///< the length of the attempt
-  /// For `equations`, the relative residual; for `volume`, the relative error of the volume;
-  /// otherwise the unexplained rise of the energy, relative to the amount of energy, see
-  /// `Incompressible_fluid::advance()`.
+  /// For `equations`, the relative residual; for `volume`, the relative error of the volume; for
+  /// `walls`, the jump in edges; otherwise the unexplained rise of the energy, relative to the
+  /// amount of energy, see `Incompressible_fluid::advance()`.
   double amount;
-  /// For `equations`, the barycenter of the liquid cell of lowest quality; otherwise the vertex of
-  /// greatest velocity.
+  /// For `equations`, the barycenter of the liquid cell of lowest quality; for `walls`, a vertex at
+  /// the wall; otherwise the vertex of greatest velocity.
   Point place;
 };
 

@@ -350,6 +350,22 @@ TEST(Degenerate_edge, is_collapsed_if_it_is_short) {
   EXPECT_NEAR(dsc.volume(1), 4, tolerance);
 }
 
+// One end is on the edge of a wedge, and the other one on its side. The wedge keeps its shape,
+// whichever end is given first.
+TEST(Degenerate_edge, collapses_onto_a_sharp_edge) {
+  for (const bool swaps : {false, true}) {
+    Grid_with_short_edge mesh([](const Point& p) { return p.x() < 0 && p.y() < .5 ? 1 : 0; });
+    Complex& dsc = mesh.dsc;
+    const double volume = dsc.volume(1);
+    const Edge_in_cell e = find_edge(dsc, mesh.v, mesh.w);
+    Cavity cavity(dsc);
+    ASSERT_TRUE(propose_degenerate_edge_removal(dsc, e.cell, swaps ? e.j : e.i, swaps ? e.i : e.j,
+                                                1.01e-4, 0, cavity));
+    expect_valid_commit(dsc, cavity, 8);
+    EXPECT_NEAR(dsc.volume(1), volume, tolerance);
+  }
+}
+
 // An edge across a layer of another label must stay, even if it is very short.
 TEST(Degenerate_edge, between_two_sheets_stays) {
   const auto layer = [](const Point& p) { return p.x() > 0 && p.x() < .5 ? 1 : 0; };

@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace test_bodies {
@@ -513,6 +514,88 @@ TEST(Moving_solid, accelerates_from_the_first_instant) {
     for (int k = 0; k < 4; ++k) {
       const auto report = fluid.advance(.05);
       EXPECT_NEAR(report.after.momentum.x(), velocity + acceleration * fluid.time(), 1e-6);
+    }
+  }
+}
+
+// A tank jumps by four edges at the time .075. Its velocity, the derivative, is 0.
+TEST(Moving_solid, must_not_jump) {
+  static constexpr double jump = .5, edge = .125;
+  Complex complex = region(divided({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, edge), {}, {-.5, -.5, 2, 1.5});
+  Fluid fluid(complex, liquid(0, 0));
+  const auto motion = dsc::motion_of_places(
+      [](double t) {
+        return dsc::Solid_place_3{{t < .075 ? 0 : jump, 0, 0}, {0, 0, 0}};
+      },
+      1e-5);
+  fluid.add_solid(dsc::Moving_solid_3<dsc::Tank_solid_3>(
+                      dsc::Tank_solid_3(CGAL::Bbox_2(0, 0, 1, 1)), Point(0, 0, 0), motion),
+                  attached(false));
+  fluid.advance(.05);
+  try {
+    fluid.advance(.05);
+    FAIL();
+  } catch (const dsc::Fluid_step_error& error) {
+    EXPECT_EQ(error.last_attempt().cause, dsc::Fluid_failure::walls);
+    EXPECT_GE(error.last_attempt().amount, jump / edge / 2);
+    EXPECT_NE(std::string(error.what()).find("without jumps"), std::string::npos);
+  }
+  EXPECT_EQ(fluid.time(), .05);
+}
+
+// Solids act on free surfaces only, so a solid inside a liquid has no effect.
+TEST(Box_solid, in_a_liquid_needs_a_hole) {
+  for (const double size : {.4, .02}) { // a solid smaller than a cell
+    Complex complex =
+        region(divided({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, .125), {}, {-.5, -.5, 1.5, 1.5});
+    Fluid fluid(complex, liquid(0, 0));
+    fluid.advance(.01); // adapts the mesh
+    Complex::Cell_handle inside;
+    double farthest = 0;
+    for (Complex::Cell_handle c : complex.cells())
+      if (const auto p = complex.corner(c, 0) + (complex.corner(c, 1) - complex.corner(c, 0)) / 3 +
+                         (complex.corner(c, 2) - complex.corner(c, 0)) / 3;
+          c->label() == 1) {
+        const double depth = (std::min)((std::min)(p.x(), 1 - p.x()), (std::min)(p.y(), 1 - p.y()));
+        if (depth > farthest) {
+          farthest = depth;
+          inside = c;
+        }
+      }
+    const auto p = CGAL::centroid(complex.corner(inside, 0), complex.corner(inside, 1),
+                                  complex.corner(inside, 2));
+    fluid.add_solid(dsc::Box_solid_3(
+        CGAL::Bbox_2(p.x() - size / 2, p.y() - size / 2, p.x() + size / 2, p.y() + size / 2)));
+    EXPECT_GT(fluid.depth_in_solids(), 0);
+    if (size > .125) {
+      const double time = fluid.time();
+      EXPECT_THROW(fluid.advance(.01), dsc::Error);
+      EXPECT_EQ(fluid.time(), time);
+    }
+  }
+}
+
+// A box moves through a full tank. Vertices that slide along its sides do not get past its corners.
+TEST(Box_solid, keeps_its_corners_while_liquid_flows_around_it) {
+  static constexpr double velocity = 1;
+  const Polygon corners = {{.8, .3}, {1.2, .3}, {1.2, .7}, {.8, .7}};
+  Complex complex = region(divided({{0, 0}, {2, 0}, {2, 1}, {0, 1}}, .1), divided(corners, .1),
+                           {-.5, -.5, 2.5, 1.5});
+  Fluid fluid(complex, liquid(0, 0));
+  fluid.add_solid(dsc::Tank_solid_3(CGAL::Bbox_2(0, 0, 2, 1)), attached(false));
+  fluid.add_solid(dsc::Moving_solid_3<dsc::Box_solid_3>(
+                      dsc::Box_solid_3(CGAL::Bbox_2(.8, .3, 1.2, .7)), Vector(velocity, 0, 0)),
+                  attached(false));
+  for (int k = 0; k < 16; ++k) {
+    const auto report = fluid.advance(.02);
+    EXPECT_TRUE(report.repetitions.empty()) << k;
+    for (const auto& corner : corners) {
+      const double x = corner.x() + velocity * fluid.time();
+      double nearest = 1;
+      for (auto v : complex.interface_vertices())
+        nearest = (std::min)(
+            nearest, std::hypot(complex.position(v).x() - x, complex.position(v).y() - corner.y()));
+      EXPECT_LT(nearest, 1e-9) << k << ", corner " << corner;
     }
   }
 }

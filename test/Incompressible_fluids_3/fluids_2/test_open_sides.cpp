@@ -81,6 +81,34 @@ double height_at_right(const Complex& complex) {
 
 } // namespace
 
+// A plug flow carries a field through a channel. Where the liquid leaves, vertices do not move, but
+// the field does.
+TEST(Open_sides, liquid_that_leaves_takes_its_field_along) {
+  static constexpr double velocity = .5, dt = .02;
+  for (const bool pumps : {false, true}) {
+    SCOPED_TRACE(pumps);
+    Complex complex = tank(8, one);
+    Fluid fluid(complex, liquid(0, 0));
+    add_lid(fluid, false);
+    fluid.set_side(0, false, inflow_of(velocity));
+    fluid.set_side(0, true, pumps ? inflow_of(velocity) : open_to(0));
+    fluid.set_velocities([](Vertex_handle) { return Fluid::Vector(velocity, 0); });
+    fluid.set_field([](const Fluid::Point& p) { return p.x(); });
+    fluid.fix_field([](const Fluid::Point& p, double t) {
+      return p.x() == 0 ? std::optional<double>(-velocity * t) : std::nullopt;
+    });
+    for (int k = 0; k < 10; ++k) {
+      fluid.advance(dt);
+      for (Vertex_handle v : complex.vertices()) {
+        const auto p = complex.position(v);
+        if (p.y() <= 1) {
+          EXPECT_NEAR(fluid.field(v), p.x() - velocity * fluid.time(), 1e-9) << p;
+        }
+      }
+    }
+  }
+}
+
 // All vertices are on sides: liquid that passes through the sides bounds the step, too.
 TEST(Open_sides, limit_the_step) {
   Complex complex = tank(1, one); // edges of length 1

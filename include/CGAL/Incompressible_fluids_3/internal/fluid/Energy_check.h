@@ -25,7 +25,8 @@ struct Energy_check
 {
   std::optional<Energy_budget> budget;
   std::optional<Fluid_failure> failure; // none if the rise of the energy is within its bound
-  double rise = 0;                      // the unexplained rise, see `Energy_budget::rise()`
+  double rise = 0; // the unexplained rise, see `Energy_budget::rise()`, or the jump of a wall
+  std::optional<Fluid_repetition::Point> place; // of the jump
 
   // Compares the present energy with the budget. The motion and changes of the mesh share the
   // unexplained rise, and the larger share determines the bound and the cause.
@@ -54,6 +55,9 @@ inline std::string message_of(const Fluid_repetition& failure, std::uint64_t ste
       return "the motion increases the energy without a cause, by a fraction of ";
     case Fluid_failure::volume:
       return "the volume of a component cannot be restored, with a relative error of ";
+    case Fluid_failure::walls:
+      return "a wall moves by another displacement than its velocity gives, and the difference in "
+             "edges is ";
     case Fluid_failure::mesh:
       break;
     }
@@ -63,7 +67,9 @@ inline std::string message_of(const Fluid_repetition& failure, std::uint64_t ste
   message << "step " << step << " of the fluid at time " << failure.time << " failed: " << cause
           << failure.amount << ", near (" << failure.place.x() << ", " << failure.place.y() << ", "
           << failure.place.z() << "), even after remeshing and with a time step of " << failure.dt
-          << "; use shorter edges or another mesh";
+          << (failure.cause == Fluid_failure::walls
+                  ? "; use motions without jumps, with velocities that are their derivatives"
+                  : "; use shorter time steps, shorter edges or another mesh");
   return message.str();
 }
 

@@ -125,7 +125,8 @@ auto Incompressible_fluid<Complex, Solver>::attempt(const internal::Step_plan& p
                               fastest_vertex()};
     if (!judge.failure)
       return std::nullopt;
-    return Fluid_repetition{*judge.failure, from, length, judge.rise, fastest_vertex()};
+    return Fluid_repetition{*judge.failure, from, length, judge.rise,
+                            judge.place ? *judge.place : fastest_vertex()};
   } catch (const Convergence_error& error) {
     return Fluid_repetition{Fluid_failure::equations, from, length, error.residual(),
                             flattest_cell()};

@@ -15,11 +15,13 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
-// Lets the field diffuse for a time dt, after it takes the given values on the boundary. Updates
-// the surface tensions of the flow, and the report.
+// Sets the field at vertices of the boundary to the values that are given there at the present
+// time. The field is given by first occurrence of vertices. Returns which values are given.
+// \throws Error if a given value is not finite
 template <class Complex, class Solver>
-void Incompressible_fluid<Complex, Solver>::diffuse_field(Flow& flow, double dt, Report& report) {
-  Mesh& mesh = flow.mesh;
+std::vector<char>
+Incompressible_fluid<Complex, Solver>::give_field(const Mesh& mesh, const Vectors& positions,
+                                                  std::vector<double>& field) const {
   const std::size_t n = mesh.number_of_vertices();
   std::vector<char> is_boundary(n, false), is_given(n, false);
   for (std::size_t v = 0; v < n; ++v)
@@ -27,15 +29,32 @@ void Incompressible_fluid<Complex, Solver>::diffuse_field(Flow& flow, double dt,
   for (const auto& facet : mesh.facets)
     for (auto v : facet.vertices)
       is_boundary[mesh.first(v)] = is_boundary[mesh.first(v)] || facet.is_free;
-  std::vector<double> field(flow.field.begin(), flow.field.begin() + std::ptrdiff_t(n));
   for (std::size_t v = 0; v < n && m_fixed_field; ++v)
-    if (const auto value =
-            is_boundary[v] ? m_fixed_field(flow.positions[v], m_time) : std::nullopt) {
+    if (const auto value = is_boundary[v] ? m_fixed_field(positions[v], m_time) : std::nullopt) {
       if (!std::isfinite(*value))
         throw Error("a given value of the field is not finite: give finite values");
       field[v] = *value;
       is_given[v] = true;
     }
+  return is_given;
+}
+
+// Carries the field to the destinations of vertices. Where liquid enters, it has the given values.
+template <class Complex, class Solver>
+void Incompressible_fluid<Complex, Solver>::carry_field(const Flow& flow, const Step& step) {
+  std::vector<double> field = step.carried(flow.field);
+  give_field(flow.mesh, step.destinations(), field);
+  m_motion.set_field(flow.mesh, field);
+}
+
+// Lets the field diffuse for a time dt, after it takes the given values on the boundary. Updates
+// the surface tensions of the flow, and the report.
+template <class Complex, class Solver>
+void Incompressible_fluid<Complex, Solver>::diffuse_field(Flow& flow, double dt, Report& report) {
+  Mesh& mesh = flow.mesh;
+  std::vector<double> field(flow.field.begin(),
+                            flow.field.begin() + std::ptrdiff_t(mesh.number_of_vertices()));
+  const std::vector<char> is_given = give_field(mesh, flow.positions, field);
   internal::Field_diffusion<Complex>(mesh, flow.positions, dt).diffuse(field, is_given);
   m_motion.set_field(mesh, field);
   for (std::size_t v = 0; v < flow.field.size(); ++v)

@@ -132,6 +132,10 @@ void Incompressible_fluid<Complex, Solver>::step(double dt, double end, const Op
              time_passes ? m_sources : internal::Fluid_sources()},
             {m_time, end, {dt, chosen.implicitness}, time_passes}, m_solver,
             chosen.deformation.number_of_threads);
+  if (time_passes)
+    flow.require_holes(*this, step.contacts());
+  if (judge && time_passes && jumps(flow, step.contacts(), end, *judge))
+    return;
   step.solve(m_knows_accelerations);
   report.seconds_of_solver += seconds_since(begin_of_solver);
   add_source_volumes(flow, step, dt, report);
@@ -142,6 +146,8 @@ void Incompressible_fluid<Complex, Solver>::step(double dt, double end, const Op
                     shortened(step.destinations(), flow, longest_displacement, step.contacts());
   m_motion.set(flow.mesh, after, step.final_accelerations());
   m_motion.set_pressures(flow.mesh, step.pressures());
+  if (time_passes && m_has_field)
+    carry_field(flow, step);
   m_knows_accelerations = true;
   report.moved = flow.balance(*this, destinations, after, m_time);
   if (judge) {
@@ -171,6 +177,20 @@ void Incompressible_fluid<Complex, Solver>::step(double dt, double end, const Op
   // After the check: while the liquids move, each facet keeps its surface tension.
   if (time_passes && m_has_field)
     diffuse_field(last, dt, report);
+}
+
+// Returns whether a wall jumps before the time `end`, and tells the judge.
+template <class Complex, class Solver>
+bool Incompressible_fluid<Complex, Solver>::jumps(const Flow& flow, const Contacts& contacts,
+                                                  double end, Energy_judge& judge) const {
+  static constexpr double longest = 1; // in edges
+  const auto jump = contacts.greatest_jump(m_time, end);
+  if (jump.length <= longest)
+    return false;
+  judge.failure = Fluid_failure::walls;
+  judge.rise = jump.length;
+  judge.place = internal::from_eigen<Fluid_repetition::Point>(flow.positions[jump.vertex]);
+  return true;
 }
 
 // Sets the velocities of bodies. If `moves`, also sets their places at the end of a step.

@@ -16,18 +16,18 @@
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Gas_components.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Liquid_flow.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/slip_changes.h>
+#include <CGAL/Incompressible_fluids_3/internal/sides/Open_sides.h>
+#include <CGAL/Incompressible_fluids_3/internal/sides/Side_fluxes.h>
+#include <CGAL/Incompressible_fluids_3/internal/sides/side_passage.h>
+#include <CGAL/Incompressible_fluids_3/internal/sides/side_velocities.h>
 #include <CGAL/Incompressible_fluids_3/internal/solvers/closed_sets.h>
 #include <CGAL/Incompressible_fluids_3/internal/solvers/relative_residual.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_equations.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_sources.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Roughness_damper.h>
-#include <CGAL/Incompressible_fluids_3/internal/steps/Side_fluxes.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Body_equations.h>
-#include <CGAL/Incompressible_fluids_3/internal/walls/Open_sides.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Vertex_constraints.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Wall_contacts.h>
-#include <CGAL/Incompressible_fluids_3/internal/walls/side_passage.h>
-#include <CGAL/Incompressible_fluids_3/internal/walls/side_velocities.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/slip_flux.h>
 
 #include <Eigen/Core>
@@ -233,6 +233,23 @@ public:
   // Returns the mean accelerations of liquids in the step.
   const Vectors_3& final_accelerations() const { return m_final_accelerations; }
 
+  // Returns a field at the end of the step, where vertices do not move with the liquid that
+  // carries it. Where liquid enters, the field keeps its value. The field has one
+  // value for each vertex of the mesh.
+  std::vector<double> carried(std::vector<double> field) const {
+    Vectors_3 shifts = shifts_in_liquid(), values;
+    for (std::size_t v = 0; v < field.size(); ++v) {
+      values.emplace_back(field[v], 0, 0);
+      for (std::size_t side = 0; side < m_sides.size() && is_inflow(m_inflow, v); ++side)
+        if (m_sides[side].inflow && m_mesh.vertices[v]->boundary_class() >> side & 1 &&
+            m_inflow[v]->dot(normal_of_side(side)) > 0) // liquid leaves
+          shifts[v] = -m_step.dt * *m_inflow[v];
+    }
+    for (const auto& change : changes_by_shifts(m_mesh, positions_of_liquid(), shifts, values))
+      field[change.vertex] += change.velocity.x();
+    return field;
+  }
+
   // Returns the solution of the equations: the velocities at the time theta dt, at which forces
   // act.
   const Vectors_3& solved_velocities() const { return m_velocities; }
@@ -384,11 +401,9 @@ private:
   // inlets and near open sides, where vertices do not follow the liquid.
   Vectors_3 velocities_of_vertices() const {
     Vectors_3 result = m_mesh.common(m_velocities);
-    if (!m_open.empty()) {
-      const Vectors_3 returns = returns_from_open_sides();
-      for (std::size_t v = 0; v < result.size(); ++v)
-        result[v] += returns[v] / m_step.dt;
-    }
+    const Vectors_3 returns = returns_of_vertices();
+    for (std::size_t v = 0; v < result.size(); ++v)
+      result[v] += returns[v] / m_step.dt;
     for (std::size_t v = 0; v < result.size(); ++v)
       if (is_inflow(m_inflow, v))
         result[v].setZero();
@@ -403,25 +418,35 @@ private:
     return result;
   }
 
-  // Returns the displacements of vertices from the liquid, which keep them on open sides and in
-  // front of them.
-  Vectors_3 returns_from_open_sides() const {
-    return returns_from_sides(m_mesh, {m_sides, m_open, middle_time(), m_edge}, m_positions,
-                              positions_of_liquid());
+  // Returns the displacements of vertices from the liquid. They keep vertices on open sides and in
+  // front of them, and in front of the ends of walls.
+  Vectors_3 returns_of_vertices() const {
+    const Vectors_3 moved = positions_of_liquid();
+    Vectors_3 result =
+        returns_from_sides(m_mesh, {m_sides, m_open, middle_time(), m_edge}, m_positions, moved);
+    const Vectors_3 from_ends = m_contacts.returns_from_ends(moved, m_step.dt);
+    for (std::size_t v = 0; v < result.size(); ++v)
+      result[v] += from_ends[v];
+    return result;
   }
 
-  // Adds the changes of velocities at vertices from which liquid has moved on through open sides.
-  void change_velocities_by_passage() {
-    if (m_open.empty() || m_end == m_begin)
-      return;
-    Vectors_3 shifts = returns_from_open_sides();
-    for (std::size_t v = 0; v < shifts.size(); ++v)
+  // Returns the displacements of vertices from the liquid. They are zero where liquid enters.
+  Vectors_3 shifts_in_liquid() const {
+    Vectors_3 result = returns_of_vertices();
+    for (std::size_t v = 0; v < result.size(); ++v)
       for (std::size_t side = 0; side < m_sides.size(); ++side)
         if (is_inflow(m_inflow, v) ||
-            (m_open.sides(v) >> side & 1 && shifts[v].dot(normal_of_side(side)) > 0))
-          shifts[v].setZero(); // liquid enters
+            (m_open.sides(v) >> side & 1 && result[v].dot(normal_of_side(side)) > 0))
+          result[v].setZero();
+    return result;
+  }
+
+  // Adds the changes of velocities at vertices that do not move with the liquid.
+  void change_velocities_by_shifts() {
+    if (projects())
+      return;
     for (const auto& change :
-         changes_by_passage(m_mesh, positions_of_liquid(), shifts, m_final_velocities)) {
+         changes_by_shifts(m_mesh, positions_of_liquid(), shifts_in_liquid(), m_final_velocities)) {
       m_final_velocities[change.vertex] += change.velocity;
       m_unstopped_velocities[change.vertex] += change.velocity;
     }
@@ -517,7 +542,7 @@ private:
       m_final_velocities[change.vertex] += change.velocity;
       m_unstopped_velocities[change.vertex] += change.velocity;
     }
-    change_velocities_by_passage();
+    change_velocities_by_shifts();
     stop_on_sides(m_mesh, m_sides, inflow, open, m_final_velocities);
     for (std::size_t v = 0; v < m_final_velocities.size(); ++v)
       if (!m_final_velocities[v].allFinite() || !m_velocities[v].allFinite())
@@ -527,9 +552,9 @@ private:
   }
 
   // Returns the positions of vertices after a time t of the step.
-  Vectors_3 at_time(double t) const {
-    return m_solids_move && m_end == m_begin ? m_positions : moved(t);
-  }
+  Vectors_3 at_time(double t) const { return projects() ? m_positions : moved(t); }
+
+  bool projects() const { return m_solids_move && m_end == m_begin; }
 
   // Returns the positions of vertices that move with the solved velocities for a time t.
   Vectors_3 moved(double t) const {

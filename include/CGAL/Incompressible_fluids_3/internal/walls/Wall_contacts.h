@@ -11,6 +11,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Incompressible_fluids_3/Solids_3.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
+#include <CGAL/Incompressible_fluids_3/internal/sides/kept_distance.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Body_equations.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Body_motion.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Vertex_constraints.h>
@@ -75,7 +76,7 @@ public:
         m_bodies.push_back({solid, place_of(*body), velocity_of(*body)});
       } else
         m_body_of_solid.push_back(no_body);
-    m_time_of_bodies = time;
+    m_time = time;
     for (const auto& facet : mesh.facets)
       if (facet.is_free)
         for (auto v : facet.vertices) {
@@ -104,7 +105,7 @@ public:
   // numbered in the order of solids.
   std::size_t number_of_bodies() const { return m_bodies.size(); }
   Body_place place_of_body(std::size_t k, double time) const {
-    return m_bodies[k].place.moved(m_bodies[k].velocity, time - m_time_of_bodies);
+    return m_bodies[k].place.moved(m_bodies[k].velocity, time - m_time);
   }
   std::size_t solid_of_body(std::size_t k) const { return m_bodies[k].solid; }
 
@@ -124,6 +125,51 @@ public:
   // `is_open(side, p)` with a point p of the side.
   void set_open_sides(std::function<bool(std::size_t, const Eigen::Vector3d&)> is_open) {
     m_is_open = std::move(is_open);
+  }
+
+  // Returns the displacements that keep vertices on walls in front of the ends of these walls, if
+  // they would otherwise move with the liquid to `moved` in the time dt. Without them, a vertex
+  // that slides along a wall would get past the corner of a solid, and the surface would cut the
+  // corner. Only vertices whose facets are all wetted return, so the surface keeps its place.
+  Vectors_3 returns_from_ends(const Vectors_3& moved, double dt) const {
+    // The least square of the sine of the angle between a wall and its end.
+    static constexpr double flattest = .25;
+    Vectors_3 result(m_positions.size(), Eigen::Vector3d::Zero());
+    for (std::size_t v = 0; v < m_positions.size(); ++v) {
+      if (!m_is_covered[v] || !touches(v))
+        continue;
+      std::vector<Eigen::Vector3d> normals; // of the walls and sides of the vertex, orthonormal
+      const auto along = [&normals](Eigen::Vector3d direction) {
+        for (const Eigen::Vector3d& n : normals)
+          direction -= direction.dot(n) * n;
+        return direction;
+      };
+      const auto add = [&](const Eigen::Vector3d& normal) {
+        if (const Eigen::Vector3d other = along(normal); other.squaredNorm() > flattest)
+          normals.push_back(other.normalized());
+      };
+      for (int axis = 0; axis < 3; ++axis)
+        if (axis >= Mesh::dimension ||
+            Boundary_class::fixes(m_mesh.vertices[v]->boundary_class(), axis))
+          add(Eigen::Vector3d::Unit(axis));
+      std::vector<Wall_3> ends;
+      for_each_wall_of_solids(m_positions[v], m_time,
+                              [&](std::size_t solid, std::size_t wall, const Wall_3& w) {
+                                if (is_touching(v, solid, wall))
+                                  add(eigen_vector(w.normal));
+                                else if (w.is_end)
+                                  ends.push_back(w);
+                              });
+      for (const Wall_3& end : ends) {
+        const Eigen::Vector3d normal = eigen_vector(end.normal), inward = along(normal);
+        const double after =
+            end.distance + normal.dot(moved[v] - m_positions[v] - dt * eigen_vector(end.velocity));
+        if (inward.dot(normal) > flattest)
+          result[v] += (kept_distance(end.distance, after, clearance * m_spacings[v]) - after) /
+                       inward.dot(normal) * inward;
+      }
+    }
+    return result;
   }
 
   // Predicts the contacts of vertices that move to the expected positions in the time dt. Walls
@@ -153,6 +199,8 @@ public:
                                      [](const Contact& c, const auto& p) { return c.place() < p; });
             const bool is_known = known != before.end() && known->place() == place;
             const bool touches = is_touching(v, solid, wall);
+            if (w.is_end && m_is_covered[v] && !touches)
+              return; // see returns_from_ends()
             const Eigen::Vector3d normal = eigen_vector(w.normal),
                                   velocity = (walls_move ? 1. : 0.) * eigen_vector(w.velocity),
                                   displacement = expected[v] - m_positions[v];
@@ -269,17 +317,57 @@ public:
     return wall ? -m_solids[wall->first].cosine * tension : tension;
   }
 
-  // Returns the depth in a solid of a vertex at position p, or 0 if p is outside.
-  double depth(std::size_t v, const Eigen::Vector3d& p, double time) const {
+  // Returns the depth of a point in a solid, or 0 if the point is outside.
+  double depth(const Eigen::Vector3d& p, double time) const {
     double result = 0;
-    for_each_wall(v, p, time, [&](std::size_t solid, std::size_t, const Wall_3& w) {
-      if (!is_side(solid))
-        result = (std::max)(result, -w.distance);
+    for_each_wall_of_solids(p, time, [&](std::size_t, std::size_t, const Wall_3& w) {
+      result = (std::max)(result, -w.distance);
     });
     return result;
   }
 
+  // Returns whether a vertex is between a liquid and void or a gas. Solids act on no other vertex.
+  bool is_free(std::size_t v) const { return m_spacings[v] > 0; }
+
   bool touches(std::size_t v) const { return !m_touched[v].empty(); }
+
+  // A motion of the wall of a solid at a vertex that its velocity does not explain.
+  struct Jump
+  {
+    std::size_t solid = 0, vertex = 0;
+    double length = 0; // in edges
+  };
+
+  // Returns the greatest jump of a touched wall from one time to another. It is the distance from
+  // the wall at the end of a point that moves with the velocity of the wall, by the midpoint rule,
+  // or the distance by which the velocities at the end and in the middle differ. Bodies do not
+  // jump.
+  Jump greatest_jump(double begin, double end) const {
+    const double dt = end - begin;
+    Jump result;
+    for (std::size_t v = 0; v < m_positions.size(); ++v)
+      for (const auto& [solid, wall] : m_touched[v]) {
+        if (is_body(solid))
+          continue;
+        const auto first = wall_at(solid, wall, m_positions[v], begin);
+        if (!first)
+          continue;
+        const Eigen::Vector3d half = dt / 2 * eigen_vector(first->velocity);
+        const auto middle = wall_at(solid, wall, m_positions[v] + half, (begin + end) / 2);
+        if (!middle)
+          continue;
+        const Eigen::Vector3d velocity = eigen_vector(middle->velocity);
+        const auto last = wall_at(solid, wall, m_positions[v] + dt * velocity, end);
+        if (!last)
+          continue;
+        const double length = (std::max)(
+            std::abs(last->distance),
+            dt * std::abs(eigen_vector(last->normal).dot(eigen_vector(last->velocity) - velocity)));
+        if (length > result.length * m_spacings[v])
+          result = {solid, v, length / m_spacings[v]};
+      }
+    return result;
+  }
 
   // Returns whether a wall that a vertex touches moves at a time.
   bool touches_moving_wall(double time) const {
@@ -365,8 +453,8 @@ private:
   // interface. It is larger than the displacement by which mesh optimization moves vertices off a
   // curved wall.
   static constexpr double touching = 1e-3;
-  // The distance that vertices keep from a side of the domain on which they do not lie, in the same
-  // unit. Vertices that are already nearer keep their distance.
+  // The distance that vertices keep from a side of the domain on which they do not lie, and from
+  // ends of walls, in the same unit. Vertices that are already nearer keep their distance.
   static constexpr double clearance = .25;
 
   using Place = std::tuple<std::size_t, std::size_t, std::size_t>; // vertex, solid and wall
@@ -389,7 +477,7 @@ private:
   struct Moving_body
   {
     std::size_t solid;
-    Body_place place; // at `m_time_of_bodies`
+    Body_place place; // at `m_time`
     Body_velocity velocity;
   };
   static constexpr std::size_t no_body = std::size_t(-1);
@@ -485,12 +573,8 @@ private:
     Eigen::Vector3d result = normal;
     if (const auto found = areas.find(place); found != areas.end())
       result = found->second;
-    else
-      for_each_wall(v, middle, time,
-                    [&, &s = solid, &k = wall](std::size_t other, std::size_t i, const Wall_3& w) {
-                      if (other == s && i == k)
-                        result = eigen_vector(w.normal);
-                    });
+    else if (const auto at_middle = wall_at(solid, wall, middle, time))
+      result = eigen_vector(at_middle->normal);
     for (int axis = 0; axis < 3; ++axis)
       if (Boundary_class::fixes(m_mesh.vertices[v]->boundary_class(), axis))
         result[axis] = 0;
@@ -527,16 +611,13 @@ private:
   template <class Function>
   void for_each_wall(std::size_t v, const Eigen::Vector3d& p, double time,
                      const Function& function) const {
-    if (m_spacings[v] == 0)
+    if (!is_free(v))
       return;
-    std::vector<Wall_3> walls;
-    for (std::size_t solid = 0; solid < m_solids.size(); ++solid) {
-      walls.clear();
-      append_walls(solid, p, time, walls);
-      for (std::size_t wall = 0; wall < walls.size(); ++wall)
-        if (Mesh::dimension == 3 || is_in_plane(walls[wall]))
-          function(solid, wall, walls[wall]);
-    }
+    for_each_wall_of_solids(p, time, [&](std::size_t solid, std::size_t wall, Wall_3 w) {
+      if (w.is_end && is_touching(v, solid, wall))
+        w = from_front(w); // the vertex has passed the wall that it touches
+      function(solid, wall, w);
+    });
     for (int axis = 0; axis < 3; ++axis)
       if (!Boundary_class::fixes(m_mesh.vertices[v]->boundary_class(), axis))
         for (int side : {0, 1}) {
@@ -551,6 +632,35 @@ private:
                       sign * Wall_3::Vector(axis == 0, axis == 1, axis == 2)});
         }
   }
+
+  // Calls a function for each wall of a solid at a point, with the indices of the solid and of the
+  // wall.
+  template <class Function>
+  void for_each_wall_of_solids(const Eigen::Vector3d& p, double time,
+                               const Function& function) const {
+    std::vector<Wall_3> walls;
+    for (std::size_t solid = 0; solid < m_solids.size(); ++solid) {
+      walls.clear();
+      append_walls(solid, p, time, walls);
+      for (std::size_t wall = 0; wall < walls.size(); ++wall)
+        if (Mesh::dimension == 3 || is_in_plane(walls[wall]))
+          function(solid, wall, walls[wall]);
+    }
+  }
+
+  // Returns a wall of a solid at a point, seen from its front, or nothing if the solid has none
+  // with this index there.
+  std::optional<Wall_3> wall_at(std::size_t solid, std::size_t wall, const Eigen::Vector3d& p,
+                                double time) const {
+    std::vector<Wall_3> walls;
+    append_walls(solid, p, time, walls);
+    if (wall >= walls.size() || (Mesh::dimension == 2 && !is_in_plane(walls[wall])))
+      return std::nullopt;
+    return walls[wall].is_end ? from_front(walls[wall]) : walls[wall];
+  }
+
+  // Returns a wall that is seen from behind as it is seen from its front.
+  static Wall_3 from_front(const Wall_3& w) { return {-w.distance, -w.normal, w.velocity}; }
 
   // Replaces a wall by its intersection with the plane of a planar mesh. Returns false if there is
   // none near.
@@ -616,7 +726,7 @@ private:
   std::vector<Contact> m_contacts;          // by vertex, solid and wall
   std::vector<std::size_t> m_body_of_solid; // or `no_body`
   std::vector<Moving_body> m_bodies;
-  double m_time_of_bodies;
+  double m_time; // at which the contacts were found, and at which bodies have their places
   std::function<bool(std::size_t, const Eigen::Vector3d&)> m_is_open;
 };
 

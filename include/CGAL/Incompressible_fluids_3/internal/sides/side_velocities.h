@@ -5,13 +5,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_SIDE_VELOCITIES_H
-#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_SIDE_VELOCITIES_H
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SIDES_SIDE_VELOCITIES_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SIDES_SIDE_VELOCITIES_H
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Incompressible_fluids_3/Side_behavior.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
-#include <CGAL/Incompressible_fluids_3/internal/walls/Open_sides.h>
+#include <CGAL/Incompressible_fluids_3/internal/sides/Open_sides.h>
 
 #include <Eigen/Core>
 
@@ -144,4 +144,4 @@ void stop_on_sides(const Mesh& mesh, const Side_behaviors& behaviors,
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_SIDE_VELOCITIES_H
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SIDES_SIDE_VELOCITIES_H

@@ -5,8 +5,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_OPEN_SIDES_H
-#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_OPEN_SIDES_H
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SIDES_OPEN_SIDES_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SIDES_OPEN_SIDES_H
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
@@ -162,4 +162,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_OPEN_SIDES_H
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SIDES_OPEN_SIDES_H

@@ -5,14 +5,14 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_OPENING_CHECKS_H
-#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_OPENING_CHECKS_H
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SIDES_OPENING_CHECKS_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SIDES_OPENING_CHECKS_H
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Incompressible_fluids_3/Side_behavior.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
-#include <CGAL/Incompressible_fluids_3/internal/walls/Open_sides.h>
+#include <CGAL/Incompressible_fluids_3/internal/sides/Open_sides.h>
 
 #include <Eigen/Core>
 
@@ -86,4 +86,4 @@ void require_vertices_in_openings(const Mesh& mesh, const Side_behaviors& behavi
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_OPENING_CHECKS_H
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SIDES_OPENING_CHECKS_H

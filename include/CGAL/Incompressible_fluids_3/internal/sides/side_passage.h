@@ -5,14 +5,15 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_SIDE_PASSAGE_H
-#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_SIDE_PASSAGE_H
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SIDES_SIDE_PASSAGE_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SIDES_SIDE_PASSAGE_H
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Incompressible_fluids_3/Side_behavior.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/slip_changes.h>
-#include <CGAL/Incompressible_fluids_3/internal/walls/Open_sides.h>
+#include <CGAL/Incompressible_fluids_3/internal/sides/Open_sides.h>
+#include <CGAL/Incompressible_fluids_3/internal/sides/kept_distance.h>
 
 #include <Eigen/Dense>
 
@@ -61,8 +62,7 @@ otherwise move with the liquid from `positions` to `moved`.
 A vertex on an open side stays on the side. Where a surface meets the side, the liquid that leaves
 takes the vertex along the surface beyond the side, so the vertex returns along the surface. The
 surface then moves as a material surface up to the side. A vertex that would come near an open side
-on which it does not lie keeps a distance to it, and returns in the same way. Vertices one behind
-another keep their order.
+on which it does not lie keeps a distance to it, and returns in the same way.
 */
 template <class Mesh>
 Vectors_3 returns_from_sides(const Mesh& mesh, const Passage& passage, const Vectors_3& positions,
@@ -90,13 +90,11 @@ Vectors_3 returns_from_sides(const Mesh& mesh, const Passage& passage, const Vec
       const auto distance = [&](const Eigen::Vector3d& p) {
         return outward[axis] * (mesh.sides[side] - p[axis]);
       };
-      const double near = clearance * passage.edge, moved_to = distance(moved[v]);
-      // Distances from -infinity to `near` are mapped to distances from near / 2 to `near`.
-      const double kept = moved_to < near
-                              ? (std::min)(near / 2 * (1 + std::exp(2 * (moved_to - near) / near)),
-                                           distance(positions[v]))
-                              : moved_to;
-      const double excess = (is_on_side ? 0 : kept) - moved_to;
+      const double moved_to = distance(moved[v]),
+                   kept = is_on_side ? 0
+                                     : kept_distance(distance(positions[v]), moved_to,
+                                                     clearance * passage.edge),
+                   excess = kept - moved_to;
       if (!is_on_side) {
         Eigen::Vector3d foot = positions[v];
         foot[axis] = mesh.sides[side];
@@ -125,9 +123,9 @@ Vectors_3 returns_from_sides(const Mesh& mesh, const Passage& passage, const Vec
 // liquid, and `velocities` are linear in the cells between these positions. Where liquid enters,
 // the shift points out of all cells, and the velocity does not change.
 template <class Mesh>
-std::vector<Velocity_change> changes_by_passage(const Mesh& mesh, const Vectors_3& moved,
-                                                const Vectors_3& shifts,
-                                                const Vectors_3& velocities) {
+std::vector<Velocity_change> changes_by_shifts(const Mesh& mesh, const Vectors_3& moved,
+                                               const Vectors_3& shifts,
+                                               const Vectors_3& velocities) {
   static constexpr int others = Mesh::corners - 1;
   std::vector<double> best(moved.size(), -std::numeric_limits<double>::infinity());
   std::vector<Velocity_change> of_vertices(moved.size());
@@ -162,4 +160,4 @@ std::vector<Velocity_change> changes_by_passage(const Mesh& mesh, const Vectors_
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_SIDE_PASSAGE_H
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SIDES_SIDE_PASSAGE_H

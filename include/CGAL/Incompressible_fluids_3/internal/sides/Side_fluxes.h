@@ -5,16 +5,16 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_SIDE_FLUXES_H
-#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_SIDE_FLUXES_H
+#ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SIDES_SIDE_FLUXES_H
+#define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SIDES_SIDE_FLUXES_H
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Incompressible_fluids_3/Side_behavior.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/cell_element.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
-#include <CGAL/Incompressible_fluids_3/internal/walls/Open_sides.h>
-#include <CGAL/Incompressible_fluids_3/internal/walls/side_velocities.h>
+#include <CGAL/Incompressible_fluids_3/internal/sides/Open_sides.h>
+#include <CGAL/Incompressible_fluids_3/internal/sides/side_velocities.h>
 
 #include <Eigen/Core>
 
@@ -102,4 +102,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_SIDE_FLUXES_H
+#endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SIDES_SIDE_FLUXES_H
