@@ -69,7 +69,10 @@ MODULES = {
         "curves": "files of planar curves",
         "IO": "surface files and checkpoints",
     },
-    "Interface_flows": {"paths": "paths of interface vertices in velocity fields"},
+    "Interface_flows": {
+        "paths": "paths of interface vertices in velocity fields",
+        "curvature": "forces and masses of an interface energy, the system of an implicit step",
+    },
     "Solid_reconstruction_3": {
         "clouds": "point clouds: neighbors, local planes, sides",
         "reconstruction": "octree shell, approach to the points, sharp edges, checks of the result",

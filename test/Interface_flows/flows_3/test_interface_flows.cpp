@@ -72,8 +72,7 @@ TEST(Mean_curvature, velocities_are_the_gradient_of_the_area) {
   const std::vector<Position> positions = snapshot.positions(dsc);
   std::vector<Vector> velocities;
   DSC::Mean_curvature_velocity()(snapshot, positions, 0, velocities);
-  const CGAL::Deformable_simplicial_complexes::internal::Tensions<Complex> tensions(snapshot,
-                                                                                    positions);
+  const DSC::internal::Interface_forces<Complex> tensions(snapshot, positions, {});
   double total = 0;
   for (std::size_t i = 0; i < positions.size(); ++i)
     total += tensions.share(i);

@@ -1,0 +1,192 @@
+// Tensions, mobilities and energy densities that depend on labels, and the flow of their energy.
+#include "planar_regions.h"
+
+#include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Interface_flows/Mean_curvature_flow.h>
+#include <CGAL/Interface_flows/advect_adaptively.h>
+#include <CGAL/Interface_flows/advect_interface.h>
+
+#include <CGAL/number_utils.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace test_interface_energy {
+namespace {
+
+namespace dsc = CGAL::Deformable_simplicial_complexes;
+using dsc::Interface_energy;
+using planar_regions::Complex;
+
+constexpr double degree = CGAL_PI / 180;
+
+double mean_radius(const Complex& complex) {
+  double sum = 0;
+  const auto vertices = complex.interface_vertices();
+  for (auto v : vertices)
+    sum += std::hypot(complex.position(v).x(), complex.position(v).y());
+  return sum / double(vertices.size());
+}
+
+// Returns the square [-1, 1]^2 of n^2 quadrilaterals. Labels are 3 in a disk, 1 below it and 2
+// above it.
+Complex disk_between_two_labels(std::size_t n, double radius) {
+  const auto at = [n](double i) { return 2 * i / double(n) - 1; };
+  return planar_regions::grid(
+      n, n,
+      [&](std::size_t i, std::size_t j) { return Complex::Point_2(at(double(i)), at(double(j))); },
+      [&](std::size_t i, std::size_t j) {
+        const double x = at(double(i) + .5), y = at(double(j) + .5);
+        return std::hypot(x, y) < radius ? 3 : y < 0 ? 1 : 2;
+      });
+}
+
+// Tensions of 1, but of `other` between the labels 1 and 2.
+Interface_energy with_tension_of_1_and_2(double other) {
+  Interface_energy result;
+  result.set_tension([other](int a, int b) { return a == 1 && b == 2 ? other : 1; });
+  return result;
+}
+
+} // namespace
+
+TEST(Interface_energy, checks_its_values) {
+  Interface_energy energy;
+  EXPECT_EQ(energy.tension(2, 1), 1);
+  EXPECT_EQ(energy.mobility(2, 1), 1);
+  EXPECT_EQ(energy.density(1), 0);
+  for (const double wrong : {0., -1., double(NAN), double(INFINITY)}) {
+    EXPECT_THROW(energy.set_tension(wrong), dsc::Error);
+    energy.set_tension([wrong](int, int) { return wrong; });
+    EXPECT_THROW(energy.tension(1, 2), dsc::Error);
+  }
+  EXPECT_THROW(energy.set_mobility(-1), dsc::Error);
+  energy.set_mobility([](int a, int b) { return a < b ? 3 : -1; });
+  EXPECT_EQ(energy.mobility(2, 1), 3);
+  energy.set_density([](int) { return NAN; });
+  EXPECT_THROW(energy.density(0), dsc::Error);
+}
+
+TEST(Interface_energy, has_the_angles_of_young) {
+  const auto equal = Interface_energy().young_angles(1, 2, 3);
+  ASSERT_TRUE(equal);
+  for (const double angle : *equal)
+    EXPECT_NEAR(angle, 120 * degree, 1e-14);
+  const auto other = with_tension_of_1_and_2(1.5).young_angles(1, 2, 3);
+  ASSERT_TRUE(other);
+  EXPECT_NEAR((*other)[2], 82.8192 * degree, 1e-6);
+  EXPECT_NEAR((*other)[0] + (*other)[1] + (*other)[2], 2 * CGAL_PI, 1e-14);
+  EXPECT_FALSE(with_tension_of_1_and_2(2).young_angles(1, 2, 3)); // 3 wets the interface
+}
+
+TEST(Interface_energy, is_the_sum_over_pairs_and_labels) {
+  const Complex complex = disk_between_two_labels(8, .6);
+  Interface_energy energy = with_tension_of_1_and_2(1.5);
+  energy.set_density([](int label) { return .1 * label; });
+  double length = 0, area = 0;
+  for (const auto& facet : complex.interface_facets())
+    length += complex.measure(facet) *
+              (facet.first->label() + facet.first->neighbor(facet.second)->label() == 3 ? 1.5 : 1);
+  for (int label : {1, 2, 3})
+    area += .1 * label * complex.area(label);
+  EXPECT_NEAR(energy(complex), length + area, 1e-12);
+}
+
+// R' = m (g - s / R), where g is the density outside minus that inside.
+TEST(Interface_energy, circle_moves_by_tension_mobility_and_density) {
+  static constexpr double tension = .5, mobility = 2, drive = 3, dt = .002, end = .04;
+  Interface_energy energy;
+  energy.set_tension(tension);
+  energy.set_mobility(mobility);
+  energy.set_density([](int label) { return label == 1 ? -drive : 0; });
+  std::vector<double> errors;
+  for (const double edge : {.06, .03}) {
+    Complex complex = planar_regions::region(planar_regions::circle(.3, edge), {}, {-1, -1, 1, 1});
+    const auto rate = [](double r) { return mobility * (drive - tension / r); };
+    double exact = .3;
+    for (int k = 0; k < 1000; ++k) { // midpoint rule
+      const double h = end / 1000;
+      exact += h * rate(exact + h / 2 * rate(exact));
+    }
+    for (double t = 0; t < end - dt / 2; t += dt)
+      EXPECT_TRUE(dsc::advect_interface(complex, dsc::Mean_curvature_flow(energy), t, dt).complete);
+    errors.push_back(std::abs(mean_radius(complex) - exact));
+  }
+  EXPECT_LT(errors[1], 1e-3);
+  EXPECT_LT(errors[1], errors[0] / 3);
+}
+
+TEST(Interface_energy, explicit_and_implicit_steps_agree) {
+  Interface_energy energy = with_tension_of_1_and_2(1.5);
+  energy.set_mobility([](int a, int b) { return a + b; });
+  energy.set_density([](int label) { return label; });
+  const Complex complex = disk_between_two_labels(8, .6);
+  const dsc::Interface_snapshot<Complex> snapshot(complex);
+  const auto positions = snapshot.positions(complex);
+  std::vector<Complex::Approximate_vector> velocities;
+  dsc::Mean_curvature_velocity{energy}(snapshot, positions, 0, velocities);
+  static constexpr double dt = 1e-8;
+  std::vector<Complex::Approximate_point> destinations;
+  dsc::Mean_curvature_flow{energy}(snapshot, positions, 0, dt, destinations);
+  std::size_t compared = 0;
+  for (std::size_t v = 0; v < positions.size(); ++v)
+    if (snapshot.vertices[v]->boundary_class() == 0) {
+      const auto difference = (destinations[v] - positions[v]) / dt - velocities[v];
+      EXPECT_LT(std::sqrt(difference.squared_length()),
+                1e-5 * (1 + std::sqrt(velocities[v].squared_length())));
+      ++compared;
+    }
+  EXPECT_GT(compared, 15u);
+}
+
+TEST(Interface_energy, walls_of_mobility_0_stay) {
+  Interface_energy energy;
+  energy.set_mobility([](int a, int b) { return a == 1 && b == 2 ? 0 : 1; });
+  Complex complex = disk_between_two_labels(12, .6);
+  const auto ends = [&] { // of the walls between 1 and 2
+    std::vector<Complex::Approximate_point> result;
+    for (const auto& facet : complex.interface_facets())
+      if (facet.first->label() + facet.first->neighbor(facet.second)->label() == 3)
+        for (auto v : complex.facet_vertices(facet))
+          result.push_back(complex.position(v));
+    return result;
+  };
+  const auto before = ends();
+  const double area = complex.area(3);
+  EXPECT_TRUE(dsc::advect_interface(complex, dsc::Mean_curvature_flow(energy), 0, .01).complete);
+  EXPECT_EQ(ends(), before);
+  EXPECT_LT(complex.area(3), area);
+}
+
+// A lens of constant area between two labels. Its two arcs are circular, so its angle follows from
+// its width and height.
+TEST(Interface_energy, lens_has_the_angle_of_young) {
+  static constexpr double dt = .002;
+  const Interface_energy energy = with_tension_of_1_and_2(1.5);
+  Complex complex = disk_between_two_labels(32, .3);
+  double last = energy(complex), area = 0;
+  for (int k = 0; k < 150; ++k) {
+    dsc::advect_adaptively(complex, dsc::Mean_curvature_flow(energy, true), k * dt, dt);
+    EXPECT_LT(energy(complex), last * (1 + 1e-5)) << k;
+    last = energy(complex);
+    if (k == 10) // the steps of the grid are gone
+      area = complex.area(3);
+  }
+  EXPECT_NEAR(complex.area(3), area, 1e-9);
+  double width = 0, height = 0;
+  for (const auto& facet : complex.interface_facets())
+    if (facet.first->label() == 3 || facet.first->neighbor(facet.second)->label() == 3)
+      for (auto v : complex.facet_vertices(facet)) {
+        width = (std::max)(width, std::abs(complex.position(v).x()));
+        height = (std::max)(height, std::abs(complex.position(v).y()));
+      }
+  EXPECT_NEAR(4 * std::atan(height / width) / degree, 82.8192, .5);
+}
+
+} // namespace test_interface_energy
