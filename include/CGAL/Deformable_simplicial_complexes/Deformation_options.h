@@ -12,6 +12,7 @@
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
@@ -58,6 +59,9 @@ template <class Complex> struct Deformation_options
   bool collision_order = false;
   /// Permits or forbids changes of topology. If empty, all are permitted.
   Topology_control topology_control;
+  /// The energy that changes of topology decrease. Energy densities have no effect. The default is
+  /// the measure of the interface.
+  Interface_energy interface_energy;
   /// Returns the destinations of vertices by the flow of space, in the order of the vertices. If
   /// empty, free vertices follow the extension of the displacement.
   std::function<std::vector<Approximate_point>(const std::vector<Vertex_handle>&)> flow;
@@ -138,6 +142,7 @@ void read_parameters(const Complex& complex, const NamedParameters& np,
   replace_value(np, tags::manifold_interface, options.manifold_interface);
   replace_value(np, tags::collision_order, options.collision_order);
   replace_value(np, tags::topology_control, options.topology_control);
+  replace_value(np, tags::interface_energy, options.interface_energy);
   replace_count(np, tags::number_of_threads, "number_of_threads", options.number_of_threads);
   if constexpr (is_given<NamedParameters, tags::flow_t>)
     options.flow = internal::flow_of_vertices(complex, parameter(np, tags::flow));

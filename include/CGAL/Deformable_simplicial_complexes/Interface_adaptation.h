@@ -13,6 +13,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Curvature_sizing_field.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Curvature_lengths.h>
@@ -45,6 +46,8 @@ struct Adaptation_options
   bool only_if_worn = true;
   /// Whether junctions of more than three phases are split, in the plane.
   bool splits_junctions = false;
+  /// The energy that splits of junctions decrease.
+  Interface_energy interface_energy = {};
 };
 
 /*!
@@ -181,6 +184,7 @@ public:
     options.aggressiveness = 0;
     options.feature_angle = m_options.feature_angle;
     options.split_junctions = m_options.splits_junctions;
+    options.interface_energy = m_options.interface_energy;
     options.quality_threshold = 0; // the deformation optimizes cells
     options.visitor = visitor;
     return improve_interface(complex, options);

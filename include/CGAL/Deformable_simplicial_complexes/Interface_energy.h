@@ -107,6 +107,8 @@ public:
     return result;
   }
 
+  /// Returns whether `set_tension()` was called; otherwise all tensions are 1.
+  bool has_tensions() const { return bool(m_tension); }
   /// Returns whether labels have different energy densities, as far as is known: whether
   /// `set_density()` was called.
   bool has_densities() const { return bool(m_density); }

@@ -13,6 +13,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Edge_unit.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
@@ -57,6 +58,9 @@ template <class Complex> struct Interface_improvement_options
   bool curved_splits = false;
   /// Whether junctions of more than three phases are split, in the plane.
   bool split_junctions = false;
+  /// The energy that splits of junctions decrease. Energy densities have no effect. The default is
+  /// the length of the interface.
+  Interface_energy interface_energy;
   /// Visitor of the changes, such as a `Visitor_adaptor`; it must outlive the call. None if null.
   Any_visitor<Complex>* visitor = nullptr;
 

@@ -128,6 +128,11 @@ Each pass does the following:
     \cgalParamType{model of `TopologyControl`, by value or `std::reference_wrapper`}
     \cgalParamDefault{`Allow_topology_changes`}
   \cgalParamNEnd
+  \cgalParamNBegin{interface_energy}
+    \cgalParamDescription{the energy that decides which label a trapped cell gets, and whether
+                          neighbors are exchanged; energy densities have no effect}
+    \cgalParamType{`Interface_energy`} \cgalParamDefault{the measure of the interface}
+  \cgalParamNEnd
   \cgalParamNBegin{manifold_interface}
     \cgalParamDescription{whether the boundary of each phase stays a manifold. If relabeling a cell
                           would make it non-manifold, other cells are relabeled, too, or the cell

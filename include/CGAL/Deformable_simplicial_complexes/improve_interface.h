@@ -96,9 +96,14 @@ volumes of labels up to rounding; flips, collapses and curved splits change them
   \cgalParamNEnd
   \cgalParamNBegin{split_junctions}
     \cgalParamDescription{whether vertices where more than three phases meet are split into two
-                          junctions if this shortens the interface, see `propose_junction_split()`;
-                          in 2D only}
+                          junctions if this decreases the energy, see `propose_junction_split()`; in
+                          2D only}
     \cgalParamType{`bool`} \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{interface_energy}
+    \cgalParamDescription{the energy that splits of junctions decrease; energy densities have no
+                          effect}
+    \cgalParamType{`Interface_energy`} \cgalParamDefault{the length of the interface}
   \cgalParamNEnd
   \cgalParamNBegin{interface_collapse_length}
     \cgalParamDescription{shorter edges are collapsed; in units of the target edge length, at least
@@ -153,6 +158,7 @@ Improvement_report improve_interface(Complex& dsc, const NamedParameters& np = N
   replace_value(np, tags::quality_threshold, options.quality_threshold);
   replace_value(np, tags::curved_splits, options.curved_splits);
   replace_value(np, tags::split_junctions, options.split_junctions);
+  replace_value(np, tags::interface_energy, options.interface_energy);
   return improve_interface(dsc, options);
 }
 

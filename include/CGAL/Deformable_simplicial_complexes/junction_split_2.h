@@ -13,6 +13,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +41,8 @@ public:
   using Index = typename Cavity<Complex>::Index;
 
   // Collects the sectors around v. \pre v is not on the boundary of the domain
-  Junction_sectors(const Complex& complex, Vertex_handle v) : m_complex(complex), m_center(v) {
+  Junction_sectors(const Complex& complex, Vertex_handle v, const Interface_energy& energy)
+      : m_complex(complex), m_energy(energy), m_center(v) {
     const Cell_handle first = v->cell();
     Cell_handle c = first;
     do {
@@ -56,15 +58,17 @@ public:
 
   std::size_t number() const { return m_begins.size(); }
 
-  // Returns the sector with the strongest pull away from the center, if the pull is stronger than
-  // that of one interface edge; otherwise `number()`. The two neighbors of the sector have
-  // different labels.
+  // Returns the sector with the strongest pull away from the center, beyond the tension of the wall
+  // that the pull would create between its two neighbors; `number()` if no pull is stronger than
+  // that. The two neighbors of the sector have different labels.
   std::size_t strongest() const {
-    double strongest_pull = 1;
+    double strongest_pull = 0;
     std::size_t result = number();
     for (std::size_t s = 0; s < number(); ++s) {
-      const double pull = std::sqrt(this->pull(s).squared_length());
-      if (pull > strongest_pull && sector_label(s + number() - 1) != sector_label(s + 1)) {
+      if (label_before(s) == sector_label(s + 1))
+        continue;
+      const double pull = length(this->pull(s)) - wall_tension(s);
+      if (pull > strongest_pull) {
         strongest_pull = pull;
         result = s;
       }
@@ -73,14 +77,16 @@ public:
   }
 
   // Plans to connect a sector with a new vertex. The distance of the new vertex from the center is
-  // a fraction of the shorter edge of the sector. Returns whether the interface becomes shorter,
+  // a fraction of the shorter edge of the sector. Returns whether the energy decreases,
   // and all triangles are positively oriented and keep their quality.
   bool plan(std::size_t s, double part, Cavity<Complex>& cavity) const {
     const Vector pull = this->pull(s), left = to_corner(begin(s + 1)), right = to_corner(begin(s));
     const double shorter = std::sqrt((std::min)(left.squared_length(), right.squared_length()));
     const Vector displacement = pull * (part * shorter / std::sqrt(pull.squared_length()));
-    if (!(length(displacement) + length(left - displacement) + length(right - displacement) <
-          length(left) + length(right)))
+    if (!(wall_tension(s) * length(displacement) +
+              left_tension(s) * (length(left - displacement) - length(left)) +
+              right_tension(s) * (length(right - displacement) - length(right)) <
+          0))
       return false;
     cavity.begin(Proposal_kind::insertion);
     for (const Side& side : m_sides)
@@ -115,10 +121,21 @@ private:
   Label sector_label(std::size_t s) const { return side(begin(s)).cell->label(); }
   Vector to_corner(std::size_t k) const { return m_complex.displacement(m_center, side(k).from); }
 
-  // Returns the sum of the unit vectors along the two interface edges that bound a sector.
+  Label label_before(std::size_t s) const { return sector_label(s + number() - 1); }
+  double wall_tension(std::size_t s) const {
+    return m_energy.tension(label_before(s), sector_label(s + 1));
+  }
+  double left_tension(std::size_t s) const {
+    return m_energy.tension(sector_label(s), sector_label(s + 1));
+  }
+  double right_tension(std::size_t s) const {
+    return m_energy.tension(label_before(s), sector_label(s));
+  }
+
+  // Returns the force of the two interface edges that bound a sector.
   Vector pull(std::size_t s) const {
     const Vector right = to_corner(begin(s)), left = to_corner(begin(s + 1));
-    return right / length(right) + left / length(left);
+    return right * (right_tension(s) / length(right)) + left * (left_tension(s) / length(left));
   }
 
   typename Cavity<Complex>::Indices triangle(Cavity<Complex>& cavity, std::size_t k,
@@ -155,6 +172,7 @@ private:
   }
 
   const Complex& m_complex;
+  const Interface_energy& m_energy;
   Vertex_handle m_center;
   std::vector<Side> m_sides;
   std::vector<std::size_t> m_begins; // first side of each sector
@@ -174,17 +192,19 @@ sectors that become neighbors.
 \param complex the complex; it is not changed
 \param v a finite vertex
 \param cavity filled with the proposal if there is one; its last vertex is the new one
+\param energy the energy of the interface. Energy densities have no effect. The default is the length
 \return whether the proposal is valid: v is inside the domain, more than three sectors meet at v,
-        and the new neighbors have different labels. The split shortens the interface, all new
+        and the new neighbors have different labels. The split decreases the energy, all new
         triangles are positively oriented, and `complex.keeps_quality()` holds.
 */
 template <class Complex>
 bool propose_junction_split(const Complex& complex, typename Complex::Vertex_handle v,
-                            Deformable_simplicial_complexes::Cavity<Complex>& cavity) {
+                            Deformable_simplicial_complexes::Cavity<Complex>& cavity,
+                            const Interface_energy& energy = {}) {
   static constexpr std::size_t stable = 3; // number of sectors
   if (v->interface_degree() <= stable || complex.is_boundary(v))
     return false;
-  const internal::Junction_sectors<Complex> sectors(complex, v);
+  const internal::Junction_sectors<Complex> sectors(complex, v, energy);
   const std::size_t s = sectors.strongest();
   if (s == sectors.number())
     return false;

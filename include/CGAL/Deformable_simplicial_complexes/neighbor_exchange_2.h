@@ -12,6 +12,7 @@
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/Neighbor_exchange.h>
 
 #include <algorithm>
@@ -89,9 +90,10 @@ public:
   }
 
   // Plans the exchange, with a new wall whose length is a fraction of the old one. Returns the
-  // change of the length of the interface; nothing if a cell would not be positively oriented or
+  // change of the energy of the interface; nothing if a cell would not be positively oriented or
   // would not keep its quality.
-  std::optional<double> plan(double part, Cavity<Complex>& cavity) const {
+  std::optional<double> plan(double part, const Interface_energy& energy,
+                             Cavity<Complex>& cavity) const {
     cavity.begin(Proposal_kind::replacement);
     for (const auto& side : m_sides)
       cavity.remove(side.cell);
@@ -118,11 +120,19 @@ public:
       return std::sqrt((m_complex.position_near(p, corner(k)) - p).squared_length());
     };
     const Point from_a = m_complex.position(m_a), from_b = m_complex.position(m_b);
-    const double old_wall = std::sqrt(wall.squared_length()),
-                 new_wall = m_beyond[0] == m_beyond[1] ? 0 : part * old_wall;
-    return new_wall - old_wall + length(to_a, m_ends[0]) - length(from_a, m_ends[0]) +
-           length(to_b, m_ends[1]) - length(from_a, m_ends[1]) + length(to_b, m_ends[2]) -
-           length(from_b, m_ends[2]) + length(to_a, m_ends[3]) - length(from_b, m_ends[3]);
+    const Label left = m_cell->label(), right = m_other->label();
+    const double old_wall = std::sqrt(wall.squared_length());
+    double result = -energy.tension(left, right) * old_wall;
+    if (m_beyond[0] != m_beyond[1])
+      result += energy.tension(m_beyond[0], m_beyond[1]) * part * old_wall;
+    const std::array<Label, 4> one = {left, m_beyond[0], right, m_beyond[1]},
+                               other = {m_beyond[0], right, m_beyond[1], left};
+    for (std::size_t end = 0; end < 4; ++end) {
+      const Point &from = end < 2 ? from_a : from_b, &to = end % 3 == 0 ? to_a : to_b;
+      result += energy.tension(one[end], other[end]) *
+                (length(to, m_ends[end]) - length(from, m_ends[end]));
+    }
+    return result;
   }
 
 private:
@@ -208,14 +218,15 @@ of the two vertices, but quadratic in the phases at the ends.
 \param longest largest length of walls to be considered, divided by the mean length of the four
        other interface edges at the ends of the wall
 \param cavity filled with the proposal if there is one; the ends of the wall move
-\return the exchange, if it shortens the interface, all new triangles are positively oriented, and
+\param energy the energy of the interface. Energy densities have no effect. The default is the length
+\return the exchange, if it decreases the energy of the interface, all new triangles are positively oriented, and
         `complex.keeps_quality()` holds
 */
 template <class Complex>
 std::optional<Neighbor_exchange<Complex>>
 propose_neighbor_exchange(const Complex& complex, typename Complex::Cell_handle cell, int i,
-                          double longest,
-                          Deformable_simplicial_complexes::Cavity<Complex>& cavity) {
+                          double longest, Deformable_simplicial_complexes::Cavity<Complex>& cavity,
+                          const Interface_energy& energy = {}) {
   using namespace internal;
   if (!complex.is_interface(typename Complex::Facet(cell, i)))
     return std::nullopt;
@@ -223,7 +234,7 @@ propose_neighbor_exchange(const Complex& complex, typename Complex::Cell_handle 
   if (!surroundings.collect() || !(surroundings.relative_length() < longest))
     return std::nullopt;
   for (double part : {1., .5, .25})
-    if (const auto growth = surroundings.plan(part, cavity); growth && *growth < 0)
+    if (const auto growth = surroundings.plan(part, energy, cavity); growth && *growth < 0)
       return Neighbor_exchange<Complex>{{cell->label(), cell->neighbor(i)->label()},
                                         {surroundings.beyond(0), surroundings.beyond(1)},
                                         complex.domain().canonical(surroundings.middle())};

@@ -11,10 +11,13 @@
 
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
+#include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/geometry/Facet_normals.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
@@ -46,6 +49,24 @@ int contact_facet(const Complex& complex, typename Complex::Cell_handle cell,
   return result;
 }
 
+// Returns whether the phase of a cell wets the interface between the phase behind a facet and one
+// at the opposite vertex: whether two interfaces with the phase have less energy than one without
+// it.
+template <class Complex>
+bool wets(const Complex& complex, typename Complex::Cell_handle cell, int facet,
+          const Interface_energy& energy) {
+  if (!energy.has_tensions())
+    return false;
+  const auto own = cell->label(), behind = cell->neighbor(facet)->label();
+  std::vector<typename Complex::Cell_handle> star;
+  complex.star(cell->vertex(facet), star);
+  return std::any_of(star.begin(), star.end(), [&](auto c) {
+    const auto other = c->label();
+    return !complex.is_infinite(c) && other != own && other != behind &&
+           energy.tension(other, behind) > energy.tension(other, own) + energy.tension(own, behind);
+  });
+}
+
 } // namespace internal
 
 /*!
@@ -53,53 +74,62 @@ int contact_facet(const Complex& complex, typename Complex::Cell_handle cell,
 
 Proposes another label for a nearly flat cell trapped between two parts of the interface
 ("tetrahedron relabeling", section 3.2.1 of the paper). The topology of the interface may change.
-Constant time.
+Linear in the star of a vertex.
 
 First rule: the largest facet of the cell lies on the interface, and the opposite vertex projects
 into the facet. This vertex is on the interface or on the boundary of the domain. The cell then
 joins the phase behind the facet. The facet may be smaller than the largest one by 2 % (in 2D, by 1
 %). The projection may be outside the facet by a hundredth of its height.
 
-Second rule, for half the threshold: the cell joins the neighboring phase for which the measure of
+The cell keeps its label if its phase wets the interface between this phase and a phase behind
+another facet: a thin layer that wets an interface stays.
+
+Second rule, for half the threshold: the cell joins the neighboring phase for which the energy of
 the interface decreases most, if there is one.
 
 \param complex the complex; it is not changed
 \param cell a finite cell
 \param threshold only cells of lower quality are considered; the paper uses 0.01
 \param label the proposed label
+\param energy the energy of the interface. Energy densities have no effect. The default is the measure
 \return whether there is a proposal; commit it with `complex.relabel(cell, label)`
+\throws Error if a tension is out of its range
 */
 template <class Complex>
 bool propose_relabeling(const Complex& complex, typename Complex::Cell_handle cell,
-                        double threshold, typename Complex::Label& label) {
+                        double threshold, typename Complex::Label& label,
+                        const Interface_energy& energy = {}) {
   if (!(cell->quality() < threshold))
     return false;
   const internal::Facet_normals<Complex> normals(complex, cell);
+  const auto energy_as = [&](typename Complex::Label other) { // up to a constant factor
+    double result = 0;
+    for (int i = 0; i < Complex::corners; ++i)
+      if (!complex.is_infinite(cell->neighbor(i)) && cell->neighbor(i)->label() != other)
+        result += energy.tension(cell->neighbor(i)->label(), other) *
+                  std::sqrt(normals[i].squared_length());
+    return result;
+  };
   if (const int facet = internal::contact_facet(complex, cell, normals); facet >= 0) {
     label = cell->neighbor(facet)->label();
-    return true;
+    return !internal::wets(complex, cell, facet, energy);
   }
 
   if (!(cell->quality() < threshold / 2))
     return false;
-  double best = 0;
+  double best = energy_as(cell->label());
+  bool is_found = false;
   for (int candidate = 0; candidate < Complex::corners; ++candidate) {
     if (!complex.is_interface(std::make_pair(cell, candidate)))
       continue;
-    double change = 0; // of the measure of the interface, up to a constant factor
-    for (int i = 0; i < Complex::corners; ++i)
-      if (!complex.is_infinite(cell->neighbor(i))) {
-        const auto other = cell->neighbor(i)->label();
-        const double area = std::sqrt(normals[i].squared_length());
-        change += other == cell->label() ? area : 0;
-        change -= other == cell->neighbor(candidate)->label() ? area : 0;
-      }
-    if (change < best) {
-      best = change;
-      label = cell->neighbor(candidate)->label();
+    const auto other = cell->neighbor(candidate)->label();
+    if (const double changed = energy_as(other); changed < best) {
+      best = changed;
+      label = other;
+      is_found = true;
     }
   }
-  return best < 0;
+  return is_found;
 }
 
 } // namespace Deformable_simplicial_complexes

@@ -58,6 +58,9 @@ public:
   /// Constructs the velocity for an energy.
   explicit Mean_curvature_velocity(const Interface_energy& energy = {}) : m_energy(energy) {}
 
+  /// Returns the energy that the flow decreases.
+  const Interface_energy& energy() const { return m_energy; }
+
   /// Computes the velocities of all vertices at the given positions, see `InterfaceVelocity`. The
   /// time is linear in the size of the interface.
   /// \throws Error if a function of the energy returns a value out of its range

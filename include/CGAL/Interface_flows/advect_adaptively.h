@@ -116,8 +116,10 @@ Deformation_report<Complex> advect_adaptively(Complex& dsc, const Velocity& velo
   Improvement_report changes;
   if (std::fmod(std::round(t / dt), options.adaptation_interval) == 0 &&
       !dsc.interface_vertices().empty()) {
-    const Adaptation_options adaptation = {options.interface_tolerance, options.feature_angle,
-                                           !contracts, contracts && !deformation.topology_control};
+    const Adaptation_options adaptation = {
+        options.interface_tolerance, options.feature_angle, !contracts,
+        contracts && !deformation.topology_control,
+        internal::energy_of(velocity, deformation.interface_energy)};
     const auto is_stretching = [&](const auto& interface_) {
       return is_stretched(
           interface_, interface_.positions(dsc),

@@ -18,6 +18,7 @@
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 #include <CGAL/Interface_flows/Integration_scheme.h>
 #include <CGAL/Interface_flows/internal/paths/interface_paths.h>
+#include <CGAL/Interface_flows/internal/paths/velocity_properties.h>
 
 #include <vector>
 
@@ -94,6 +95,7 @@ Deformation_report<Complex> advect_interface(Complex& dsc, const Velocity& veloc
   const auto destinations =
       internal::destinations_of_step(dsc, interface_, velocity, t, dt, options);
   Deformation_options<Complex> deformation = options.deformation;
+  deformation.interface_energy = internal::energy_of(velocity, deformation.interface_energy);
   if constexpr (internal::is_flow_of_space<Complex, Velocity>)
     if (!deformation.flow)
       deformation.flow = [&](const std::vector<typename Complex::Vertex_handle>& vertices) {
@@ -128,6 +130,8 @@ vertices near the interface also move with it, unless the parameter `flow` is gi
     `velocity(snapshot, positions, t, dt, destinations)` once for the time step. It fills
     `destinations`. The scheme is not used.
   .
+  If the velocity has a member function `energy()` that returns an `Interface_energy`, this energy
+  replaces the parameter `interface_energy`.
   Positions have the type `Complex::Approximate_point` and vectors `Complex::Approximate_vector`, in
   the coordinates of the complex.
 \param t the time at the beginning of the step

@@ -4,6 +4,8 @@
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/neighbor_exchange_2.h>
+#include <CGAL/Deformable_simplicial_complexes/relabeling.h>
 #include <CGAL/Interface_flows/Mean_curvature_flow.h>
 #include <CGAL/Interface_flows/advect_adaptively.h>
 #include <CGAL/Interface_flows/advect_interface.h>
@@ -162,6 +164,64 @@ TEST(Interface_energy, walls_of_mobility_0_stay) {
   EXPECT_TRUE(dsc::advect_interface(complex, dsc::Mean_curvature_flow(energy), 0, .01).complete);
   EXPECT_EQ(ends(), before);
   EXPECT_LT(complex.area(3), area);
+}
+
+// A thin layer with the label 3 between the labels 1 and 2. Two of its interfaces have more energy
+// than one interface between 1 and 2, except if the layer wets this interface.
+TEST(Interface_energy, thin_layer_stays_if_it_wets) {
+  const Complex complex = planar_regions::grid(
+      4, 3,
+      [](std::size_t i, std::size_t j) {
+        return Complex::Point_2(double(i), j < 2 ? double(j) : double(j - 1) + (j == 2 ? 1e-3 : 0));
+      },
+      [](std::size_t, std::size_t j) { return j == 0   ? 1
+                                              : j == 1 ? 3
+                                                       : 2; });
+  for (const double tension : {1., 1.9, 2.1}) {
+    const Interface_energy energy = with_tension_of_1_and_2(tension);
+    std::size_t proposed = 0;
+    int label = 0;
+    for (auto c : complex.cells())
+      proposed += c->label() == 3 && dsc::propose_relabeling(complex, c, .1, label, energy);
+    EXPECT_EQ(proposed, tension < 2 ? 8u : 0u);
+  }
+}
+
+// Two grains pull the two others at their common wall apart. The tension of the new wall decides.
+TEST(Interface_energy, decides_whether_neighbors_are_exchanged) {
+  // Four grains around a wall of length .1 along the y-axis: 1 on the left, 2 on the right, 3 above
+  // and 4 below it.
+  const auto grains = [] {
+    return planar_regions::grid(
+        4, 5,
+        [](std::size_t i, std::size_t j) {
+          static constexpr double ys[] = {-1, -.5, -.05, .05, .5, 1};
+          return Complex::Point_2(.5 * double(i) - 1, ys[j]);
+        },
+        [](std::size_t i, std::size_t j) {
+          return j == 2  ? (i < 2 ? 1 : 2)
+                 : j > 2 ? (i == 0   ? 1
+                            : i == 3 ? 2
+                                     : 3)
+                         : (i == 0   ? 1
+                            : i == 3 ? 2
+                                     : 4);
+        });
+  };
+  for (const double tension : {1., 20.}) { // between 3 and 4
+    Interface_energy energy;
+    energy.set_tension([tension](int a, int b) { return a == 3 && b == 4 ? tension : 1; });
+    const Complex complex = grains();
+    dsc::Cavity<Complex> cavity(complex);
+    bool is_proposed = false;
+    for (auto c : complex.cells())
+      for (int i = 0; i < 3; ++i)
+        if (c->label() == 1 && c->neighbor(i)->label() == 2)
+          is_proposed =
+              is_proposed ||
+              dsc::propose_neighbor_exchange(complex, c, i, .5, cavity, energy).has_value();
+    EXPECT_EQ(is_proposed, tension == 1);
+  }
 }
 
 // A lens of constant area between two labels. Its two arcs are circular, so its angle follows from

@@ -14,6 +14,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_operations_2.h>
@@ -46,7 +47,8 @@ public:
                          const Deformation_options<Complex>& options,
                          const For_each_index& for_each_index)
       : m_complex(complex), m_visitor(visitor), m_topology_control(options.topology_control),
-        m_relabeling_threshold(options.relabeling_threshold), m_cavity(complex),
+        m_energy(options.interface_energy), m_relabeling_threshold(options.relabeling_threshold),
+        m_cavity(complex),
         m_improver(complex, visitor, destinations, options.quality_threshold, for_each_index),
         m_small_angles(complex, visitor, rigid_components, options.minimum_angle,
                        options.quality_threshold, for_each_index) {}
@@ -101,7 +103,7 @@ private:
   template <class Log> bool exchange_neighbors(Cell_handle c, int i, Log& log) {
     // maximum length of an exchanged edge, relative to the edges around it
     static constexpr double longest = .5;
-    const auto exchange = propose_neighbor_exchange(m_complex, c, i, longest, m_cavity);
+    const auto exchange = propose_neighbor_exchange(m_complex, c, i, longest, m_cavity, m_energy);
     if (!exchange)
       return false;
     for (Cell_handle side : {c, c->neighbor(i)})
@@ -118,6 +120,7 @@ private:
   Complex& m_complex;
   Any_visitor<Complex>& m_visitor;
   const typename Deformation_options<Complex>::Topology_control& m_topology_control;
+  const Interface_energy& m_energy;
   double m_relabeling_threshold;
   Cavity<Complex> m_cavity;
   Mesh_improver<Complex> m_improver;

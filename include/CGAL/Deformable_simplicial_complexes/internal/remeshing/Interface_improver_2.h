@@ -32,7 +32,8 @@ public:
   void split_junctions() {
     for (auto v : this->m_complex.interface_vertices()) {
       Progress_scope::check();
-      while (propose_junction_split(this->m_complex, v, this->m_cavity)) {
+      while (propose_junction_split(this->m_complex, v, this->m_cavity,
+                                    this->m_options.interface_energy)) {
         this->commit();
         const auto other = this->m_cavity.vertices().back().handle;
         for (auto junction : {v, other})

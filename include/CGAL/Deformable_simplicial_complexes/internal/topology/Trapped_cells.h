@@ -11,6 +11,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/local_edge_length.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Manifold_relabeling.h>
@@ -23,6 +24,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -44,9 +46,10 @@ public:
   using Topology_control = typename Deformation_options<Complex>::Topology_control;
 
   Trapped_cells(Complex& complex, Any_visitor<Complex>& visitor,
-                const Topology_control& topology_control, bool manifold_interface)
-      : m_complex(complex), m_visitor(visitor), m_topology_control(topology_control),
-        m_manifold_interface(manifold_interface), m_log(complex) {}
+                const Deformation_options<Complex>& options)
+      : m_complex(complex), m_visitor(visitor), m_topology_control(options.topology_control),
+        m_energy(options.interface_energy), m_manifold_interface(options.manifold_interface),
+        m_log(complex) {}
 
   Topology_log<Complex>& log() { return m_log; }
   std::size_t number_of_relabeled() const { return m_relabeled; }
@@ -146,18 +149,26 @@ private:
     return sum;
   }
 
-  // Returns the label with the largest common area with a component; the label of the component if
-  // it has no neighbors.
+  // Returns the label that decreases the energy of the interface most if a component gets it, among
+  // its neighbors; the label of the component if it has no neighbors.
   Label surrounding_label(const std::vector<Cell_handle>& component) const {
     boost::container::flat_map<Label, double> areas;
     for (Cell_handle c : component)
       for (int i = 0; i < Complex::corners; ++i)
         if (m_complex.is_interface(std::make_pair(c, i)))
           areas[c->neighbor(i)->label()] += m_complex.measure(std::make_pair(c, i));
-    const auto largest =
-        std::max_element(areas.begin(), areas.end(),
-                         [](const auto& a, const auto& b) { return a.second < b.second; });
-    return largest == areas.end() ? component.front()->label() : largest->first;
+    Label result = component.front()->label();
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& candidate : areas) {
+      double energy = 0;
+      for (const auto& [label, area] : areas)
+        energy += label == candidate.first ? 0 : m_energy.tension(label, candidate.first) * area;
+      if (energy < least) {
+        least = energy;
+        result = candidate.first;
+      }
+    }
+    return result;
   }
 
   // Relabels cells that keep the topology, and then the cells around them.
@@ -179,7 +190,7 @@ private:
   template <class Is_flat>
   bool propose(Cell_handle c, double threshold, const Is_flat& is_flat,
                std::vector<Cell_handle>& cells, Label& label) const {
-    if (is_done(c) || !propose_relabeling(m_complex, c, threshold, label) || !is_flat(c))
+    if (is_done(c) || !propose_relabeling(m_complex, c, threshold, label, m_energy) || !is_flat(c))
       return false;
     cells.assign(1, c);
     return complete(cells, label) && volume(cells) - volume({c}) < small_volume({c}) &&
@@ -226,6 +237,7 @@ private:
   Complex& m_complex;
   Any_visitor<Complex>& m_visitor;
   const Topology_control& m_topology_control;
+  const Interface_energy& m_energy;
   bool m_manifold_interface;
   Topology_log<Complex> m_log;
   std::unordered_set<std::size_t> m_done; // time stamps of relabeled cells

@@ -8,6 +8,7 @@
 #ifndef CGAL_INTERFACE_FLOWS_INTERNAL_PATHS_VELOCITY_PROPERTIES_H
 #define CGAL_INTERFACE_FLOWS_INTERNAL_PATHS_VELOCITY_PROPERTIES_H
 
+#include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <type_traits>
 #include <utility>
 
@@ -40,6 +41,22 @@ struct Volume_preservation<
 
 template <class Velocity> bool preserves_volumes(const Velocity& velocity) {
   return Volume_preservation<Velocity>::of(velocity);
+}
+
+// Returns the result of the member function `energy()` of a velocity; `other` if there is no such
+// member.
+template <class Velocity>
+auto energy_of(const Velocity& velocity, const Interface_energy&, int)
+    -> decltype(Interface_energy(velocity.energy())) {
+  return velocity.energy();
+}
+template <class Velocity>
+Interface_energy energy_of(const Velocity&, const Interface_energy& other, long) {
+  return other;
+}
+template <class Velocity>
+Interface_energy energy_of(const Velocity& velocity, const Interface_energy& other) {
+  return energy_of(velocity, other, 0);
 }
 
 } // namespace internal
