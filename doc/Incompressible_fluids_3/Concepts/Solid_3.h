@@ -30,7 +30,8 @@ public:
 
   A wall is identified by its index in the list. So a solid appends the same walls in the same order for all points and
   times. Walls that are far away can be omitted at the end of the list. A mesh appends one wall, at its nearest point.
-  Distances must be accurate near the wall only. A vertex inside the solid is moved out by the distance along the normal.
+  A solid with convex edges can report the plane of a wall from behind for a point that is not in front of this wall, see
+  `Wall_3::is_end`. Distances must be accurate near the wall only. A vertex inside the solid is moved out by the distance along the normal.
 
   \param p any point, in the coordinates of the complex
   \param t the time
