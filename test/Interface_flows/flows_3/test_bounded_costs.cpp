@@ -346,11 +346,10 @@ TEST(Trapped_cells, small_components_are_found_from_all_of_their_cells) {
       Complex at_once = motley_complex(6, number_of_labels, 3);
       Complex one_by_one = at_once;
       DSC::Any_visitor<Complex> visitor;
-      const DSC::Deformation_options<Complex>::Topology_control allow = [](const Complex&, Cell_handle, int) {
-        return true;
-      };
-      internal::Trapped_cells<Complex> fast(at_once, visitor, allow, manifold),
-          slow(one_by_one, visitor, allow, manifold);
+      DSC::Deformation_options<Complex> options;
+      options.manifold_interface = manifold;
+      internal::Trapped_cells<Complex> fast(at_once, visitor, options),
+          slow(one_by_one, visitor, options);
       fast.remove_small_components(at_once.cells());
       for (Cell_handle c : one_by_one.cells())
         slow.remove_small_components({c});

@@ -1,0 +1,213 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Interface_flows, written for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTERFACE_FLOWS_GRAIN_GROWTH_H
+#define CGAL_INTERFACE_FLOWS_GRAIN_GROWTH_H
+
+#include <CGAL/license/Interface_flows.h>
+
+#include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/remove_components.h>
+#include <CGAL/Interface_flows/Mean_curvature_flow.h>
+#include <CGAL/Interface_flows/advect_interface.h>
+
+#include <CGAL/Origin.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgInterfaceFlowsRef
+
+Returns the rates of change of the volumes of all labels at the interface, in the plane of their
+areas, when the interface starts to move with given velocities. Linear in the size of the interface.
+
+\param interface_ the snapshot of the interface
+\param positions, velocities of its vertices
+*/
+template <class Complex>
+std::map<typename Complex::Label, double>
+rates_of_change(const Interface_snapshot<Complex>& interface_,
+                const std::vector<typename Complex::Approximate_point>& positions,
+                const std::vector<typename Complex::Approximate_vector>& velocities) {
+  static constexpr int d = Complex::dimension;
+  std::map<typename Complex::Label, double> result;
+  for (const auto& facet : interface_.facets()) {
+    std::array<typename Complex::Approximate_point, d> corners;
+    typename Complex::Approximate_vector sum(NULL_VECTOR);
+    for (int i = 0; i < d; ++i) {
+      corners[i] =
+          interface_.domain.near(positions[facet.vertices[0]], positions[facet.vertices[i]]);
+      sum = sum + velocities[facet.vertices[i]];
+    }
+    const double swept = Complex::Space::facet_normal(corners) * sum / (d * (d - 1));
+    result[facet.behind] += swept;
+    result[facet.in_front] -= swept;
+  }
+  return result;
+}
+
+/// \ingroup PkgInterfaceFlowsRef
+/// Options of `Grain_growth`.
+struct Grain_growth_options
+{
+  /// The number of edges of the interface in the diameter of a mean grain. The diameter is the side
+  /// of the cube, in the plane the side of the square, with the mean volume of labels.
+  double edges_of_grain = 10;
+  /// The time step in squares of the length of such an edge, divided by the greatest product of a
+  /// tension and a mobility that is expected; see `fastest`.
+  double step = .1;
+  /// The product of tension and mobility of the fastest interface, positive.
+  double fastest = 1;
+  /// Number of threads if linked with TBB. The result does not depend on it.
+  unsigned number_of_threads = 1;
+
+  /// Throws an exception unless all values are in their ranges.
+  /// \throws Error if a value is not positive or not finite
+  void check() const {
+    for (const double x : {edges_of_grain, step, fastest})
+      if (!(x > 0) || !std::isfinite(x))
+        throw Error("an option of grain growth is out of range: use positive, finite numbers");
+  }
+};
+
+/*!
+\ingroup PkgInterfaceFlowsRef
+
+The growth of grains: all labels of a complex are grains, whose interfaces move by an
+`Interface_energy`. Edges become longer as grains grow. A grain that would vanish within a step is
+removed as a whole, see `remove_components()`, because a grain of a few edges cannot shrink at its
+true rate.
+
+\tparam Complex a deformable simplicial complex
+*/
+template <class Complex> class Grain_growth
+{
+public:
+  using Label = typename Complex::Label; ///< a label
+
+  /// What happened in a step.
+  struct Report
+  {
+    double time = 0;                         ///< the time at the end of the step
+    double dt = 0;                           ///< the time step
+    std::vector<Label> removed;              ///< the grains that were removed as a whole
+    Deformation_report<Complex> deformation; ///< the report of the motion
+  };
+
+  /// Constructs the growth of the grains of a complex, at the time 0.
+  /// \param complex the complex, which must outlive the object
+  /// \param energy the energy; copied
+  /// \param options the options
+  /// \throws Error if an option is out of its range
+  explicit Grain_growth(Complex& complex, const Interface_energy& energy = {},
+                        const Grain_growth_options& options = {})
+      : m_complex(complex), m_flow(energy), m_velocity(energy), m_options(options) {
+    options.check();
+  }
+
+  /// Returns the present time.
+  double time() const { return m_time; }
+
+  /// Returns the target length of edges: the diameter of a mean grain divided by
+  /// `Grain_growth_options::edges_of_grain`.
+  double edge() const {
+    double measure = 0;
+    const auto labels = m_complex.labels();
+    for (Label label : labels)
+      measure += m_complex.measure(label);
+    return std::pow(measure / double(labels.size()), 1. / Complex::dimension) /
+           m_options.edges_of_grain;
+  }
+
+  /// Returns the length of the next time step.
+  double time_step() const {
+    const double h = edge();
+    return m_options.step * h * h / m_options.fastest;
+  }
+
+  /// Performs a time step. Does nothing if there is no interface.
+  /// \throws Error if a function of the energy returns a value out of its range, or if a system cannot
+  ///         be solved. The complex is then valid, but may have been remeshed.
+  Report advance() {
+    Report report;
+    report.dt = time_step();
+    if (!m_complex.interface_vertices().empty()) {
+      adapt();
+      report.removed = remove_vanishing(report.dt);
+      Advection_options<Complex> options;
+      options.deformation.number_of_threads = m_options.number_of_threads;
+      report.deformation = advect_interface(m_complex, m_flow, m_time, report.dt, options);
+    }
+    m_time += report.dt;
+    report.time = m_time;
+    return report;
+  }
+
+private:
+  static constexpr double straight_angle = 180; // no edge is sharp: flows round all but junctions
+
+  // Splits and collapses edges of the interface and of cells, and splits unstable junctions.
+  void adapt() {
+    static constexpr double split = 1.4, collapse = .5; // halves of split edges are long enough
+    Interface_improvement_options<Complex> options;
+    options.sizing_field = [h = edge()](const auto&) { return h; };
+    options.interface_split_length = split;
+    options.interface_collapse_length = collapse;
+    options.curved_splits = true;
+    options.aggressiveness = 0;
+    options.feature_angle = straight_angle;
+    options.split_junctions = true;
+    options.interface_energy = m_flow.energy();
+    improve_interface(m_complex, options);
+    Detail_options<Complex> detail;
+    detail.sizing_field = options.sizing_field;
+    control_detail(m_complex, detail);
+  }
+
+  // Removes the grains that would vanish within dt at their present rates.
+  std::vector<Label> remove_vanishing(double dt) {
+    const Interface_snapshot<Complex> interface_(m_complex);
+    const auto positions = interface_.positions(m_complex);
+    std::vector<typename Complex::Approximate_vector> velocities;
+    m_velocity(interface_, positions, m_time, velocities);
+    const auto rates = rates_of_change(interface_, positions, velocities);
+    const auto vanishes = [&](Label label, std::uint32_t, double measure) {
+      const auto rate = rates.find(label);
+      return rate != rates.end() && measure + dt * rate->second <= 0 &&
+             m_complex.number_of_components(label) == 1;
+    };
+    for (const auto& [label, rate] : rates) // a pass over all cells only if necessary
+      if (m_complex.measure(label) + dt * rate <= 0)
+        return remove_components(m_complex, vanishes, m_flow.energy());
+    return {};
+  }
+
+  Complex& m_complex;
+  Mean_curvature_flow m_flow;
+  Mean_curvature_velocity m_velocity;
+  Grain_growth_options m_options;
+  double m_time = 0;
+};
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INTERFACE_FLOWS_GRAIN_GROWTH_H

@@ -1,0 +1,198 @@
+// Grains: Voronoi labels, orientations, statistics, and their growth.
+#include "planar_regions.h"
+#include "torus.h"
+
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
+#include <CGAL/Deformable_simplicial_complexes/remove_components.h>
+#include <CGAL/Interface_flows/Grain_growth.h>
+#include <CGAL/Interface_flows/Grain_orientations.h>
+#include <CGAL/Interface_flows/Voronoi_labels.h>
+#include <CGAL/Interface_flows/grain_statistics.h>
+
+#include <CGAL/number_utils.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <random>
+#include <vector>
+
+namespace test_grain_growth {
+namespace {
+
+namespace dsc = CGAL::Deformable_simplicial_complexes;
+using Torus = CGAL::Deformable_simplicial_complex_2<CGAL::Deformable_simplicial_complex_traits_2<>,
+                                                    CGAL::Default, dsc::Torus_domain<2>>;
+using planar_regions::Complex;
+
+Torus grains(std::size_t number, double edges) {
+  const dsc::Torus_domain<2> domain({1, 1});
+  return dsc::make_deformable_simplicial_complex_2<Torus>(
+      domain, 1 / (std::sqrt(double(number)) * edges),
+      dsc::Voronoi_labels<Torus>(number, {1, 1}, true));
+}
+
+} // namespace
+
+TEST(Voronoi_labels, are_those_of_the_nearest_seeds) {
+  static constexpr std::size_t number = 40, samples = 200;
+  for (const bool is_periodic : {false, true}) {
+    const dsc::Voronoi_labels<Complex> labels(number, {3, 1}, is_periodic),
+        same(number, {3, 1}, is_periodic), other(number, {3, 1}, is_periodic, 2);
+    // A seed is the middle of the points with its label only approximately, so regions are
+    // compared: a segment between two points with the same label has this label, because regions
+    // are convex.
+    std::mt19937 random(3);
+    const auto point = [&random] {
+      return Complex::Approximate_point_2(3 * (random() / 4294967296.), random() / 4294967296.);
+    };
+    std::map<int, std::size_t> found;
+    std::size_t differences = 0;
+    for (std::size_t k = 0; k < samples; ++k) {
+      const auto p = point(), q = point();
+      EXPECT_EQ(labels(p), same(p));
+      differences += labels(p) != other(p);
+      ++found[labels(p)];
+      if (labels(p) == labels(q) && CGAL::squared_distance(p, q) < .25) {
+        EXPECT_EQ(labels(CGAL::midpoint(p, q)), labels(p));
+      }
+    }
+    EXPECT_GT(differences, samples / 2);
+    EXPECT_GT(found.size(), number / 2);
+    for (const auto& [label, n] : found)
+      EXPECT_TRUE(label >= 1 && label <= int(number)) << n;
+  }
+  EXPECT_THROW(dsc::Voronoi_labels<Complex>(0, {1, 1}, true), dsc::Error);
+  EXPECT_THROW(dsc::Voronoi_labels<Complex>(1, {0, 1}, true), dsc::Error);
+  EXPECT_THROW(dsc::Voronoi_labels<Complex>(5, {1, 1}, true, 1, 2), dsc::Error);
+}
+
+TEST(Grain_orientations, have_misorientations_of_cubic_crystals) {
+  const dsc::Grain_orientations<2> planar(100);
+  const dsc::Grain_orientations<3> spatial(100);
+  double largest_2 = 0, largest_3 = 0;
+  for (int a = 1; a <= 100; ++a)
+    for (int b = 1; b <= 100; ++b) {
+      EXPECT_NEAR(planar.misorientation(a, b), planar.misorientation(b, a), 1e-12);
+      largest_2 = (std::max)(largest_2, planar.misorientation(a, b));
+      largest_3 = (std::max)(largest_3, spatial.misorientation(a, b));
+    }
+  EXPECT_NEAR(planar.misorientation(7, 7), 0, 1e-7);
+  EXPECT_NEAR(spatial.misorientation(7, 7), 0, 1e-7);
+  static constexpr double degree = CGAL_PI / 180;
+  EXPECT_LE(largest_2, 45 * degree + 1e-12);
+  EXPECT_GT(largest_2, 44 * degree);
+  EXPECT_LE(largest_3, 62.8 * degree); // J. K. Mackenzie, 1958
+  EXPECT_GT(largest_3, 58 * degree);
+  EXPECT_EQ(dsc::read_shockley_energy(20 * degree), 1);
+  EXPECT_NEAR(dsc::read_shockley_energy(7.5 * degree), .5 * (1 + std::log(2.)), 1e-12);
+  EXPECT_EQ(dsc::read_shockley_energy(0), .05);
+  EXPECT_THROW(dsc::read_shockley_energy(-1), dsc::Error);
+}
+
+// The label of the component decides, not its place: specks vanish, and grains stay.
+TEST(Remove_components, keeps_the_largest_ones) {
+  Complex complex = planar_regions::grid(
+      6, 6, [](std::size_t i, std::size_t j) { return Complex::Point_2(double(i), double(j)); },
+      [](std::size_t i, std::size_t j) { return i == 4 && j == 4 ? 1
+                                                : i < 3          ? 1
+                                                                 : 2; });
+  ASSERT_EQ(complex.number_of_components(1), 2u);
+  EXPECT_EQ(dsc::keep_largest_components(complex), std::vector<int>{1});
+  EXPECT_EQ(complex.number_of_components(1), 1u);
+  EXPECT_DOUBLE_EQ(complex.area(1), 18);
+  EXPECT_DOUBLE_EQ(complex.area(2), 18);
+  EXPECT_TRUE(complex.is_valid());
+}
+
+// A square between two phases goes to the one with the lower energy density.
+TEST(Remove_components, gives_them_to_the_neighbor_of_least_energy) {
+  for (const double density : {-10., 10.}) {
+    Complex complex = planar_regions::grid(
+        4, 4, [](std::size_t i, std::size_t j) { return Complex::Point_2(double(i), double(j)); },
+        [](std::size_t i, std::size_t j) {
+          return i > 0 && i < 3 && j > 0 && j < 3 ? 3 : i < 2 ? 1 : 2;
+        });
+    dsc::Interface_energy energy;
+    energy.set_density([density](int label) { return label == 1 ? density : 0; });
+    const auto removed = dsc::remove_components(
+        complex, [](int label, std::uint32_t, double measure) { return label == 3 && measure > 3; },
+        energy);
+    EXPECT_EQ(removed, std::vector<int>{3});
+    EXPECT_DOUBLE_EQ(complex.area(density < 0 ? 1 : 2), 10);
+  }
+}
+
+TEST(Grain_statistics, counts_corners_and_neighbors) {
+  const Complex complex = planar_regions::grid(
+      6, 6, [](std::size_t i, std::size_t j) { return Complex::Point_2(double(i), double(j)); },
+      [](std::size_t i, std::size_t j) {
+        return i > 1 && i < 4 && j > 1 && j < 4 ? 5 : j < 3 ? (i < 3 ? 1 : 2) : 3;
+      });
+  const auto statistics = dsc::grain_statistics(complex);
+  ASSERT_EQ(statistics.size(), 4u);
+  const auto& grain = statistics.back();
+  EXPECT_EQ(grain.label, 5);
+  EXPECT_DOUBLE_EQ(grain.measure, 4);
+  EXPECT_DOUBLE_EQ(grain.boundary, 8);
+  EXPECT_EQ(grain.neighbors, 3u);
+  EXPECT_EQ(grain.corners, 3u);
+  EXPECT_DOUBLE_EQ(grain.growth(2), -CGAL_PI);
+}
+
+// A circle vanishes at the time R^2 / 2, and it is removed as a whole.
+TEST(Grain_growth, circle_vanishes_at_its_time) {
+  static constexpr double r = .3;
+  Complex complex = planar_regions::region(planar_regions::circle(r, .05), {}, {-1, -1, 1, 1});
+  dsc::Grain_growth<Complex> growth(complex, {}, {28, .1});
+  std::size_t removed = 0;
+  while (complex.area(1) > 0 && growth.time() < r * r) {
+    const auto report = growth.advance();
+    EXPECT_TRUE(report.deformation.complete);
+    removed += report.removed.size();
+  }
+  EXPECT_EQ(removed, 1u);
+  EXPECT_NEAR(growth.time(), r * r / 2, .02 * r * r);
+}
+
+// von Neumann and Mullins: the area of a grain with n sides grows by pi / 3 (n - 6).
+TEST(Grain_growth, has_the_rates_of_von_neumann_and_mullins) {
+  static constexpr std::size_t number = 20;
+  Torus complex = grains(number, 8);
+  dsc::keep_largest_components(complex);
+  ASSERT_EQ(complex.labels().size(), number);
+  dsc::Grain_growth<Torus> growth(complex, {}, {8, .2});
+  const auto by_label = [&complex] {
+    std::map<int, dsc::Grain_statistics> result;
+    for (const auto& grain : dsc::grain_statistics(complex))
+      result[grain.label] = grain;
+    return result;
+  };
+  double xx = 0, xy = 0;
+  for (int k = 0; k < 60; ++k) {
+    const auto before = by_label();
+    const double dt = growth.advance().dt;
+    const auto after = by_label();
+    for (const auto& [label, grain] : before)
+      if (const auto found = after.find(label);
+          k > 5 && found != after.end() && found->second.corners == grain.corners) {
+        const double rate = (found->second.measure - grain.measure) / dt;
+        xx += grain.growth(2) * grain.growth(2);
+        xy += grain.growth(2) * rate;
+      }
+  }
+  EXPECT_NEAR(xy / xx, 1, .04);
+  EXPECT_TRUE(complex.is_valid());
+}
+
+TEST(Grain_growth, refuses_options_out_of_range) {
+  Complex complex = planar_regions::region(planar_regions::circle(.3, .1), {}, {-1, -1, 1, 1});
+  EXPECT_THROW(dsc::Grain_growth<Complex>(complex, {}, {0}), dsc::Error);
+  EXPECT_THROW(dsc::Grain_growth<Complex>(complex, {}, {10, -1}), dsc::Error);
+}
+
+} // namespace test_grain_growth
