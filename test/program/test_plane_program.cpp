@@ -164,6 +164,42 @@ TEST_F(Planar_program, resumes_to_the_same_bits) {
               1e-3);
 }
 
+TEST_F(Planar_program, lets_grains_grow) {
+  for (const std::string arguments :
+       {"--number 1", "--dimension 4", "--energy iron", "--until 1", "--edges 1", "--step -1",
+        "--dimension 3 --picture a.svg", "--picture a.png", "--every 2", "--largest-angle x"})
+    expect_error("grains " + arguments, 2);
+  const std::string small = "grains --number 12 --edges 6 --step .3 --steps 30 ";
+  expect_success(small + "--quiet --report a.json --picture a.svg --output grains --every 15");
+  const Json isotropic = report("a.json");
+  ASSERT_EQ(isotropic.at("steps").size(), 31u);
+  EXPECT_EQ(isotropic.at("steps")[0].at("grains"), 12);
+  EXPECT_NEAR(isotropic.at("law").at("slope").get<double>(), 1, .1);
+  double area = 0, sides = 0;
+  for (const Json& grain : isotropic.at("grains")) {
+    area += grain.at("area").get<double>();
+    sides += grain.at("sides").get<double>();
+  }
+  EXPECT_NEAR(area, 1, 1e-9);
+  EXPECT_EQ(sides, 6. * double(isotropic.at("grains").size())); // Euler's formula on a torus
+  EXPECT_NE(contents(path("grains/grains.pvd")).find("grains_000030.vtu"), std::string::npos);
+  EXPECT_NE(contents(path("a.svg")).find("<svg"), std::string::npos);
+  expect_error(small + "--output grains", 1); // contains a run
+  // The same bits again; other grains with another seed
+  expect_success(small + "--quiet --report b.json --threads 2");
+  EXPECT_EQ(report("b.json").at("steps"), isotropic.at("steps"));
+  expect_success(small + "--quiet --report b.json --seed 2");
+  EXPECT_NE(report("b.json").at("steps"), isotropic.at("steps"));
+  // Energies by misorientation
+  expect_success(small + "--quiet --report b.json --energy read-shockley");
+  const Json steps = report("b.json").at("steps");
+  for (std::size_t k = 1; k < steps.size(); ++k)
+    EXPECT_LT(steps[k].at("energy").get<double>(), steps[k - 1].at("energy").get<double>()) << k;
+  EXPECT_FALSE(report("b.json").contains("law"));
+  for (const Json& boundary : report("b.json").at("boundaries"))
+    EXPECT_LE(boundary.at("misorientation").get<double>(), 45 + 1e-9);
+}
+
 TEST_F(Planar_program, finds_cut_loci) {
   for (const std::string arguments :
        {"", "--point 0", "--point 0,0 --surface u,v", "--point 0,0 --surface u+,v,1",

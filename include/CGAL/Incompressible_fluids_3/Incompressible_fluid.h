@@ -815,7 +815,8 @@ private:
   void step(double dt, double end, const Options& chosen, double longest_displacement,
             Report& report, Energy_judge* judge);
   bool jumps(const Flow& flow, const Contacts& contacts, double end, Energy_judge& judge) const;
-  std::vector<char> give_field(const Mesh& mesh, const Vectors& positions,
+  template <class Selects>
+  std::vector<char> give_field(const Mesh& mesh, const Vectors& positions, const Selects& selects,
                                std::vector<double>& field) const;
   void carry_field(const Flow& flow, const Step& step);
   void diffuse_field(Flow& flow, double dt, Report& report);

@@ -283,7 +283,11 @@ TEST(Flows, offset_refuses_speeds_that_are_not_finite) {
                  CGAL::Deformable_simplicial_complexes::Invalid_destination_error)
         << speed;
   EXPECT_TRUE(dsc.state() == state);
-  EXPECT_FALSE(DSC::advect_interface(dsc, DSC::Normal_offset{1e78}, 0, 1).complete);
+  // A finite speed is not refused, however large: the interface goes to the sides of the domain.
+  const auto report = DSC::advect_interface(dsc, DSC::Normal_offset{1e78}, 0, 1);
+  for (Vertex_handle v : dsc.interface_vertices())
+    EXPECT_TRUE(v->boundary_class() != 0 || !report.complete) << dsc.position(v);
+  EXPECT_GT(dsc.volume(1), 6);
   EXPECT_TRUE(dsc.is_valid());
 }
 

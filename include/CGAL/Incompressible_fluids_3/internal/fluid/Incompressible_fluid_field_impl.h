@@ -19,8 +19,10 @@ namespace Deformable_simplicial_complexes {
 // time. The field is given by first occurrence of vertices. Returns which values are given.
 // \throws Error if a given value is not finite
 template <class Complex, class Solver>
+template <class Selects>
 std::vector<char>
 Incompressible_fluid<Complex, Solver>::give_field(const Mesh& mesh, const Vectors& positions,
+                                                  const Selects& selects,
                                                   std::vector<double>& field) const {
   const std::size_t n = mesh.number_of_vertices();
   std::vector<char> is_boundary(n, false), is_given(n, false);
@@ -30,7 +32,8 @@ Incompressible_fluid<Complex, Solver>::give_field(const Mesh& mesh, const Vector
     for (auto v : facet.vertices)
       is_boundary[mesh.first(v)] = is_boundary[mesh.first(v)] || facet.is_free;
   for (std::size_t v = 0; v < n && m_fixed_field; ++v)
-    if (const auto value = is_boundary[v] ? m_fixed_field(positions[v], m_time) : std::nullopt) {
+    if (const auto value =
+            is_boundary[v] && selects(v) ? m_fixed_field(positions[v], m_time) : std::nullopt) {
       if (!std::isfinite(*value))
         throw Error("a given value of the field is not finite: give finite values");
       field[v] = *value;
@@ -40,10 +43,13 @@ Incompressible_fluid<Complex, Solver>::give_field(const Mesh& mesh, const Vector
 }
 
 // Carries the field to the destinations of vertices. Where liquid enters, it has the given values.
+// Other vertices get given values after the motion, because facets keep their tensions in the
+// motion.
 template <class Complex, class Solver>
 void Incompressible_fluid<Complex, Solver>::carry_field(const Flow& flow, const Step& step) {
   std::vector<double> field = step.carried(flow.field);
-  give_field(flow.mesh, step.destinations(), field);
+  give_field(
+      flow.mesh, step.destinations(), [&step](std::size_t v) { return step.is_passage(v); }, field);
   m_motion.set_field(flow.mesh, field);
 }
 
@@ -54,7 +60,8 @@ void Incompressible_fluid<Complex, Solver>::diffuse_field(Flow& flow, double dt,
   Mesh& mesh = flow.mesh;
   std::vector<double> field(flow.field.begin(),
                             flow.field.begin() + std::ptrdiff_t(mesh.number_of_vertices()));
-  const std::vector<char> is_given = give_field(mesh, flow.positions, field);
+  const std::vector<char> is_given = give_field(
+      mesh, flow.positions, [](std::size_t) { return true; }, field);
   internal::Field_diffusion<Complex>(mesh, flow.positions, dt).diffuse(field, is_given);
   m_motion.set_field(mesh, field);
   for (std::size_t v = 0; v < flow.field.size(); ++v)

@@ -233,6 +233,9 @@ public:
   // Returns the mean accelerations of liquids in the step.
   const Vectors_3& final_accelerations() const { return m_final_accelerations; }
 
+  // Returns whether liquid can pass a side of the domain at a vertex.
+  bool is_passage(std::size_t v) const { return is_inflow(m_inflow, v) || m_open.sides(v) != 0; }
+
   // Returns a field at the end of the step, where vertices do not move with the liquid that
   // carries it. Where liquid enters, the field keeps its value. The field has one
   // value for each vertex of the mesh.

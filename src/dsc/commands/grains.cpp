@@ -1,0 +1,194 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Grain_run.h"
+#include "commands/commands.h"
+#include "errors.h"
+#include "files.h"
+#include "interrupt.h"
+#include "option_values.h"
+#include "report_json.h"
+#include "threads_option.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <string>
+
+namespace dsc {
+namespace {
+
+struct Grains_options
+{
+  Grain_run run;
+  int dimension = 2;
+  std::string largest_angle = "15", until = ".5", edges = "10", step = ".1"; ///< as written
+  std::string report; ///< file; empty for none
+  bool quiet = false;
+};
+
+const std::map<std::string, Grain_run::Energy>& energies() {
+  static const std::map<std::string, Grain_run::Energy> result = {
+      {"isotropic", Grain_run::Energy::isotropic},
+      {"read-shockley", Grain_run::Energy::read_shockley}};
+  return result;
+}
+
+std::string name_of(Grain_run::Energy energy) {
+  for (const auto& [name, value] : energies())
+    if (value == energy)
+      return name;
+  return {};
+}
+
+Json parameters(const Grains_options& options) {
+  const Grain_run& run = options.run;
+  Json result = {{"command", "grains"},
+                 {"number", run.number},
+                 {"dimension", options.dimension},
+                 {"energy", name_of(run.energy)},
+                 {"until", run.until},
+                 {"edges", run.edges},
+                 {"step", run.step},
+                 {"seed", run.seed}};
+  if (run.energy == Grain_run::Energy::read_shockley)
+    result["largest_angle"] = run.largest_angle;
+  return result;
+}
+
+Json json_of(const Grain_state& state) {
+  return {{"step", state.step},
+          {"time", state.time},
+          {"grains", state.grains},
+          {"energy", state.energy},
+          {"cells", state.cells},
+          {"removed", state.removed},
+          {"unfinished", state.unfinished}};
+}
+
+Json json_of(const CGAL::Deformable_simplicial_complexes::Grain_statistics& grain, int dimension) {
+  Json result = {{"label", grain.label},
+                 {dimension == 2 ? "area" : "volume", grain.measure},
+                 {dimension == 2 ? "perimeter" : "area", grain.boundary},
+                 {"neighbors", grain.neighbors}};
+  if (dimension == 2)
+    result["sides"] = grain.corners;
+  else {
+    result["mean_width"] = grain.mean_width;
+    result["triple_lines"] = grain.triple_lines;
+  }
+  return result;
+}
+
+int execute(const Grains_options& options) {
+  const Grain_run& run = options.run;
+  require_place("--report", options.report, {run.picture});
+  if (!run.picture.empty())
+    require_writable(run.picture);
+  Json states = Json::array();
+  Grain_state last;
+  const Interruptible interruptible(options.quiet);
+  const Grain_result result =
+      (options.dimension == 2 ? grow_grains_2 : grow_grains_3)(run, [&](const Grain_state& state) {
+        last = state;
+        states.push_back(json_of(state));
+      });
+  if (!options.report.empty()) {
+    Json json = {{"parameters", parameters(options)}, {"steps", states}};
+    if (result.slope != 0)
+      json["law"] = {{"slope", result.slope}, {"correlation", result.correlation}};
+    for (const auto& grain : result.grains)
+      json["grains"].push_back(json_of(grain, options.dimension));
+    for (std::size_t k = 0; k < result.areas.size(); ++k)
+      json["boundaries"].push_back(
+          {{"misorientation", result.misorientations[k]}, {"measure", result.areas[k]}});
+    write_json(options.report, json);
+  }
+  if (options.quiet)
+    return 0;
+  std::printf("dsc: %zu of %zu grains are left after %u %s, at the time %.6g\n", last.grains,
+              run.number, last.step, noun(last.step, "step", "steps"), last.time);
+  if (result.slope != 0)
+    std::printf("dsc: they grow at %.4f of the rate of %s, correlation %.4f\n", result.slope,
+                options.dimension == 2 ? "von Neumann and Mullins" : "MacPherson and Srolovitz",
+                result.correlation);
+  return 0;
+}
+
+/// Reads the numbers that are given as text.
+/// \throws Usage_error
+void read(Grains_options& options) {
+  Grain_run& run = options.run;
+  run.largest_angle = parse_positive(options.largest_angle, "--largest-angle");
+  run.edges = parse_positive(options.edges, "--edges");
+  run.step = parse_positive(options.step, "--step");
+  static constexpr double fewest_edges = 3, most_edges = 1000, longest_step = 10;
+  if (!(run.edges >= fewest_edges && run.edges <= most_edges))
+    throw Usage_error("--edges is out of range; use 3 to 1000");
+  if (!(run.step <= longest_step))
+    throw Usage_error("--step is out of range; use more than 0 and at most 10");
+  run.until = parse_tolerance(options.until);
+  if (!(run.until < 1))
+    throw Usage_error("--until must be less than 1; write it like 0.5");
+  if (run.picture.empty())
+    return;
+  require_extension(run.picture, {"svg"});
+  if (options.dimension == 3)
+    throw Usage_error("--picture applies only to --dimension 2; use --output");
+}
+
+} // namespace
+
+void add_grains(CLI::App& app, int& exit_code) {
+  const auto options = std::make_shared<Grains_options>();
+  Grain_run& run = options->run;
+  CLI::App* command = app.add_subcommand("grains", description_of_grains);
+  command->add_option("--number", run.number, "Number of grains at the beginning")
+      ->check(CLI::Range(std::size_t(2), std::size_t(1000000)))
+      ->capture_default_str();
+  command->add_option("--dimension", options->dimension, "2 or 3; the domain is a torus of size 1")
+      ->check(CLI::Range(2, 3))
+      ->capture_default_str();
+  command
+      ->add_option("--energy", run.energy,
+                   "Energy of grain boundaries: the same for all, or by the misorientation of two "
+                   "cubic crystals with random orientations")
+      ->transform(CLI::CheckedTransformer(energies()))
+      ->default_str("isotropic");
+  command
+      ->add_option("--largest-angle", options->largest_angle,
+                   "Angle in degrees below which the energy read-shockley depends on the "
+                   "misorientation")
+      ->capture_default_str();
+  command->add_option("--until", options->until, "End when this fraction of the grains is left")
+      ->capture_default_str();
+  command->add_option("--steps", run.steps, "Maximum number of steps (default: no bound)")
+      ->check(CLI::Range(1u, 2147483647u));
+  command
+      ->add_option("--edges", options->edges, "Edges of the interface in the diameter of a grain")
+      ->capture_default_str();
+  command->add_option("--step", options->step, "Time step, in squares of the length of an edge")
+      ->capture_default_str();
+  command->add_option("--seed", run.seed, "Number of the random sequence")->capture_default_str();
+  add_threads_option(*command, run.threads);
+  CLI::Option* output = command->add_option("--output", run.output,
+                                            "Folder for ParaView files; created if necessary");
+  command->add_option("--every", run.every, "Write every N-th step")
+      ->check(CLI::Range(1u, 2147483647u))
+      ->needs(output)
+      ->capture_default_str();
+  command->add_option("--picture", run.picture, "Picture at the end (.svg), in the plane");
+  command->add_option(
+      "--report", options->report,
+      "JSON file with all steps, and with sizes and neighbors of grains at the end");
+  command->add_flag("--quiet", options->quiet, "Print only errors");
+  command->callback([options, &exit_code] {
+    read(*options);
+    exit_code = execute(*options);
+  });
+}
+
+} // namespace dsc

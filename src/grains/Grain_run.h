@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DSC_GRAIN_RUN_H
+#define DSC_GRAIN_RUN_H
+
+#include <CGAL/Interface_flows/grain_statistics.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace dsc {
+
+/// The growth of grains on a torus with periods of 1.
+struct Grain_run
+{
+  enum class Energy { isotropic, read_shockley };
+
+  std::size_t number = 100; ///< of grains at the beginning
+  Energy energy = Energy::isotropic;
+  double largest_angle = 15; ///< of the energy of Read and Shockley, in degrees
+  double until = .5;         ///< fraction of grains that ends the run, in [0, 1)
+  unsigned steps = 0;        ///< greatest number of steps; no bound if 0
+  double edges = 10;         ///< in the diameter of a mean grain
+  double step = .1;          ///< time step in squares of an edge
+  std::uint32_t seed = 1;    ///< number of the random sequence
+  unsigned threads = 1;
+  unsigned every = 10; ///< number of steps from one file to the next
+  std::string output;  ///< folder for ParaView files; empty for none
+  std::string picture; ///< file, in the plane; empty for none
+};
+
+/// The state after a step of the growth of grains.
+struct Grain_state
+{
+  unsigned step = 0;
+  double time = 0, energy = 0;
+  std::size_t grains = 0, cells = 0, removed = 0, unfinished = 0;
+};
+
+/// The result of the growth of grains.
+struct Grain_result
+{
+  std::vector<CGAL::Deformable_simplicial_complexes::Grain_statistics> grains; ///< at the end
+  std::vector<double> misorientations; ///< in degrees, weighted by `areas`
+  std::vector<double> areas;           ///< of the interfaces with these misorientations
+  /// Slope and correlation of the measured rates of growth over those of the law for unit tension
+  /// and mobility, see `Grain_statistics::growth()`. Zero if none were measured.
+  double slope = 0, correlation = 0;
+};
+
+/// Lets grains grow, and calls a function with the state at the beginning and after each step.
+/// \throws std::runtime_error if a file cannot be written
+Grain_result grow_grains_2(const Grain_run& run, const std::function<void(const Grain_state&)>& on);
+Grain_result grow_grains_3(const Grain_run& run, const std::function<void(const Grain_state&)>& on);
+
+} // namespace dsc
+
+#endif // DSC_GRAIN_RUN_H
