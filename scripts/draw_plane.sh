@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Draws the pictures of planar complexes, of flows in the plane and of cut loci for the manual: doc/PACKAGE/fig/plane_NAME.png.
-# Needs the targets dsc, example_planar_foam, example_cut_locus and example_rising_bubble_2 in BUILD_DIR. Takes
-# four minutes.
+# Needs the targets dsc, dsc-fluid, dsc-cut-locus, dsc-grains, example_planar_foam, example_cut_locus and
+# example_rising_bubble_2 in BUILD_DIR. Takes six minutes.
 # Usage: scripts/draw_plane.sh [BUILD_DIR]
 set -euo pipefail
 source=$(realpath "$(dirname "$0")/..")
@@ -56,6 +56,10 @@ run vortex vortex --plane --steps 400 --every 400
 picture vortex/picture_000400.svg vortex
 "$foam" 100 .014 60 foam.svg
 picture foam.svg foam
+"$build/dsc" grains --number 300 --picture grains.svg
+picture grains.svg grains
+"$build/dsc" grains --number 300 --energy read-shockley --largest-angle 30 --picture textured_grains.svg
+picture textured_grains.svg textured_grains
 for case in 1 2; do
   "$bubble" $case .03 .01 2.2 "bubble_$case.svg"
   picture "bubble_$case.svg" "bubble_$case"

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,13 @@ struct Grain_state
   std::size_t grains = 0, cells = 0, removed = 0, unfinished = 0;
 };
 
+/// The mean rate of growth of grains with a number of sides, in the plane.
+struct Grain_rate
+{
+  double sum = 0;         ///< of the rates
+  std::size_t number = 0; ///< of grains and steps
+};
+
 /// The result of the growth of grains.
 struct Grain_result
 {
@@ -51,6 +59,7 @@ struct Grain_result
   /// Slope and correlation of the measured rates of growth over those of the law for unit tension
   /// and mobility, see `Grain_statistics::growth()`. Zero if none were measured.
   double slope = 0, correlation = 0;
+  std::map<std::size_t, Grain_rate> rates; ///< by the number of sides, in the plane
 };
 
 /// Lets grains grow, and calls a function with the state at the beginning and after each step.

@@ -122,6 +122,7 @@ Grain_result grow_grains(const Grain_run& run, Complex& complex,
   static constexpr double settled = .5; // time in squares of an edge
   static constexpr unsigned interval = d == 2 ? 1 : 5;
   Regression regression;
+  Grain_result result;
   const auto goal = std::size_t(std::ceil(run.until * double(run.number)));
   while (state.grains > std::max(goal, std::size_t(1)) &&
          (run.steps == 0 || state.step < run.steps)) {
@@ -138,12 +139,17 @@ Grain_result grow_grains(const Grain_run& run, Complex& complex,
         after.emplace(grain.label, grain);
       for (const Grain_statistics& grain : before)
         if (const auto found = after.find(grain.label);
-            found != after.end() && found->second.corners == grain.corners)
-          regression.add(grain.growth(d), (found->second.measure - grain.measure) / report.dt);
+            found != after.end() && found->second.corners == grain.corners) {
+          const double rate = (found->second.measure - grain.measure) / report.dt;
+          regression.add(grain.growth(d), rate);
+          if (d == 2) {
+            result.rates[grain.corners].sum += rate;
+            ++result.rates[grain.corners].number;
+          }
+        }
     }
     tell();
   }
-  Grain_result result;
   result.grains = grain_statistics(complex);
   result.slope = regression.slope();
   result.correlation = regression.correlation();

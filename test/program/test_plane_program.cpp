@@ -175,6 +175,11 @@ TEST_F(Planar_program, lets_grains_grow) {
   ASSERT_EQ(isotropic.at("steps").size(), 31u);
   EXPECT_EQ(isotropic.at("steps")[0].at("grains"), 12);
   EXPECT_NEAR(isotropic.at("law").at("slope").get<double>(), 1, .1);
+  for (const Json& rate : isotropic.at("law").at("rates"))
+    if (rate.at("number") > 50) {
+      EXPECT_NEAR(rate.at("rate").get<double>(),
+                  std::acos(-1.) / 3 * (rate.at("sides").get<double>() - 6), .2);
+    }
   double area = 0, sides = 0;
   for (const Json& grain : isotropic.at("grains")) {
     area += grain.at("area").get<double>();

@@ -100,6 +100,9 @@ int execute(const Grains_options& options) {
     Json json = {{"parameters", parameters(options)}, {"steps", states}};
     if (result.slope != 0)
       json["law"] = {{"slope", result.slope}, {"correlation", result.correlation}};
+    for (const auto& [sides, rate] : result.rates)
+      json["law"]["rates"].push_back(
+          {{"sides", sides}, {"rate", rate.sum / double(rate.number)}, {"number", rate.number}});
     for (const auto& grain : result.grains)
       json["grains"].push_back(json_of(grain, options.dimension));
     for (std::size_t k = 0; k < result.areas.size(); ++k)
