@@ -24,7 +24,7 @@ struct Grain_run
   std::size_t number = 100; ///< of grains at the beginning
   Energy energy = Energy::isotropic;
   double largest_angle = 15; ///< of the energy of Read and Shockley, in degrees
-  double until = .5;         ///< fraction of grains that ends the run, in [0, 1)
+  double until = .5;         ///< fraction of grains that ends the run, in (0, 1)
   unsigned steps = 0;        ///< greatest number of steps; no bound if 0
   double edges = 10;         ///< in the diameter of a mean grain
   double step = .1;          ///< time step in squares of an edge
@@ -56,14 +56,15 @@ struct Grain_result
   std::vector<CGAL::Deformable_simplicial_complexes::Grain_statistics> grains; ///< at the end
   std::vector<double> misorientations; ///< in degrees, weighted by `areas`
   std::vector<double> areas;           ///< of the interfaces with these misorientations
-  /// Slope and correlation of the measured rates of growth over those of the law for unit tension
-  /// and mobility, see `Grain_statistics::growth()`. Zero if none were measured.
+  /// Slope and uncentered correlation of the measured rates of growth over those of the law for
+  /// unit tension and mobility, see `Grain_statistics::growth()`. Zero if none were measured.
   double slope = 0, correlation = 0;
   std::map<std::size_t, Grain_rate> rates; ///< by the number of sides, in the plane
 };
 
 /// Lets grains grow, and calls a function with the state at the beginning and after each step.
-/// \throws std::runtime_error if a file cannot be written
+/// \throws Input_error if the output folder contains a run, or nothing can be written there
+/// \throws std::runtime_error if a file cannot be written, or the flow cannot be computed
 Grain_result grow_grains_2(const Grain_run& run, const std::function<void(const Grain_state&)>& on);
 Grain_result grow_grains_3(const Grain_run& run, const std::function<void(const Grain_state&)>& on);
 

@@ -17,10 +17,11 @@ Grain_result grow_grains_2(const Grain_run& run,
   using Complex =
       CGAL::Deformable_simplicial_complex_2<CGAL::Deformable_simplicial_complex_traits_2<>,
                                             CGAL::Default, Domain>;
+  Grain_files files(run);
   Complex complex = voronoi_grains<Complex>(run, [](double edge, const auto& labels) {
     return make_deformable_simplicial_complex_2<Complex>(Domain(), edge, labels);
   });
-  const Grain_result result = grow_grains(run, complex, on);
+  const Grain_result result = grow_grains(run, files, complex, on);
   if (!run.picture.empty())
     CGAL::IO::write_SVG(run.picture, complex);
   return result;

@@ -16,10 +16,11 @@ Grain_result grow_grains_3(const Grain_run& run,
   using Complex =
       CGAL::Deformable_simplicial_complex_3<CGAL::Deformable_simplicial_complex_traits_3<>,
                                             CGAL::Default, Volume_length_ratio_3, Domain>;
+  Grain_files files(run);
   Complex complex = voronoi_grains<Complex>(run, [](double edge, const auto& labels) {
     return make_deformable_simplicial_complex_3<Complex>(Domain(), edge, labels);
   });
-  return grow_grains(run, complex, on);
+  return grow_grains(run, files, complex, on);
 }
 
 } // namespace dsc

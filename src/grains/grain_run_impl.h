@@ -87,7 +87,7 @@ private:
 /// Lets grains grow, see `grow_grains_2()`.
 /// \tparam Complex a complex on a torus
 template <class Complex>
-Grain_result grow_grains(const Grain_run& run, Complex& complex,
+Grain_result grow_grains(const Grain_run& run, Grain_files& files, Complex& complex,
                          const std::function<void(const Grain_state&)>& on) {
   using namespace CGAL::Deformable_simplicial_complexes;
   static constexpr int d = Complex::dimension;
@@ -105,7 +105,6 @@ Grain_result grow_grains(const Grain_run& run, Complex& complex,
   options.step = run.step;
   options.number_of_threads = run.threads;
   Grain_growth<Complex> growth(complex, energy, options);
-  Grain_files files(run);
   Grain_state state;
   const auto tell = [&] {
     state.time = growth.time();
@@ -123,17 +122,22 @@ Grain_result grow_grains(const Grain_run& run, Complex& complex,
   static constexpr unsigned interval = d == 2 ? 1 : 5;
   Regression regression;
   Grain_result result;
-  const auto goal = std::size_t(std::ceil(run.until * double(run.number)));
-  while (state.grains > std::max(goal, std::size_t(1)) &&
+  // Few grains can become strips around the torus, which do not move.
+  static constexpr double still = 1e-9; // relative decrease of the energy in a step
+  static constexpr double rounding = 1e-9;
+  bool moves = true;
+  const auto goal = std::size_t(std::ceil(run.until * double(run.number) - rounding));
+  while (state.grains > std::max(goal, std::size_t(1)) && moves &&
          (run.steps == 0 || state.step < run.steps)) {
     std::vector<Grain_statistics> before;
     if (is_isotropic && state.step * run.step > settled && state.step % interval == 0)
       before = grain_statistics(complex);
+    const double energy_before = state.energy;
     const auto report = growth.advance();
     ++state.step;
     state.removed = report.removed.size();
     state.unfinished = report.deformation.unfinished.size();
-    if (!before.empty()) {
+    if (!before.empty() && report.removed.empty()) { // no grain got another one
       std::map<int, Grain_statistics> after;
       for (const Grain_statistics& grain : grain_statistics(complex))
         after.emplace(grain.label, grain);
@@ -149,6 +153,7 @@ Grain_result grow_grains(const Grain_run& run, Complex& complex,
         }
     }
     tell();
+    moves = energy_before - state.energy > still * energy_before;
   }
   result.grains = grain_statistics(complex);
   result.slope = regression.slope();

@@ -143,9 +143,10 @@ public:
     return m_options.step * h * h / m_options.fastest;
   }
 
-  /// Performs a time step. Does nothing if there is no interface.
-  /// \throws Error if a function of the energy returns a value out of its range, or if a system cannot
-  ///         be solved. The complex is then valid, but may have been remeshed.
+  /// Performs a time step. Only advances the time if there is no interface.
+  /// \throws Error if a function of the energy returns a value out of its range, or if a system
+  ///         cannot be solved. The complex is then valid, and the time is unchanged, but the mesh
+  ///         may have changed, and grains may have been removed.
   Report advance() {
     Report report;
     report.dt = time_step();
@@ -189,14 +190,16 @@ private:
     std::vector<typename Complex::Approximate_vector> velocities;
     m_velocity(interface_, positions, m_time, velocities);
     const auto rates = rates_of_change(interface_, positions, velocities);
-    const auto vanishes = [&](Label label, std::uint32_t, double measure) {
+    const auto vanishes = [&](Label label, double measure) {
       const auto rate = rates.find(label);
       return rate != rates.end() && measure + dt * rate->second <= 0 &&
              m_complex.number_of_components(label) == 1;
     };
     for (const auto& [label, rate] : rates) // a pass over all cells only if necessary
-      if (m_complex.measure(label) + dt * rate <= 0)
-        return remove_components(m_complex, vanishes, m_flow.energy());
+      if (vanishes(label, m_complex.measure(label)))
+        return remove_components(
+            m_complex, [&](Label l, std::uint32_t, double measure) { return vanishes(l, measure); },
+            m_flow.energy());
     return {};
   }
 

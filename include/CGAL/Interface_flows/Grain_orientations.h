@@ -63,14 +63,19 @@ template <int d> class Grain_orientations
 public:
   /// Chooses the orientations of a number of grains. They depend on the number of the random
   /// sequence only.
+  /// \throws Error if the number is 0
   explicit Grain_orientations(std::size_t number, std::uint32_t sequence = 1) {
+    if (number == 0)
+      throw Error("there are no grains with orientations: use at least one");
     std::mt19937 random(sequence);
     const auto uniform = [&random] { return random() / 4294967296.; };
     for (std::size_t k = 0; k < number; ++k)
       if constexpr (d == 2)
         m_rotations.emplace_back(Eigen::AngleAxisd(CGAL_PI / 2 * uniform(), axis()));
-      else
-        m_rotations.push_back(uniform_rotation(uniform(), uniform(), uniform()));
+      else {
+        const double u = uniform(), v = uniform(), w = uniform();
+        m_rotations.push_back(uniform_rotation(u, v, w));
+      }
   }
 
   /// Returns the misorientation of two grains: the least angle, in radians, of a rotation that

@@ -10,6 +10,7 @@
 
 #include <CGAL/license/Interface_flows.h>
 
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/Volume_changer.h>
@@ -61,8 +62,8 @@ public:
   /// Returns the energy that the flow decreases.
   const Interface_energy& energy() const { return m_energy; }
 
-  /// Computes the velocities of all vertices at the given positions, see `InterfaceVelocity`. The
-  /// time is linear in the size of the interface.
+  /// Computes the velocities of all vertices at the given positions, see `InterfaceVelocity`.
+  /// Vertices on sides of the domain stay on them. The time is linear in the size of the interface.
   /// \throws Error if a function of the energy returns a value out of its range
   template <class Complex>
   void operator()(const Interface_snapshot<Complex>& interface_,
@@ -73,7 +74,16 @@ public:
     for (std::size_t v = 0; v < positions.size(); ++v) {
       std::array<double, Complex::dimension> coordinates = {};
       if (forces.share(v) > 0 && !forces.is_pinned(v)) {
-        const auto velocity = forces.mass(v).ldlt().solve(forces.force(v)).eval();
+        auto mass = forces.mass(v);
+        auto force = forces.force(v);
+        for (int axis = 0; axis < Complex::dimension; ++axis)
+          if (Boundary_class::fixes(interface_.vertices[v]->boundary_class(), axis)) {
+            mass.row(axis).setZero();
+            mass.col(axis).setZero();
+            mass(axis, axis) = 1;
+            force(axis) = 0;
+          }
+        const auto velocity = mass.ldlt().solve(force).eval();
         std::copy(velocity.data(), velocity.data() + velocity.size(), coordinates.begin());
       }
       velocities.push_back(vector_of<Complex>(coordinates));
@@ -147,13 +157,34 @@ public:
     destinations = implicit_step(interface_, half, dt / 2);
     for (std::size_t i = 0; i < destinations.size(); ++i)
       destinations[i] = destinations[i] + (destinations[i] - whole[i]);
-    if (m_preserves_volumes) {
-      const Volume_changer<Complex> changer(interface_);
-      changer.change_by(changer.changes(destinations, positions), destinations);
-    }
+    if (m_preserves_volumes)
+      restore_volumes(interface_, positions, destinations);
   }
 
 private:
+  // Corrects the destinations so that the volumes of all labels are those at the positions. Pinned
+  // vertices stay.
+  template <class Complex>
+  void restore_volumes(const Interface_snapshot<Complex>& interface_,
+                       const std::vector<typename Complex::Approximate_point>& positions,
+                       std::vector<typename Complex::Approximate_point>& destinations) const {
+    const Volume_changer<Complex> changer(interface_);
+    const auto amounts = changer.changes(destinations, positions);
+    const internal::Interface_forces<Complex> forces(interface_, positions, m_energy);
+    bool is_pinned = false;
+    for (std::size_t v = 0; v < positions.size(); ++v)
+      is_pinned = is_pinned || forces.is_pinned(v);
+    if (!is_pinned) {
+      changer.change_by(amounts, destinations);
+      return;
+    }
+    auto directions = changer.gradients(amounts, destinations);
+    for (std::size_t v = 0; v < positions.size(); ++v)
+      if (forces.is_pinned(v))
+        directions[v].clear();
+    changer.change_by(amounts, directions, destinations);
+  }
+
   // Returns the positions after one backward Euler step with the weights of its beginning. Vertices
   // on sides of the domain stay on these sides.
   template <class Complex>

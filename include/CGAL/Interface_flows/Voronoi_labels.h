@@ -20,6 +20,7 @@
 #include <cstdint>
 #include <limits>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -44,7 +45,7 @@ public:
   /// of a cell. Grains have about equal sizes with larger values, and any sizes with 0.
   static constexpr double default_distance = .6;
 
-  /// Chooses the seeds. The time is proportional to their number.
+  /// Chooses the seeds. The expected time is n log n in their number for boxes of similar sides.
   /// \param number the number of seeds, at least 1
   /// \param sides the sides of the box, positive and finite
   /// \param is_periodic whether the box is a torus
@@ -67,7 +68,7 @@ public:
     const double cell = std::pow(measure / double(number), 1. / d);
     std::size_t buckets = 1;
     for (int axis = 0; axis < d; ++axis) {
-      m_counts[axis] = (std::max)(std::size_t(1), std::size_t(sides[axis] / cell));
+      m_counts[axis] = std::size_t((std::max)(1., (std::min)(double(number), sides[axis] / cell)));
       buckets *= m_counts[axis];
     }
     m_buckets.resize(buckets);
@@ -77,14 +78,15 @@ public:
       std::array<double, d> p;
       for (int axis = 0; axis < d; ++axis)
         p[axis] = sides[axis] * (random() / 4294967296.);
-      if (m_seeds.empty() || nearest(p).second >= least) {
+      if (least == 0 || m_seeds.empty() || nearest(p).second >= least) {
         m_buckets[bucket_of(p)].push_back(m_seeds.size());
         m_seeds.push_back(p);
       }
     }
   }
 
-  /// Returns the label of a point. The expected time is constant.
+  /// Returns the label of a point. The expected time is constant for boxes of similar sides.
+  /// \pre The point is in the box.
   int operator()(const Point& p) const { return int(nearest(coordinates_of<d>(p)).first) + 1; }
 
   /// Returns the number of labels.

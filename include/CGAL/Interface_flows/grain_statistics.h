@@ -80,8 +80,8 @@ void add_corners(const Complex& complex, std::map<int, Grain_statistics>& grains
 }
 
 // Adds the mean width and the triple lines of each label. The inner angle of a label at an edge is
-// the sum of the dihedral angles of its cells there. An edge on the boundary of the domain has an
-// angle as if the outside were another label.
+// the sum of the dihedral angles of its cells there. Edges with one label are skipped, also on the
+// boundary of the domain.
 template <class Complex>
 void add_edges(const Complex& complex, std::map<int, Grain_statistics>& grains) {
   struct Angle

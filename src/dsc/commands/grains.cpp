@@ -123,7 +123,7 @@ int execute(const Grains_options& options) {
 
 /// Reads the numbers that are given as text.
 /// \throws Usage_error
-void read(Grains_options& options) {
+void read(Grains_options& options, bool given_largest_angle) {
   Grain_run& run = options.run;
   run.largest_angle = parse_positive(options.largest_angle, "--largest-angle");
   run.edges = parse_positive(options.edges, "--edges");
@@ -133,9 +133,11 @@ void read(Grains_options& options) {
     throw Usage_error("--edges is out of range; use 3 to 1000");
   if (!(run.step <= longest_step))
     throw Usage_error("--step is out of range; use more than 0 and at most 10");
-  run.until = parse_tolerance(options.until);
+  run.until = parse_positive(options.until, "--until");
   if (!(run.until < 1))
     throw Usage_error("--until must be less than 1; write it like 0.5");
+  if (given_largest_angle && run.energy == Grain_run::Energy::isotropic)
+    throw Usage_error("--largest-angle applies only to --energy read-shockley; leave it out");
   if (run.picture.empty())
     return;
   require_extension(run.picture, {"svg"});
@@ -188,8 +190,8 @@ void add_grains(CLI::App& app, int& exit_code) {
       "--report", options->report,
       "JSON file with all steps, and with sizes and neighbors of grains at the end");
   command->add_flag("--quiet", options->quiet, "Print only errors");
-  command->callback([options, &exit_code] {
-    read(*options);
+  command->callback([command, options, &exit_code] {
+    read(*options, command->count("--largest-angle") > 0);
     exit_code = execute(*options);
   });
 }

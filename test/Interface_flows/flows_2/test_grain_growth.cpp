@@ -127,6 +127,23 @@ TEST(Remove_components, gives_them_to_the_neighbor_of_least_energy) {
   }
 }
 
+// Of two neighbors that are removed, none takes cells of the other, and all of their cells go.
+TEST(Remove_components, removes_neighbors_together) {
+  for (const bool are_surrounded : {false, true}) {
+    Complex complex = planar_regions::grid(
+        6, 3, [](std::size_t i, std::size_t j) { return Complex::Point_2(double(i), double(j)); },
+        [are_surrounded](std::size_t i, std::size_t j) {
+          // 4 between the labels 3 only, or between 3 and 1
+          return j == 1 && i == 2 ? 4 : i > 0 && i < 4 && (j == 1 || are_surrounded) ? 3 : 1;
+        });
+    const auto removed =
+        dsc::remove_components(complex, [](int label, std::uint32_t, double) { return label > 1; });
+    EXPECT_EQ(removed.size(), are_surrounded ? 2u : 3u);
+    EXPECT_EQ(complex.labels(), std::vector<int>{1});
+    EXPECT_DOUBLE_EQ(complex.area(1), 18);
+  }
+}
+
 TEST(Grain_statistics, counts_corners_and_neighbors) {
   const Complex complex = planar_regions::grid(
       6, 6, [](std::size_t i, std::size_t j) { return Complex::Point_2(double(i), double(j)); },

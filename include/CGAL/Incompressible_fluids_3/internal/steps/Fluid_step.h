@@ -430,6 +430,8 @@ private:
     const Vectors_3 from_ends = m_contacts.returns_from_ends(moved, m_step.dt);
     for (std::size_t v = 0; v < result.size(); ++v)
       result[v] += from_ends[v];
+    for (const auto& slip : m_mesh.slips) // both occurrences of a vertex move together
+      result[slip.second] = result[slip.first];
     return result;
   }
 
