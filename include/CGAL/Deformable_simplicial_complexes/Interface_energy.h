@@ -40,10 +40,9 @@ label. Differences of energy densities drive the interface. By default, all tens
 densities are 0. Then the energy is the measure of the interface.
 
 The interface between a and b moves with the velocity \f$m_{ab} (\sigma_{ab} \kappa + e_f - e_b)\f$
-towards its front, see `Mean_curvature_flow`. Here, \f$m_{ab}\f$ is the mobility, \f$\kappa\f$ is
-the sum of the principal curvatures, positive where the front is on the inner side, and \f$e_f\f$
-and
-\f$e_b\f$ are the densities in front and behind. By default, all mobilities are 1. An interface with
+towards its front, see `Mean_curvature_flow`. Here, \f$m_{ab}\f$ is the mobility. The sum of the
+principal curvatures \f$\kappa\f$ is positive where the front is on the inner side. The densities in
+front and behind are \f$e_f\f$ and \f$e_b\f$. By default, all mobilities are 1. An interface with
 the mobility 0 does not move.
 
 Functions of pairs of labels must be symmetric. They are called with the smaller label first. Copies
@@ -109,8 +108,7 @@ public:
 
   /// Returns whether `set_tension()` was called; otherwise all tensions are 1.
   bool has_tensions() const { return bool(m_tension); }
-  /// Returns whether labels have different energy densities, as far as is known: whether
-  /// `set_density()` was called.
+  /// Returns whether `set_density()` was called; otherwise all densities are 0.
   bool has_densities() const { return bool(m_density); }
 
   /// Returns the energy of a complex. Linear in the number of cells.

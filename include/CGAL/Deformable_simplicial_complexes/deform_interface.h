@@ -162,7 +162,7 @@ Each pass does the following:
 \throws Error if a parameter is out of its range, or there is an interface, but no
         `dsc.mean_interface_edge()`; the complex is then unchanged
 
-After an exception of the visitor, the complex is valid.
+After an exception of the visitor or of `interface_energy`, the complex is valid.
 */
 template <class Complex, class Destination,
           class NamedParameters = parameters::Default_named_parameters>

@@ -136,7 +136,7 @@ volumes of labels up to rounding; flips, collapses and curved splits change them
 \throws Error if a parameter is out of its range, or there is an interface, but neither a sizing
         field nor `dsc.mean_interface_edge()`. The complex is then unchanged.
 \throws Error if the sizing field has a value that is not positive. After this exception, or one of
-        the sizing field or of the visitor, the complex is valid.
+        the sizing field, of `interface_energy` or of the visitor, the complex is valid.
 
 */
 template <class Complex, class NamedParameters = parameters::Default_named_parameters>

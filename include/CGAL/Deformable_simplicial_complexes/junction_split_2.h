@@ -192,10 +192,12 @@ sectors that become neighbors.
 \param complex the complex; it is not changed
 \param v a finite vertex
 \param cavity filled with the proposal if there is one; its last vertex is the new one
-\param energy the energy of the interface. Energy densities have no effect. The default is the length
+\param energy the energy of the interface; energy densities have no effect. The default is the
+       length.
 \return whether the proposal is valid: v is inside the domain, more than three sectors meet at v,
         and the new neighbors have different labels. The split decreases the energy, all new
         triangles are positively oriented, and `complex.keeps_quality()` holds.
+\throws Error if a tension is out of its range
 */
 template <class Complex>
 bool propose_junction_split(const Complex& complex, typename Complex::Vertex_handle v,

@@ -218,9 +218,11 @@ of the two vertices, but quadratic in the phases at the ends.
 \param longest largest length of walls to be considered, divided by the mean length of the four
        other interface edges at the ends of the wall
 \param cavity filled with the proposal if there is one; the ends of the wall move
-\param energy the energy of the interface. Energy densities have no effect. The default is the length
-\return the exchange, if it decreases the energy of the interface, all new triangles are positively oriented, and
-        `complex.keeps_quality()` holds
+\param energy the energy of the interface; energy densities have no effect. The default is the
+       length.
+\return the exchange, if it decreases the energy of the interface, all new triangles are positively
+        oriented, and `complex.keeps_quality()` holds
+\throws Error if a tension is out of its range
 */
 template <class Complex>
 std::optional<Neighbor_exchange<Complex>>

@@ -81,8 +81,8 @@ into the facet. This vertex is on the interface or on the boundary of the domain
 joins the phase behind the facet. The facet may be smaller than the largest one by 2 % (in 2D, by 1
 %). The projection may be outside the facet by a hundredth of its height.
 
-The cell keeps its label if its phase wets the interface between this phase and a phase behind
-another facet: a thin layer that wets an interface stays.
+The cell keeps its label if its phase wets the interface between the phase behind the facet and a
+phase at the opposite vertex: a thin layer that wets an interface stays.
 
 Second rule, for half the threshold: the cell joins the neighboring phase for which the energy of
 the interface decreases most, if there is one.
@@ -91,7 +91,8 @@ the interface decreases most, if there is one.
 \param cell a finite cell
 \param threshold only cells of lower quality are considered; the paper uses 0.01
 \param label the proposed label
-\param energy the energy of the interface. Energy densities have no effect. The default is the measure
+\param energy the energy of the interface; energy densities have no effect. The default is the
+       measure.
 \return whether there is a proposal; commit it with `complex.relabel(cell, label)`
 \throws Error if a tension is out of its range
 */

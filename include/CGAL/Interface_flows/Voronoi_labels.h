@@ -50,8 +50,8 @@ public:
   /// \param sides the sides of the box, positive and finite
   /// \param is_periodic whether the box is a torus
   /// \param sequence the number of the random sequence
-  /// \param distance the minimum distance of two seeds, relative to the side of a cube, in the plane
-  ///        of a square, of the mean size of a cell; in [0, .7]
+  /// \param distance the minimum distance of two seeds, relative to the side of a cube (in the
+  ///        plane, of a square) of the mean size of a cell; in [0, .7]
   /// \throws Error if an argument is out of its range
   Voronoi_labels(std::size_t number, const std::array<double, d>& sides, bool is_periodic,
                  std::uint32_t sequence = 1, double distance = default_distance)
