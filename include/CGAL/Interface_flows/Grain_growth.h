@@ -163,7 +163,7 @@ public:
   }
 
 private:
-  static constexpr double straight_angle = 180; // no edge is sharp: flows round all but junctions
+  static constexpr double straight_angle = 180; // no edge is sharp
 
   // Splits and collapses edges of the interface and of cells, and splits unstable junctions.
   void adapt() {

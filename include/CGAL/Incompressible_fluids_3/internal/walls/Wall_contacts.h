@@ -659,7 +659,7 @@ private:
     return walls[wall].is_end ? from_front(walls[wall]) : walls[wall];
   }
 
-  // Returns a wall that is seen from behind as it is seen from its front.
+  // Turns a wall that is seen from behind: the result has the outward normal of the solid.
   static Wall_3 from_front(const Wall_3& w) { return {-w.distance, -w.normal, w.velocity}; }
 
   // Replaces a wall by its intersection with the plane of a planar mesh. Returns false if there is
