@@ -46,12 +46,19 @@ public:
 
   /// Checks the header and the number of bytes.
   /// \throws Input_error if the header is wrong, or the number of bytes differs from the header
-  void check() {
+  void check(std::size_t most_channels) {
     std::uint64_t announced = bytes_of_voxel();
     for (const char* key : {"XDIM", "YDIM", "ZDIM"})
       announced *= dimension(key);
-    if (take("VDIM").value_or("1") != "1")
-      fail("has more than one value per voxel (VDIM); write only the label");
+    const std::string channels = take("VDIM").value_or("1");
+    const auto number_of_channels = internal::number_of_word<std::uint64_t>(channels);
+    if (!number_of_channels || *number_of_channels == 0)
+      fail("has VDIM=" + channels + " in its header; write a number of 1 or more");
+    if (*number_of_channels > most_channels)
+      fail(most_channels == 1 ? "has more than one value per voxel (VDIM); write only the label"
+                              : "has too many values per voxel (VDIM); write at most " +
+                                    std::to_string(most_channels));
+    announced *= *number_of_channels;
     for (const char* key : {"VX", "VY", "VZ"})
       if (!(number(key, "1") > 0))
         fail("has an invalid voxel size: " + std::string(key) +
@@ -189,6 +196,8 @@ private:
 
 } // namespace
 
-void check_image(const std::string& path) { Inr_file(path).check(); }
+void check_image(const std::string& path, std::size_t most_channels) {
+  Inr_file(path).check(most_channels);
+}
 
 } // namespace dsc

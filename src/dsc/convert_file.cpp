@@ -7,6 +7,7 @@
 #include "check_image.h"
 #include "errors.h"
 #include "files.h"
+#include "label_image.h"
 #include "labelled_tetrahedra.h"
 #include "native_file.h"
 #include "option_values.h"
@@ -25,9 +26,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <fstream>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -39,37 +38,6 @@ using Grid = DSC::Sampling_grid<3>;
 
 bool is_one_of(const std::string& format, std::initializer_list<const char*> formats) {
   return std::find(formats.begin(), formats.end(), format) != formats.end();
-}
-
-/// Writes labels of voxels for VTK, as an image with raw data.
-void write_vti(const std::string& path, const Grid& grid, const std::vector<int>& labels) {
-  std::ofstream out(path, std::ios::binary);
-  out.precision(std::numeric_limits<double>::max_digits10);
-  out << "<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" "
-         "header_type=\"UInt64\">\n<ImageData WholeExtent=\"";
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    out << "0 " << grid.size[axis] - 1 << (axis < 2 ? " " : "\" Origin=\"");
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    out << grid.origin[axis] << (axis < 2 ? " " : "\" Spacing=\"");
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    out << grid.spacing[axis] << (axis < 2 ? " " : "\">\n<Piece Extent=\"");
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    out << "0 " << grid.size[axis] - 1 << (axis < 2 ? " " : "\">\n");
-  const bool is_small = std::all_of(labels.begin(), labels.end(),
-                                    [](int label) { return 0 <= label && label <= 65535; });
-  out << "<PointData Scalars=\"label\"><DataArray type=\"" << (is_small ? "UInt16" : "Int32")
-      << "\" Name=\"label\" format=\"appended\" offset=\"0\"/></PointData>\n"
-      << "</Piece>\n</ImageData>\n<AppendedData encoding=\"raw\">\n_";
-  const auto write = [&](auto number) {
-    out.write(reinterpret_cast<const char*>(&number), sizeof number);
-  };
-  write(std::uint64_t(labels.size() * (is_small ? 2 : 4)));
-  for (const int label : labels)
-    if (is_small)
-      write(std::uint16_t(label));
-    else
-      write(std::int32_t(label));
-  out << "\n</AppendedData>\n</VTKFile>\n";
 }
 
 /// Reads the grid and the labels of an image (.inr).
@@ -135,9 +103,7 @@ void convert_image(const std::string& input, const std::string& output) {
                  {"inr", "mha", "nii", "gz", "tif", "tiff", "vti", "vtk"});
   std::vector<int> labels;
   const Grid grid = read_image(input, labels);
-  const std::string path = temporary_file("image.vti");
-  write_vti(path, grid, labels);
-  write_foreign(path, output);
+  write_label_image(output, grid, labels);
 }
 
 } // namespace
@@ -186,9 +152,8 @@ void convert_to_image(const std::string& checkpoint, const std::string& output,
     throw Input_error(grid + " is no image of voxels with several layers; --grid needs one");
   std::vector<int> unused;
   const Grid voxels = read_image(native, unused);
-  const std::string path = temporary_file("image.vti");
-  write_vti(path, voxels, DSC::sample_labels(in_space->complex, voxels));
-  write_foreign(path, output, native == grid ? "" : grid);
+  write_label_image(output, voxels, DSC::sample_labels(in_space->complex, voxels),
+                    native == grid ? "" : grid);
 }
 
 } // namespace dsc

@@ -158,7 +158,7 @@ void draw_cut(const std::string& path, const Tracked_complex_3::Complex& complex
   for (const auto& f : complex.interface_facets()) {
     const auto ends = section(complex.facet_vertices(f));
     if (!ends.empty())
-      picture.lines.push_back({ends[0], ends[1]});
+      picture.lines.push_back({{ends[0], ends[1]}});
   }
   write_picture(path, picture);
 }

@@ -147,7 +147,7 @@ void write_png(const std::string& path, const Canvas& canvas) {
 }
 
 /// Draws a black line in front of the plane with depth 0. The ends have sample coordinates.
-void draw_line(Canvas& canvas, const Vector& a, const Vector& b) {
+void draw_line(Canvas& canvas, const Vector& a, const Vector& b, const Vector& color) {
   static constexpr double half_width = 1.5; // in samples
   const double dx = b[0] - a[0], dy = b[1] - a[1], length = std::hypot(dx, dy);
   if (!(length > 0))
@@ -155,8 +155,8 @@ void draw_line(Canvas& canvas, const Vector& a, const Vector& b) {
   const double x = -half_width * dy / length, y = half_width * dx / length;
   const Vector p = {a[0] - x, a[1] - y, 1}, q = {b[0] - x, b[1] - y, 1},
                r = {b[0] + x, b[1] + y, 1}, s = {a[0] + x, a[1] + y, 1};
-  canvas.draw({p, q, r}, {0, 0, 0});
-  canvas.draw({p, r, s}, {0, 0, 0});
+  canvas.draw({p, q, r}, color);
+  canvas.draw({p, r, s}, color);
 }
 
 } // namespace
@@ -208,8 +208,8 @@ void write_picture(const std::string& path, const Plane_picture& picture) {
       canvas.draw(
           {sample(polygon.corners[0]), sample(polygon.corners[i - 1]), sample(polygon.corners[i])},
           polygon.color);
-  for (const auto& [a, b] : picture.lines)
-    draw_line(canvas, sample(a), sample(b));
+  for (const Picture_line& line : picture.lines)
+    draw_line(canvas, sample(line.ends[0]), sample(line.ends[1]), line.color);
   write_png(path, canvas);
 }
 

@@ -33,11 +33,18 @@ struct Picture_polygon
   Picture_color color;
 };
 
-/// A plane picture: polygons that do not overlap, and black lines in front of them.
+/// A line of a plane picture.
+struct Picture_line
+{
+  std::array<Picture_point, 2> ends;
+  Picture_color color = {0, 0, 0};
+};
+
+/// A plane picture: polygons that do not overlap, and lines in front of them.
 struct Plane_picture
 {
   std::vector<Picture_polygon> polygons;
-  std::vector<std::array<Picture_point, 2>> lines;
+  std::vector<Picture_line> lines;
 };
 
 /// Draws polygons and lines into a PNG file. All polygons are visible.

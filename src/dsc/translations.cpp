@@ -164,9 +164,12 @@ bool is_foreign(const std::string& path) {
          (format == "gz" && extension(fs::path(path).stem().string()) == "nii");
 }
 
-std::string translate(const std::string& path, const std::string& labels,
-                      const std::string& thresholds,
-                      const std::function<bool(const std::string&)>& accepts) {
+namespace {
+
+/// Translates a file by `dsc-files` with options, as pairs of a name and a value.
+std::string translate_with(const std::string& path,
+                           const std::vector<std::pair<std::string, std::string>>& options,
+                           const std::function<bool(const std::string&)>& accepts) {
   Temporary_files& files = temporary_files();
   const auto known = files.translations.find(path);
   if (known != files.translations.end())
@@ -174,8 +177,7 @@ std::string translate(const std::string& path, const std::string& labels,
   if (!fs::exists(path))
     throw Input_error("cannot open " + path + "; check that the file exists and is readable");
   std::vector<std::string> arguments = {path, new_folder()};
-  for (const auto& [name, value] :
-       {std::pair("--labels", labels), std::pair("--threshold", thresholds)})
+  for (const auto& [name, value] : options)
     if (!value.empty())
       arguments.insert(arguments.end(), {name, value});
   std::istringstream answer(run_dsc_files(path, arguments));
@@ -186,6 +188,18 @@ std::string translate(const std::string& path, const std::string& labels,
   print_answer(path, answer);
   files.translations[path] = translation;
   return translation;
+}
+
+} // namespace
+
+std::string translate(const std::string& path, const std::string& labels,
+                      const std::string& thresholds,
+                      const std::function<bool(const std::string&)>& accepts) {
+  return translate_with(path, {{"--labels", labels}, {"--threshold", thresholds}}, accepts);
+}
+
+std::string translate_image(const std::string& path, bool has_channels) {
+  return translate_with(path, {{"--values", has_channels ? "color" : "gray"}}, {});
 }
 
 void write_foreign(const std::string& input, const std::string& output, const std::string& like) {

@@ -30,6 +30,11 @@ std::string translate(const std::string& path, const std::string& labels,
                       const std::string& thresholds,
                       const std::function<bool(const std::string& translation)>& accepts = {});
 
+/// Translates an image of any format that `dsc-files` reads into an image of numbers (.inr), as
+/// above.
+/// \param has_channels whether colors keep their channels; otherwise they become gray values
+std::string translate_image(const std::string& path, bool has_channels);
+
 /// Replaces names of translations in a text by the names of the files of the user.
 std::string with_user_names(std::string text);
 std::vector<std::string> with_user_names(const std::vector<std::string>& texts);

@@ -24,6 +24,7 @@ struct Options
   std::string input;
   std::string folder;     ///< of the translation
   std::string labels;     ///< name of the cell array with labels, for cells in the plane
+  std::string values;     ///< of an image that are kept: `gray` or `color`; empty for labels
   std::string thresholds; ///< of gray values: numbers, `otsu` or `otsu:K`; empty for labels
 };
 

@@ -7,7 +7,7 @@
 // what is not in it. It is a program of its own, so that the others need no VTK and survive a
 // crash.
 //
-// Usage: dsc-files INPUT FOLDER [--labels NAME] [--threshold VALUES]
+// Usage: dsc-files INPUT FOLDER [--labels NAME] [--threshold VALUES] [--values gray|color]
 //        dsc-files --write INPUT OUTPUT [LIKE], see write_foreign()
 
 #include "read_dataset.h"
@@ -71,20 +71,26 @@ void limit_resources(const std::string& input) {
 dsc_files::Options options_of(int argc, char** argv) {
   dsc_files::Options options;
   if (argc < 3 || argc % 2 == 0)
-    throw dsc_files::Failure("usage: dsc-files INPUT FOLDER [--labels NAME] [--threshold VALUES]");
+    throw dsc_files::Failure("usage: dsc-files INPUT FOLDER [--labels NAME] [--threshold VALUES] "
+                             "[--values gray|color]");
   options.input = argv[1];
   options.folder = argv[2];
   for (int i = 3; i < argc; i += 2) {
     const std::string name = argv[i];
-    if (name != "--labels" && name != "--threshold")
+    if (name != "--labels" && name != "--threshold" && name != "--values")
       throw dsc_files::Failure("unknown option " + name);
-    (name == "--labels" ? options.labels : options.thresholds) = argv[i + 1];
+    (name == "--labels"   ? options.labels
+     : name == "--values" ? options.values
+                          : options.thresholds) = argv[i + 1];
   }
   return options;
 }
 
 dsc_files::Translation translate(const dsc_files::Options& options) {
   const std::string format = dsc_files::format_of(options.input);
+  const bool is_text = format == "csv" || format == "pcd" || format == "geojson";
+  if (is_text && !options.values.empty())
+    throw dsc_files::Failure("is no image");
   if (format == "csv")
     return translate_csv(options);
   if (format == "pcd")
@@ -95,10 +101,13 @@ dsc_files::Translation translate(const dsc_files::Options& options) {
   vtkImageData* const image = vtkImageData::SafeDownCast(dataset.data);
   if (image != nullptr && !options.labels.empty())
     throw dsc_files::Failure("is an image, whose labels are its values; leave out --labels");
+  if (image == nullptr && !options.values.empty())
+    throw dsc_files::Failure("is no image");
   if (image == nullptr && !options.thresholds.empty())
     throw dsc_files::Failure("is no image; leave out --threshold");
-  dsc_files::Translation result =
-      image != nullptr ? write_image(image, options) : write_cells(dataset.data, options);
+  dsc_files::Translation result = image == nullptr         ? write_cells(dataset.data, options)
+                                  : options.values.empty() ? write_image(image, options)
+                                                           : write_channels(image, options);
   const dsc_files::Translation& before = dataset.translation;
   result.unused.insert(result.unused.begin(), before.unused.begin(), before.unused.end());
   result.notes.insert(result.notes.begin(), before.notes.begin(), before.notes.end());

@@ -17,6 +17,7 @@
 #include <vtkNIFTIImageWriter.h>
 #include <vtkNew.h>
 #include <vtkPLYReader.h>
+#include <vtkPNGWriter.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
@@ -111,6 +112,12 @@ void write_image_as(vtkImageData* image, const std::string& path, const std::str
     if (image->GetScalarType() != VTK_UNSIGNED_SHORT)
       throw Failure("cannot contain labels outside 0 to 65535; write .nii, .mha or .vti");
     write<vtkTIFFWriter>(image, path);
+  } else if (format == "png") {
+    if (image->GetDimensions()[2] != 1)
+      throw Failure("cannot contain several layers; write .nii, .mha or .vti");
+    if (image->GetScalarType() != VTK_UNSIGNED_SHORT)
+      throw Failure("cannot contain labels outside 0 to 65535; write .nii, .mha or .vti");
+    write<vtkPNGWriter>(image, path);
   } else
     throw Failure("cannot contain an image; write .inr, .mha, .nii, .tif, .vti or .vtk");
 }

@@ -23,12 +23,12 @@
 namespace dsc_files {
 namespace {
 
-/// Labels of voxels in space, the first axis fastest.
-struct Labels
+/// Values of voxels in space, the first axis fastest.
+template <class Value> struct Voxels
 {
   std::array<std::size_t, 3> size;
   std::array<double, 3> spacing, origin; ///< the origin is the center of the first voxel
-  std::vector<int> values;
+  std::vector<Value> values;
 };
 
 /// Returns the array with the values of the voxels, which are the points or the cells.
@@ -120,22 +120,44 @@ std::vector<int> palette_of(vtkDataArray* array, Translation& result) {
   return labels;
 }
 
+bool has_colors(vtkDataArray* array) {
+  const int components = array->GetNumberOfComponents();
+  return array->GetDataType() == VTK_UNSIGNED_CHAR && (components == 3 || components == 4);
+}
+
+/// Returns the luminance of ITU-R BT.709 of colors, and the first component of other values.
+std::vector<double> luminance_of(vtkDataArray* array, Translation& result) {
+  std::vector<double> gray = component(array, 0);
+  if (!has_colors(array))
+    return gray;
+  result.leave_out(array->GetNumberOfComponents() == 4 ? 1 : 0, "channel (opacity)", "");
+  const std::vector<double> green = component(array, 1), blue = component(array, 2);
+  for (std::size_t i = 0; i < gray.size(); ++i)
+    gray[i] = .2126 * gray[i] + .7152 * green[i] + .0722 * blue[i];
+  return gray;
+}
+
 std::vector<int> label_values(vtkDataArray* array, const Options& options, Translation& result) {
   const int components = array->GetNumberOfComponents();
-  const bool has_colors =
-      array->GetDataType() == VTK_UNSIGNED_CHAR && (components == 3 || components == 4);
-  if (components > 1 && !has_colors)
+  if (components > 1 && !has_colors(array))
     throw Failure("contains " + std::to_string(components) + " values for each voxel; write one");
   if (options.thresholds.empty())
     return components == 1 ? integers_of(component(array, 0)) : palette_of(array, result);
-  std::vector<double> gray = component(array, 0);
-  result.leave_out(components == 4 ? 1 : 0, "channel (opacity)", "");
-  if (components >= 3) { // luminance of ITU-R BT.709
-    const std::vector<double> green = component(array, 1), blue = component(array, 2);
-    for (std::size_t i = 0; i < gray.size(); ++i)
-      gray[i] = .2126 * gray[i] + .7152 * green[i] + .0722 * blue[i];
-  }
-  return classes_of(gray, options.thresholds, result);
+  return classes_of(luminance_of(array, result), options.thresholds, result);
+}
+
+/// Returns the channels of an image: the luminance of colors unless all channels are asked for, and
+/// all components of other images.
+std::vector<std::vector<double>> channels_of(vtkDataArray* array, const Options& options,
+                                             Translation& result) {
+  const int components = array->GetNumberOfComponents();
+  if (has_colors(array) && options.values == "gray")
+    return {luminance_of(array, result)};
+  result.leave_out(has_colors(array) && components == 4 ? 1 : 0, "channel (opacity)", "");
+  std::vector<std::vector<double>> channels;
+  for (int k = 0; k < (has_colors(array) ? 3 : components); ++k)
+    channels.push_back(component(array, k));
+  return channels;
 }
 
 /// Finds the axis of an image along each axis of space, and its direction, 1 or -1. Returns false
@@ -163,9 +185,10 @@ bool find_axes(vtkImageData* image, std::array<int, 3>& sources, std::array<doub
   return true;
 }
 
-/// Returns the labels along the axes of space, which the axes of the image permute and reverse.
-Labels along_axes_of_space(vtkImageData* image, bool are_cells, const std::vector<int>& values,
-                           Translation& translation) {
+/// Returns the values along the axes of space, which the axes of the image permute and reverse.
+template <class Value>
+Voxels<Value> along_axes_of_space(vtkImageData* image, bool are_cells,
+                                  const std::vector<Value>& values, Translation& translation) {
   std::array<int, 3> sources;
   std::array<double, 3> signs;
   if (!find_axes(image, sources, signs))
@@ -178,7 +201,7 @@ Labels along_axes_of_space(vtkImageData* image, bool are_cells, const std::vecto
   strides = {1, size[0], size[0] * size[1]};
   int extent[6];
   image->GetExtent(extent);
-  Labels result;
+  Voxels<Value> result;
   std::array<std::ptrdiff_t, 3> steps = {};
   std::ptrdiff_t first = 0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -212,24 +235,32 @@ template <class Number> void write_numbers(std::ostream& out, const std::vector<
   }
 }
 
-void write_inr(const Labels& labels, std::ostream& out) {
+/// Writes the header of an INR file.
+/// \param type, bits of a value
+template <class Value>
+void write_inr_header(const Voxels<Value>& voxels, std::size_t channels, const char* type, int bits,
+                      std::ostream& out) {
   static constexpr std::size_t block = 256; // bytes; the header fills blocks
-  const auto [least, largest] = std::minmax_element(labels.values.begin(), labels.values.end());
-  const int bits = *least < 0 || *largest > 65535 ? 32 : *largest > 255 ? 16 : 8;
   std::ostringstream header;
   header.precision(std::numeric_limits<double>::max_digits10);
-  header << "#INRIMAGE-4#{\nXDIM=" << labels.size[0] << "\nYDIM=" << labels.size[1]
-         << "\nZDIM=" << labels.size[2] << "\nVDIM=1\nTYPE=" << (bits == 32 ? "" : "un")
-         << "signed fixed\nPIXSIZE=" << bits << " bits\nCPU=decm";
+  header << "#INRIMAGE-4#{\nXDIM=" << voxels.size[0] << "\nYDIM=" << voxels.size[1]
+         << "\nZDIM=" << voxels.size[2] << "\nVDIM=" << channels << "\nTYPE=" << type
+         << "\nPIXSIZE=" << bits << " bits\nCPU=decm";
   const char* const names = "XYZ";
   for (std::size_t axis = 0; axis < 3; ++axis)
-    header << "\nV" << names[axis] << '=' << labels.spacing[axis] << "\nT" << names[axis] << '='
-           << labels.origin[axis];
+    header << "\nV" << names[axis] << '=' << voxels.spacing[axis] << "\nT" << names[axis] << '='
+           << voxels.origin[axis];
   header << '\n';
   const std::string end = "##}\n";
   std::string text = header.str();
   text.append((block - (text.size() + end.size()) % block) % block, '\n');
   out << text << end;
+}
+
+void write_inr(const Voxels<int>& labels, std::ostream& out) {
+  const auto [least, largest] = std::minmax_element(labels.values.begin(), labels.values.end());
+  const int bits = *least < 0 || *largest > 65535 ? 32 : *largest > 255 ? 16 : 8;
+  write_inr_header(labels, 1, bits == 32 ? "signed fixed" : "unsigned fixed", bits, out);
   if (bits == 8)
     write_numbers<std::uint8_t>(out, labels.values);
   else if (bits == 16)
@@ -239,7 +270,7 @@ void write_inr(const Labels& labels, std::ostream& out) {
 }
 
 /// Writes a layer as rows from top to bottom.
-void write_pgm(const Labels& labels, std::ostream& out) {
+void write_pgm(const Voxels<int>& labels, std::ostream& out) {
   const auto [least, largest] = std::minmax_element(labels.values.begin(), labels.values.end());
   if (*least < 0 || *largest > 65535)
     throw Failure("contains labels of pixels outside 0 to 65535");
@@ -257,16 +288,55 @@ void write_pgm(const Labels& labels, std::ostream& out) {
 
 } // namespace
 
-Translation write_image(vtkImageData* image, const Options& options) {
-  Translation result;
-  bool are_cells = false;
+namespace {
+
+/// Finds the array with the values of the voxels, and adds the others to the unused contents.
+vtkDataArray* used_values_of(vtkImageData* image, bool& are_cells, Translation& result) {
   vtkDataArray* const array = values_of(image, are_cells);
   for (vtkFieldData* attributes : {static_cast<vtkFieldData*>(image->GetPointData()),
                                    static_cast<vtkFieldData*>(image->GetCellData())})
     for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
       if (attributes->GetAbstractArray(i) != array && attributes->GetArrayName(i) != nullptr)
         result.unused.push_back(std::string("array (") + attributes->GetArrayName(i) + ')');
-  const Labels labels =
+  return array;
+}
+
+void require_written(std::ofstream& out) {
+  out.close();
+  if (!out)
+    throw Failure("cannot be translated: the disk for temporary files is full");
+}
+
+} // namespace
+
+Translation write_channels(vtkImageData* image, const Options& options) {
+  Translation result;
+  bool are_cells = false;
+  vtkDataArray* const array = used_values_of(image, are_cells, result);
+  std::vector<Voxels<double>> channels;
+  for (const std::vector<double>& channel : channels_of(array, options, result)) {
+    Translation repeated; // what is unused is the same for all channels
+    channels.push_back(along_axes_of_space(image, are_cells, channel, repeated));
+    if (channels.size() == 1)
+      result.unused.insert(result.unused.end(), repeated.unused.begin(), repeated.unused.end());
+  }
+  result.path = options.folder + "/image.inr";
+  std::ofstream out(result.path, std::ios::binary);
+  write_inr_header(channels.front(), channels.size(), "float", 32, out);
+  for (std::size_t i = 0; i < channels.front().values.size(); ++i)
+    for (const Voxels<double>& channel : channels) {
+      const auto value = float(channel.values[i]);
+      out.write(reinterpret_cast<const char*>(&value), sizeof value);
+    }
+  require_written(out);
+  return result;
+}
+
+Translation write_image(vtkImageData* image, const Options& options) {
+  Translation result;
+  bool are_cells = false;
+  vtkDataArray* const array = used_values_of(image, are_cells, result);
+  const Voxels<int> labels =
       along_axes_of_space(image, are_cells, label_values(array, options, result), result);
   const bool is_layer = labels.size[2] == 1;
   result.path = options.folder + (is_layer ? "/image.pgm" : "/image.inr");
@@ -278,9 +348,7 @@ Translation write_image(vtkImageData* image, const Options& options) {
     write_pgm(labels, out);
   else
     write_inr(labels, out);
-  out.close();
-  if (!out)
-    throw Failure("cannot be translated: the disk for temporary files is full");
+  require_written(out);
   return result;
 }
 

@@ -19,6 +19,10 @@ namespace dsc_files {
 /// \throws Failure if the values are no labels
 Translation write_image(vtkImageData* image, const Options& options);
 
+/// Writes the values of an image as numbers (`image.inr`), several channels beside each other.
+/// \param options `values` tells whether colors become gray values
+Translation write_channels(vtkImageData* image, const Options& options);
+
 } // namespace dsc_files
 
 #endif // DSC_FILES_WRITE_IMAGE_H

@@ -124,6 +124,18 @@ public:
     return result;
   }
 
+  /// Returns the energy of the boundary of a region with a given label.
+  /// \param label the label
+  /// \param areas map from labels to the measures of the common boundary with the region; the part
+  ///        with the same label has no energy
+  /// \throws Error as `tension()` does
+  template <class Areas> double of_boundary(Label label, const Areas& areas) const {
+    double result = 0;
+    for (const auto& [other, area] : areas)
+      result += other == label ? 0 : tension(other, label) * area;
+    return result;
+  }
+
   /// Returns the angles of three labels at their common line in equilibrium, in radians: Young's
   /// law. The angle of a label is opposite to the tension between the two others, as in a triangle
   /// of the three tensions, and it is \f$\pi\f$ minus the angle of this triangle. Returns nothing

@@ -71,9 +71,8 @@ best_neighbor(const Complex& complex, const Component_cells<Complex>& component,
   double least = std::numeric_limits<double>::infinity();
   Label result = component.label;
   for (const Label candidate : candidates.empty() ? all : candidates) {
-    double sum = energy.density(candidate) * component.measure;
-    for (const auto& [label, area] : areas)
-      sum += label == candidate ? 0 : energy.tension(label, candidate) * area;
+    const double sum =
+        energy.density(candidate) * component.measure + energy.of_boundary(candidate, areas);
     if (sum < least) {
       least = sum;
       result = candidate;

@@ -16,6 +16,7 @@ inline constexpr char description_of_info[] = "Print statistics of a file",
                       description_of_improve[] = "Optimize the tetrahedra of a labelled mesh; the "
                                                  "interface is preserved",
                       description_of_cut_locus[] = "Compute the cut locus of a point of a surface",
+                      description_of_segment[] = "Divide an image into phases, and mesh them",
                       description_of_grains[] = "Let the grains of a polycrystal grow",
                       description_of_fluid[] = "Simulate incompressible liquids with free surfaces",
                       description_of_reconstruct[] =
@@ -40,6 +41,7 @@ void add_info(CLI::App& app, int& exit_code);
 void add_improve(CLI::App& app, int& exit_code);
 void add_cut_locus(CLI::App& app, int& exit_code);
 void add_reconstruct(CLI::App& app, int& exit_code);
+void add_segment(CLI::App& app, int& exit_code);
 void add_grains(CLI::App& app, int& exit_code);
 void add_fluid(CLI::App& app, int& exit_code);
 

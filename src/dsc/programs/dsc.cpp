@@ -23,11 +23,12 @@ struct Other_command
   const char* description;
   const char* program;
 };
-constexpr std::array<Other_command, 6> other_commands = {
+constexpr std::array<Other_command, 7> other_commands = {
     {{"info", dsc::description_of_info, "dsc-full"},
      {"improve", dsc::description_of_improve, "dsc-full"},
      {"cut-locus", dsc::description_of_cut_locus, "dsc-cut-locus"},
      {"reconstruct", dsc::description_of_reconstruct, "dsc-reconstruct"},
+     {"segment", dsc::description_of_segment, "dsc-segment"},
      {"grains", dsc::description_of_grains, "dsc-grains"},
      {"fluid", dsc::description_of_fluid, "dsc-fluid"}}};
 

@@ -160,9 +160,7 @@ private:
     Label result = component.front()->label();
     double least = std::numeric_limits<double>::infinity();
     for (const auto& candidate : areas) {
-      double energy = 0;
-      for (const auto& [label, area] : areas)
-        energy += label == candidate.first ? 0 : m_energy.tension(label, candidate.first) * area;
+      const double energy = m_energy.of_boundary(candidate.first, areas);
       if (energy < least) {
         least = energy;
         result = candidate.first;

@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Image_segmentation, written for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_IMAGE_SEGMENTATION_GRAY_IMAGE_H
+#define CGAL_IMAGE_SEGMENTATION_GRAY_IMAGE_H
+
+#include <CGAL/license/Image_segmentation.h>
+
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/sample_labels.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgImageSegmentationRef
+
+An image of numbers: gray values, or several channels. Pixels (in space: voxels) are boxes around
+the points of a grid.
+
+\tparam d the dimension, 2 or 3
+*/
+template <int d> struct Gray_image
+{
+  Sampling_grid<d> grid;                    ///< the centers of the pixels
+  std::vector<std::vector<float>> channels; ///< values of each channel, the first axis fastest
+  std::vector<std::uint8_t> mask; ///< 0 for pixels without a value; empty if all pixels have one
+
+  /// Returns whether a pixel has a value.
+  bool has_value(std::size_t pixel) const { return mask.empty() || mask[pixel] != 0; }
+
+  /// Throws an exception unless the image can be used. Linear.
+  /// \throws Error if the grid is not valid, there is no channel or no pixel with a value, a size does
+  ///         not fit the grid, or a value is not finite
+  void check() const {
+    const std::size_t n = grid.number_of_points();
+    if (channels.empty())
+      throw Error("the image has no channel");
+    for (const auto& channel : channels)
+      if (channel.size() != n)
+        throw Error("a channel of the image has " + std::to_string(channel.size()) +
+                    " values, but the grid has " + std::to_string(n) + " points");
+    if (!mask.empty() && mask.size() != n)
+      throw Error("the mask of the image has " + std::to_string(mask.size()) +
+                  " values, but the grid has " + std::to_string(n) + " points");
+    bool is_empty = true;
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!has_value(i))
+        continue;
+      is_empty = false;
+      for (const auto& channel : channels)
+        if (!std::isfinite(channel[i]))
+          throw Error("the value of pixel " + std::to_string(i) +
+                      " is not finite: leave such pixels out by the mask");
+    }
+    if (is_empty)
+      throw Error("the mask of the image leaves out all pixels");
+  }
+};
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_IMAGE_SEGMENTATION_GRAY_IMAGE_H

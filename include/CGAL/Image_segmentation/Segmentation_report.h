@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Image_segmentation, written for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_IMAGE_SEGMENTATION_SEGMENTATION_REPORT_H
+#define CGAL_IMAGE_SEGMENTATION_SEGMENTATION_REPORT_H
+
+#include <CGAL/license/Image_segmentation.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgImageSegmentationRef
+
+What `segment_image()` has found. Measures are in numbers of pixels, lengths and areas in their
+sides.
+*/
+struct Segmentation_report
+{
+  /// A phase.
+  struct Phase
+  {
+    int label;                       ///< its label
+    std::vector<double> intensities; ///< mean value of each channel, or the given value
+    double measure;                  ///< area or volume, in pixels
+    std::size_t components;          ///< number of connected components
+  };
+  /// The boundary between two phases.
+  struct Boundary
+  {
+    /// \var a
+    /// smaller label
+    /// \var b
+    /// larger label
+    int a, b;
+    double measure;     ///< length or area
+    double uncertainty; ///< standard deviation of its position by the noise, in pixels
+  };
+  std::vector<Phase> phases;        ///< by increasing label
+  std::vector<Boundary> boundaries; ///< by increasing labels
+  std::vector<double> noise;        ///< standard deviation of each channel
+  double smoothing = 0;             ///< energy of the interface, see `Segmentation_options`
+  std::vector<double> energies;     ///< after every fifth motion of the interface
+  double residual =
+      0; ///< mean squared deviation of pixels from their phases, in units of the noise
+  /// Whether the last motions decreased the energy by less than a ten-thousandth.
+  bool has_converged = false;
+};
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_IMAGE_SEGMENTATION_SEGMENTATION_REPORT_H

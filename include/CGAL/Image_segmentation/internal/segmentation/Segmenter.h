@@ -1,0 +1,260 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Image_segmentation, written for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_IMAGE_SEGMENTATION_INTERNAL_SEGMENTATION_SEGMENTER_H
+#define CGAL_IMAGE_SEGMENTATION_INTERNAL_SEGMENTATION_SEGMENTER_H
+
+#include <CGAL/license/Image_segmentation.h>
+
+#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/refine_cells.h>
+#include <CGAL/Deformable_simplicial_complexes/relabel_by_energy.h>
+#include <CGAL/Deformable_simplicial_complexes/remove_components.h>
+#include <CGAL/Image_segmentation/Segmentation_options.h>
+#include <CGAL/Image_segmentation/Segmentation_report.h>
+#include <CGAL/Image_segmentation/internal/segmentation/Cell_costs.h>
+#include <CGAL/Image_segmentation/internal/segmentation/Interface_descent.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Numbers of rounds, which differ because a round in space takes longer and finds more.
+template <int d> struct Segmentation_rule
+{
+  static constexpr int rounds = d == 2 ? 4 : 2, // for each length of edges
+      refinements = d == 2 ? 8 : 4,             // sweeps over the cells in a round
+      moves = d == 2 ? 15 : 10,                 // of the interface in a round
+      last_moves = d == 2 ? 30 : 15;            // at the end, shorter and shorter
+  static constexpr double first_length = .5,    // of edges, relative to those of the first mesh
+      ratio = 1.5;                              // between two lengths of edges
+  static constexpr int interval = 5;            // moves after which the energy must have fallen
+  static constexpr double slow = 1e-4;          // relative decrease in these moves that ends them
+  static constexpr unsigned passes = 5;         // of a motion
+  // The number of deviations by which the cost of a cell must exceed the usual one.
+  static constexpr double significant = 3;
+  // Area of a facet of a regular cell, relative to the power of an edge.
+  static constexpr double facet = d == 2 ? 1 : .43;
+};
+
+// Minimizes the energy of a segmentation: the costs of cells plus a tension times the measure of
+// the interface. The image has noise of deviation 1 in each channel.
+template <class Complex> class Segmenter
+{
+public:
+  static constexpr int d = Complex::dimension;
+  using Rule = Segmentation_rule<d>;
+  using Cell_handle = typename Complex::Cell_handle;
+
+  Segmenter(Complex& complex, Cell_costs<Complex>& costs, const Segmentation_options<d>& options)
+      : m_complex(complex), m_costs(costs), m_options(options), m_unit(costs.pixels_in_unit()),
+        m_for_each_index(options.number_of_threads) {
+    for (std::size_t label = 0; label < costs.intensities().size(); ++label)
+      m_relabeling.labels.push_back(int(label));
+    const double smallest = costs.least_squared_contrast();
+    m_smoothing =
+        options.smoothing.value_or((std::max)(usual_smoothing * smallest, least_smoothing));
+    m_stiffness = part_of_contrast * smallest * std::pow(m_unit, d + 1);
+    m_tension = m_smoothing * std::pow(m_unit, d - 1);
+    m_relabeling.interface_energy.set_tension(m_tension);
+    m_deformation.maximum_number_of_passes = Rule::passes;
+    m_deformation.number_of_threads = options.number_of_threads;
+  }
+
+  // Gives each cell of a new mesh its best label.
+  void label_cells() {
+    m_costs.update(m_for_each_index);
+    for (const Cell_handle c : m_complex.cells()) {
+      int best = 0;
+      for (const int label : m_relabeling.labels)
+        if (m_costs(c, label) < m_costs(c, best))
+          best = label;
+      if (best != c->label())
+        m_complex.relabel(c, best);
+    }
+    m_complex.measure_interface_edges();
+  }
+
+  void run(Segmentation_report& report) {
+    if (m_options.keeps_topology) {
+      const auto forbid = [](const Complex&, Cell_handle, int) { return false; };
+      m_relabeling.topology_control = forbid;
+      m_deformation.topology_control = forbid;
+    }
+    const double last = m_options.shortest_edge / m_unit,
+                 first = (std::max)(Rule::first_length * m_options.longest_edge / m_unit, last);
+    const int levels = int(std::ceil(std::log(first / last) / std::log(Rule::ratio)));
+    for (int level = 0; level <= levels; ++level) {
+      m_edge = levels == 0 ? first : first * std::pow(last / first, double(level) / double(levels));
+      for (int round = 0; round < Rule::rounds; ++round) {
+        relabel();
+        refine();
+        if (d == 2 || (level == levels && round + 1 == Rule::rounds))
+          relabel_components();
+        if (m_options.intensities.empty())
+          m_costs.measure_intensities();
+        move(Rule::moves, false, report);
+        improve();
+      }
+    }
+    move(Rule::last_moves, true, report);
+    relabel();
+    if (m_options.intensities.empty())
+      m_costs.measure_intensities();
+  }
+
+  // Returns the energy.
+  double energy() {
+    m_costs.update(m_for_each_index);
+    double measure = 0;
+    for (const auto& facet : m_complex.interface_facets(m_for_each_index))
+      measure += m_complex.measure(facet);
+    return m_costs.total() + m_tension * measure;
+  }
+
+  double smoothing() const { return m_smoothing; }
+
+private:
+  // In squares of the smallest contrast. With less smoothing, pixels across a boundary form a layer
+  // of a third phase.
+  static constexpr double usual_smoothing = 2;
+  static constexpr double least_smoothing = 2;   // in squares of the noise, which forms specks
+  static constexpr double part_of_contrast = .3; // of which the stiffness is
+
+  void relabel() {
+    m_costs.update(m_for_each_index);
+    relabel_by_energy(m_complex, costs(), m_relabeling);
+    keep_connected();
+  }
+
+  void relabel_components() {
+    relabel_components_by_energy(m_complex, costs(), m_relabeling);
+    keep_connected();
+  }
+
+  auto costs() {
+    return [this](Cell_handle c, int label) { return m_costs(c, label); };
+  }
+
+  void keep_connected() {
+    if (m_options.connected.empty())
+      return;
+    std::map<int, std::pair<double, std::uint32_t>> largest;
+    const auto is_connected = [&](int label) {
+      return std::find(m_options.connected.begin(), m_options.connected.end(), label) !=
+             m_options.connected.end();
+    };
+    remove_components(m_complex, [&](int label, std::uint32_t number, double measure) {
+      if (const auto [found, is_new] = largest.try_emplace(label, measure, number);
+          !is_new && found->second.first < measure)
+        found->second = {measure, number};
+      return false;
+    });
+    remove_components(m_complex, [&](int label, std::uint32_t number, double) {
+      return is_connected(label) && largest.at(label).second != number;
+    });
+  }
+
+  // Bisects long cells whose cost exceeds that of the noise by more than the energy of a new facet.
+  void refine() {
+    for (int sweep = 0; sweep < Rule::refinements; ++sweep) {
+      m_costs.update(m_for_each_index);
+      const std::vector<double> usual = m_costs.usual_costs();
+      if (refine_cells(m_complex, [&](Cell_handle c) { return is_to_be_refined(c, usual); }) == 0)
+        return;
+      relabel();
+    }
+  }
+
+  bool is_to_be_refined(Cell_handle c, const std::vector<double>& usual) {
+    double squared = 0;
+    for (int i = 0; i <= d; ++i)
+      for (int j = 0; j < i; ++j)
+        squared = (std::max)(squared,
+                             m_complex.displacement(c->vertex(i), c->vertex(j)).squared_length());
+    return squared >= 4 * m_edge * m_edge && excess(c, usual) > new_facet(std::sqrt(squared));
+  }
+
+  // Returns the cost of a cell beyond that of the noise and its fluctuation.
+  double excess(Cell_handle c, const std::vector<double>& usual) {
+    const double pixels = m_costs.fields(c)[0], of_pixel = usual[std::size_t(c->label())];
+    return m_costs(c, c->label()) - of_pixel * pixels -
+           Rule::significant * of_pixel * std::sqrt(2 * pixels / double(m_costs.channels()));
+  }
+
+  // Returns half of the energy of a facet of a cell.
+  double new_facet(double edge) const {
+    return m_tension / 2 * Rule::facet * std::pow(edge, d - 1);
+  }
+
+  // Moves the interface until the energy hardly falls. `shortens` makes the steps shorter and
+  // shorter.
+  void move(int moves, bool shortens, Segmentation_report& report) {
+    if (m_complex.interface_vertices().empty())
+      return;
+    Interface_descent<Complex> descent(m_complex, m_costs, m_tension, m_stiffness, m_deformation);
+    double before = energy();
+    report.has_converged = false;
+    for (int i = 0; i < moves && !report.has_converged; ++i) {
+      Progress_scope::check();
+      const double longest = (std::max)(.5 / m_unit, m_edge / 4);
+      descent.step(shortens ? longest * double(moves - i) / double(moves) : longest,
+                   m_for_each_index);
+      if ((i + 1) % Rule::interval != 0)
+        continue;
+      report.energies.push_back(energy());
+      report.has_converged = before - report.energies.back() < Rule::slow * before;
+      before = report.energies.back();
+    }
+  }
+
+  void improve() {
+    static constexpr double split = 2, collapse = .4, coarse = 6; // in target lengths of edges
+    Interface_improvement_options<Complex> options;
+    options.sizing_field = [edge = m_edge](const auto&) { return edge; };
+    options.interface_split_length = split;
+    options.interface_collapse_length = collapse;
+    improve_interface(m_complex, options);
+    m_costs.update(m_for_each_index);
+    const std::vector<double> usual = m_costs.usual_costs();
+    Detail_options<Complex> detail;
+    detail.sizing_field = options.sizing_field;
+    detail.collapse_length = coarse;
+    detail.split_length = 2 * coarse;
+    detail.where = [&](Cell_handle c) { return !(excess(c, usual) > 0); };
+    control_detail(m_complex, detail);
+  }
+
+  Complex& m_complex;
+  Cell_costs<Complex>& m_costs;
+  const Segmentation_options<d>& m_options;
+  double m_unit; // length of a unit of the complex in pixels
+  For_each_index m_for_each_index;
+  Relabeling_options<Complex> m_relabeling;
+  Deformation_options<Complex> m_deformation;
+  double m_smoothing;            // energy of the interface, in pixels
+  double m_tension, m_stiffness; // see Interface_descent
+  double m_edge = 0;             // target length
+};
+
+} // namespace internal
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_IMAGE_SEGMENTATION_INTERNAL_SEGMENTATION_SEGMENTER_H

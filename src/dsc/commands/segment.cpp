@@ -1,0 +1,367 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands/commands.h"
+#include "errors.h"
+#include "files.h"
+#include "gray_image.h"
+#include "interrupt.h"
+#include "label_image.h"
+#include "option_values.h"
+#include "picture.h"
+#include "report_json.h"
+#include "threads_option.h"
+#include "tracked_complex_2.h"
+#include "tracked_complex_3.h"
+#include "translations.h"
+
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
+#include <CGAL/Deformable_simplicial_complexes/sample_labels.h>
+#include <CGAL/Image_segmentation/compiled_2.h>
+#include <CGAL/Image_segmentation/compiled_3.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace dsc {
+namespace {
+
+using DSC::Segmentation_report;
+
+struct Segment_options
+{
+  std::string input, mask, start;
+  std::vector<std::string> outputs;
+  std::string mesh, report, picture;         ///< files; empty for none
+  unsigned phases = 0;                       ///< 0 if not given
+  std::string intensities, noise, smoothing; ///< as written; empty if not given
+  std::string longest_edge, shortest_edge;   ///< as written; empty if not given
+  std::vector<int> connected;
+  bool keeps_topology = false, has_channels = false, quiet = false;
+  unsigned threads = default_number_of_threads();
+};
+
+template <int d> using Tracked = std::conditional_t<d == 2, Tracked_complex_2, Tracked_complex_3>;
+
+/// Parses numbers between commas.
+std::vector<double> parse_numbers(const std::string& text, const std::string& option) {
+  std::vector<double> result;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const auto number = DSC::internal::number_of_word<double>(text.substr(begin, end - begin));
+    if (!number || !std::isfinite(*number))
+      throw Usage_error(option + " expects numbers between commas, like 0.1,0.5; write them so");
+    result.push_back(*number);
+    begin = end + 1;
+  }
+  return result;
+}
+
+/// Returns the options of the library.
+template <int d>
+DSC::Segmentation_options<d> options_of(const Segment_options& options, std::size_t channels) {
+  DSC::Segmentation_options<d> result;
+  if (options.phases > 0)
+    result.phases = options.phases;
+  if (!options.intensities.empty()) {
+    if (channels != 1)
+      throw Usage_error("--intensities applies to an image with one channel; use --phases");
+    for (const double x : parse_numbers(options.intensities, "--intensities"))
+      result.intensities.push_back({x});
+    std::sort(result.intensities.begin(), result.intensities.end());
+    if (options.phases > 0 && options.phases != result.intensities.size())
+      throw Usage_error("--phases and the number of --intensities differ; leave out --phases");
+  }
+  if (!options.noise.empty())
+    result.noise.assign(channels, parse_positive(options.noise, "--noise"));
+  if (!options.smoothing.empty())
+    result.smoothing = parse_positive(options.smoothing, "--smoothing");
+  if (!options.longest_edge.empty())
+    result.longest_edge = parse_positive(options.longest_edge, "--longest-edge");
+  if (!options.shortest_edge.empty())
+    result.shortest_edge = parse_positive(options.shortest_edge, "--shortest-edge");
+  result.keeps_topology = options.keeps_topology;
+  result.connected = options.connected;
+  result.number_of_threads = options.threads;
+  return result;
+}
+
+bool is_label_image(const std::string& path) {
+  const std::string format = extension(path);
+  for (const char* const known : {"gz", "inr", "mha", "nii", "png", "tif", "tiff", "vti", "vtk"})
+    if (format == known)
+      return true;
+  return false;
+}
+
+/// Returns the grid of an image as one in space; a planar one as a single layer.
+template <int d> DSC::Sampling_grid<3> grid_in_space(const DSC::Sampling_grid<d>& grid) {
+  DSC::Sampling_grid<3> result = {{1, 1, 1}, {1, 1, 1}, {0, 0, 0}};
+  for (std::size_t axis = 0; axis < d; ++axis) {
+    result.size[axis] = grid.size[axis];
+    result.spacing[axis] = grid.spacing[axis];
+    result.origin[axis] = grid.origin[axis];
+  }
+  return result;
+}
+
+/// Draws the image with the boundaries of phases; in space, the boundaries alone.
+void draw(const std::string& path, const Tracked_complex_3& tracked, const DSC::Gray_image<3>&) {
+  tracked.write(path);
+}
+
+void draw(const std::string& path, const Tracked_complex_2& tracked,
+          const DSC::Gray_image<2>& image) {
+  static constexpr double dark = .15, light = .95; // gray values, so that lines are visible
+  const auto& grid = image.grid;
+  std::vector<float> sorted = image.channels.front();
+  std::sort(sorted.begin(), sorted.end());
+  static constexpr double tail = .005; // of the pixels that are shown as black or as white
+  const auto skipped = std::size_t(tail * double(sorted.size()));
+  const double low = sorted[skipped], high = sorted[sorted.size() - 1 - skipped];
+  Plane_picture picture;
+  for (std::size_t y = 0; y < grid.size[1]; ++y)
+    for (std::size_t x = 0; x < grid.size[0]; ++x) {
+      const std::array<double, 2> center = {grid.origin[0] + double(x) * grid.spacing[0],
+                                            grid.origin[1] + double(y) * grid.spacing[1]};
+      Picture_polygon pixel;
+      for (const auto& [i, j] : {std::pair(-.5, -.5), {.5, -.5}, {.5, .5}, {-.5, .5}})
+        pixel.corners.push_back({center[0] + i * grid.spacing[0], center[1] + j * grid.spacing[1]});
+      const double value = double(image.channels.front()[y * grid.size[0] + x]);
+      const double part = high > low ? std::clamp((value - low) / (high - low), 0., 1.) : .5;
+      pixel.color.fill(dark + part * (light - dark));
+      picture.polygons.push_back(std::move(pixel));
+    }
+  static constexpr std::array<Picture_color, 6> colors = {
+      {{.9, .1, .1}, {.1, .45, .95}, {.95, .65, .0}, {.1, .65, .2}, {.7, .2, .8}, {.0, .7, .75}}};
+  const auto& complex = tracked.complex;
+  for (const auto& facet : complex.interface_facets()) {
+    Picture_line line;
+    const auto ends = complex.facet_vertices(facet);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const auto p = complex.user_position(ends[i]);
+      line.ends[i] = {p.x(), p.y()};
+    }
+    line.color = colors[std::size_t(facet.first->label() - 1) % colors.size()];
+    picture.lines.push_back(line);
+  }
+  write_picture(path, picture);
+}
+
+/// Improves the cells for simulations.
+void improve(Tracked_complex_2& tracked, unsigned threads) {
+  DSC::Mesh_improvement_options<Tracked_complex_2::Complex> improvement;
+  improvement.number_of_threads = threads;
+  DSC::improve_mesh(tracked.complex, improvement);
+}
+
+void improve(Tracked_complex_3& tracked, unsigned threads) {
+  Improvement_options improvement;
+  improvement.threads = threads;
+  Mesh_content content;
+  tracked.improve(improvement, content);
+}
+
+template <int d>
+Json json_of(const Segmentation_report& report, const Segment_options& options,
+             const Tracked<d>& tracked, const DSC::Sampling_grid<d>& grid) {
+  double pixel = 1;
+  for (const double x : grid.spacing)
+    pixel *= x;
+  const double side = std::pow(pixel, 1. / d);
+  Json json = {{"parameters",
+                {{"command", "segment"},
+                 {"input", options.input},
+                 {"smoothing", report.smoothing},
+                 {"noise", report.noise}}}};
+  for (const auto& phase : report.phases)
+    json["phases"].push_back({{"label", phase.label},
+                              {"intensities", phase.intensities},
+                              {d == 2 ? "area" : "volume", phase.measure * pixel},
+                              {"pixels", phase.measure},
+                              {"components", phase.components}});
+  json["boundaries"] = Json::array();
+  for (const auto& boundary : report.boundaries)
+    json["boundaries"].push_back(
+        {{"labels", {boundary.a, boundary.b}},
+         {d == 2 ? "length" : "area", boundary.measure * std::pow(side, d - 1)},
+         {"uncertainty", boundary.uncertainty * side}});
+  json["energies"] = report.energies;
+  json["residual"] = report.residual;
+  json["converged"] = report.has_converged;
+  json["statistics"] = statistics_json(tracked.statistics());
+  return json;
+}
+
+template <int d> void print(const Segmentation_report& report, std::size_t cells) {
+  std::printf("dsc: %zu phases, %zu %s%s\n", report.phases.size(), cells,
+              d == 2 ? "triangles" : "tetrahedra", report.has_converged ? "" : "; not converged");
+  for (const auto& phase : report.phases) {
+    std::printf("dsc: label %d: intensity", phase.label);
+    for (const double x : phase.intensities)
+      std::printf(" %.4g", x);
+    std::printf(", %.6g pixels in %zu %s\n", phase.measure, phase.components,
+                noun(phase.components, "component", "components"));
+  }
+}
+
+template <int d> int segment(const Segment_options& options, const DSC::Gray_image<d>& image) {
+  using Complex = typename Tracked<d>::Complex;
+  const auto library_options = options_of<d>(options, image.channels.size());
+  Tracked<d> tracked;
+  Segmentation_report report;
+  if (options.start.empty()) {
+    auto result = DSC::segment_image<Complex>(image, library_options);
+    tracked.complex = std::move(result.first);
+    report = std::move(result.second);
+  } else {
+    std::string metadata;
+    const auto start = track_checkpoint(options.start, metadata);
+    auto* const complex = dynamic_cast<Tracked<d>*>(start.get());
+    if (complex == nullptr)
+      throw Input_error(options.start + " and " + options.input +
+                        " differ in dimension; use a complex of the same dimension");
+    tracked.complex = std::move(complex->complex);
+    report = DSC::segment_image(tracked.complex, image, library_options);
+  }
+  for (const std::string& output : options.outputs)
+    if (is_label_image(output))
+      write_label_image(output, grid_in_space(image.grid),
+                        DSC::sample_labels(tracked.complex, image.grid));
+    else if (extension(output) == "dsc")
+      tracked.write_checkpoint(output, "");
+    else
+      tracked.write(output);
+  if (!options.picture.empty())
+    draw(options.picture, tracked, image);
+  if (!options.report.empty())
+    write_json(options.report, json_of<d>(report, options, tracked, image.grid));
+  if (!options.quiet)
+    print<d>(report, tracked.complex.number_of_cells());
+  if (!options.mesh.empty()) {
+    improve(tracked, options.threads);
+    tracked.write(options.mesh);
+  }
+  return 0;
+}
+
+/// Checks the names of the files before the computation.
+/// \throws Usage_error if a format does not fit the dimension
+void check_files(const Segment_options& options, bool is_planar) {
+  std::vector<std::string> others = {options.input, options.mask, options.start};
+  const auto check = [&](const std::string& option, const std::string& path) {
+    require_place(option, path, others);
+    others.push_back(path);
+  };
+  for (const std::string& output : options.outputs) {
+    if (is_planar)
+      require_extension(output, {"png", "tif", "tiff", "inr", "mha", "nii", "gz", "vti", "vtk",
+                                 "svg", "wkt", "poly", "vtu", "dsc"});
+    else
+      require_extension(output, {"inr", "mha", "nii", "gz", "tif", "tiff", "vti", "vtk", "vtu",
+                                 "mesh", "ply", "off", "obj", "stl", "dsc"});
+    check("--output", output);
+  }
+  if (!options.mesh.empty()) {
+    if (is_planar)
+      require_extension(options.mesh, {"vtu"});
+    else
+      require_extension(options.mesh, {"vtu", "mesh"});
+    check("--mesh", options.mesh);
+  }
+  if (!options.picture.empty())
+    require_extension(options.picture, {"png"});
+  check("--picture", options.picture);
+  check("--report", options.report);
+}
+
+/// Leaves out the pixels for which a mask is 0.
+void apply_mask(Read_image& image, const std::string& path) {
+  const Read_image mask = read_gray_image(path, false);
+  if (mask.image.grid.size != image.image.grid.size)
+    throw Input_error(path + " has another size than the image; give a mask with the same pixels");
+  image.image.mask.resize(mask.image.channels.front().size(), 1);
+  for (std::size_t i = 0; i < image.image.mask.size(); ++i)
+    if (mask.image.channels.front()[i] == 0 || !mask.image.has_value(i))
+      image.image.mask[i] = 0;
+}
+
+int execute(const Segment_options& options) {
+  const Interruptible interruptible(options.quiet);
+  Read_image image = read_gray_image(options.input, options.has_channels);
+  check_files(options, image.is_planar());
+  if (image.number_without_values > 0 && !options.quiet)
+    std::fprintf(stderr, "dsc: %s: %zu %s not used, because the value is not a number\n",
+                 options.input.c_str(), image.number_without_values,
+                 noun(image.number_without_values, "pixel is", "pixels are"));
+  if (!options.mask.empty())
+    apply_mask(image, options.mask);
+  try {
+    if (image.is_planar())
+      return segment<2>(options, layer_of(std::move(image)));
+    return segment<3>(options, image.image);
+  } catch (const DSC::Error& error) {
+    throw Input_error(options.input + ": " + error.what());
+  }
+}
+
+} // namespace
+
+void add_segment(CLI::App& app, int& exit_code) {
+  const auto options = std::make_shared<Segment_options>();
+  CLI::App* command = app.add_subcommand("segment", description_of_segment);
+  command->add_option("image", options->input, "Image of pixels or voxels, gray or with colors")
+      ->required();
+  command
+      ->add_option("-o,--output", options->outputs,
+                   "File: labels of pixels (.png, .tif, .nii, .mha, .vti, .inr), cells (.vtu, "
+                   ".mesh), boundaries (.ply, .off, .obj, .stl; .svg, .wkt), a complex (.dsc); can "
+                   "be repeated")
+      ->take_all();
+  command->add_option("--phases", options->phases, "Number of phases (default: 2)")
+      ->check(CLI::Range(2u, 64u));
+  command->add_option("--intensities", options->intensities,
+                      "Intensities of the phases, like 20,90,200, instead of --phases");
+  command->add_option("--smoothing", options->smoothing,
+                      "Energy of boundaries, in squares of the noise and sides of pixels (default: "
+                      "twice the smallest squared contrast)");
+  command->add_option("--noise", options->noise,
+                      "Standard deviation of the noise (default: estimated)");
+  command->add_option("--mask", options->mask, "Image that is 0 at pixels that do not count");
+  command->add_flag("--color", options->has_channels, "Use the channels of a color image");
+  command->add_option("--longest-edge", options->longest_edge,
+                      "Edges at the beginning, in pixels (default: 5, in space 10)");
+  command->add_option("--shortest-edge", options->shortest_edge,
+                      "Edges of boundaries at the end, in pixels (default: 2, in space 3)");
+  command->add_option("--start", options->start,
+                      "Complex (.dsc) to begin with; its labels are indices of phases");
+  command->add_flag("--keep-topology", options->keeps_topology,
+                    "Keep the topology of --start, or of the labels of the first mesh");
+  command
+      ->add_option("--connected", options->connected,
+                   "Labels of which only the largest component stays, like 1,2")
+      ->delimiter(',');
+  command->add_option("--mesh", options->mesh,
+                      "File (.vtu, .mesh) of cells that are improved for simulations");
+  command->add_option("--picture", options->picture,
+                      "Picture (.png) of the image with boundaries; in space, of the boundaries");
+  command->add_option("--report", options->report,
+                      "JSON file with phases, boundaries, energies and statistics");
+  add_threads_option(*command, options->threads);
+  command->add_flag("--quiet", options->quiet, "Print only errors");
+  command->callback([options, &exit_code] { exit_code = execute(*options); });
+}
+
+} // namespace dsc
