@@ -38,13 +38,14 @@ template <int d> struct Segmentation_options
   /// Energy of the interface per area of a side of a voxel, in the plane per side of a pixel, in
   /// squares of the noise; positive. A ball or disk with a radius below twice this number, divided
   /// by its squared contrast in units of the noise, vanishes. By default, it is twice the smallest
-  /// squared contrast of two phases, and at least 2.
+  /// squared contrast of two phases, and at least 2.5 times this contrast (in space: 1.2 times),
+  /// in units of the noise.
   std::optional<double> smoothing;
   /// \var longest_edge
   /// Length of edges at the beginning
   /// \var shortest_edge
   /// Target length of edges of the interface at the end. Both are at least 1.
-  double longest_edge = d == 2 ? 5 : 10, shortest_edge = d == 2 ? 2 : 3;
+  double longest_edge = d == 2 ? 5 : 10, shortest_edge = d == 2 ? 2.5 : 3;
   /// Whether the topology stays as it is after the labels of the first mesh, or that of the given
   /// complex.
   bool keeps_topology = false;

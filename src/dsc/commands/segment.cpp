@@ -336,7 +336,7 @@ void add_segment(CLI::App& app, int& exit_code) {
                       "Intensities of the phases, like 20,90,200, instead of --phases");
   command->add_option("--smoothing", options->smoothing,
                       "Energy of boundaries, in squares of the noise and sides of pixels (default: "
-                      "twice the smallest squared contrast)");
+                      "by the smallest contrast)");
   command->add_option("--noise", options->noise,
                       "Standard deviation of the noise (default: estimated)");
   command->add_option("--mask", options->mask, "Image that is 0 at pixels that do not count");
@@ -344,7 +344,7 @@ void add_segment(CLI::App& app, int& exit_code) {
   command->add_option("--longest-edge", options->longest_edge,
                       "Edges at the beginning, in pixels (default: 5, in space 10)");
   command->add_option("--shortest-edge", options->shortest_edge,
-                      "Edges of boundaries at the end, in pixels (default: 2, in space 3)");
+                      "Edges of boundaries at the end, in pixels (default: 2.5, in space 3)");
   command->add_option("--start", options->start,
                       "Complex (.dsc) to begin with; its labels are indices of phases");
   command->add_flag("--keep-topology", options->keeps_topology,

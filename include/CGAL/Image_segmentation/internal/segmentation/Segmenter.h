@@ -44,8 +44,8 @@ template <int d> struct Segmentation_rule
   static constexpr double first_length = .5,    // of edges, relative to those of the first mesh
       ratio = 1.5;                              // between two lengths of edges
   static constexpr int interval = 5;            // moves after which the energy must have fallen
-  static constexpr double slow = 1e-4;          // relative decrease in these moves that ends them
-  static constexpr unsigned passes = 5;         // of a motion
+  static constexpr double slow = 1e-4;  // decrease in these moves, in energies of the interface
+  static constexpr unsigned passes = 5; // of a motion
   // The number of deviations by which the cost of a cell must exceed the usual one.
   static constexpr double significant = 3;
   // Area of a facet of a regular cell, relative to the power of an edge.
@@ -67,8 +67,8 @@ public:
     for (std::size_t label = 0; label < costs.intensities().size(); ++label)
       m_relabeling.labels.push_back(int(label));
     const double smallest = costs.least_squared_contrast();
-    m_smoothing =
-        options.smoothing.value_or((std::max)(usual_smoothing * smallest, least_smoothing));
+    m_smoothing = options.smoothing.value_or(
+        (std::max)(against_layers * smallest, against_specks * std::sqrt(smallest)));
     m_stiffness = part_of_contrast * smallest * std::pow(m_unit, d + 1);
     m_tension = m_smoothing * std::pow(m_unit, d - 1);
     m_relabeling.interface_energy.set_tension(m_tension);
@@ -118,22 +118,27 @@ public:
       m_costs.measure_intensities();
   }
 
-  // Returns the energy.
-  double energy() {
-    m_costs.update(m_for_each_index);
+  // Returns the energy of the interface.
+  double energy_of_interface() const {
     double measure = 0;
     for (const auto& facet : m_complex.interface_facets(m_for_each_index))
       measure += m_complex.measure(facet);
-    return m_costs.total() + m_tension * measure;
+    return m_tension * measure;
+  }
+
+  // Returns the energy.
+  double energy() {
+    m_costs.update(m_for_each_index);
+    return m_costs.total() + energy_of_interface();
   }
 
   double smoothing() const { return m_smoothing; }
 
 private:
-  // In squares of the smallest contrast. With less smoothing, pixels across a boundary form a layer
-  // of a third phase.
-  static constexpr double usual_smoothing = 2;
-  static constexpr double least_smoothing = 2;   // in squares of the noise, which forms specks
+  // The usual smoothing. With less than a multiple of the smallest squared contrast, the pixels
+  // across a boundary form a layer of a third phase; with less than a multiple of the contrast,
+  // noise forms specks.
+  static constexpr double against_layers = 2, against_specks = d == 2 ? 2.5 : 1.2;
   static constexpr double part_of_contrast = .3; // of which the stiffness is
 
   void relabel() {
@@ -218,7 +223,7 @@ private:
       if ((i + 1) % Rule::interval != 0)
         continue;
       report.energies.push_back(energy());
-      report.has_converged = before - report.energies.back() < Rule::slow * before;
+      report.has_converged = before - report.energies.back() < Rule::slow * energy_of_interface();
       before = report.energies.back();
     }
   }
