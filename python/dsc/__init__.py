@@ -47,6 +47,7 @@ from ._fluid import (
 )
 from ._progress import ProgressLine
 from ._report import Cells, Changes, Interface, LabelChange, Report, TopologyEvent
+from ._segmentation import Boundary, Phase, Segmentation, segment
 from ._solids import Body, Motion
 from ._surfaces import CutLocus, Reconstruction, cut_locus, reconstruct
 from ._tori import Torus, Torus2, Torus3
@@ -55,6 +56,7 @@ from ._values import Values
 __all__ = [
     "Balance",
     "Body",
+    "Boundary",
     "BusyError",
     "Cells",
     "Changes",
@@ -80,12 +82,14 @@ __all__ = [
     "LabelFunction",
     "Liquid",
     "Motion",
+    "Phase",
     "Progress",
     "ProgressLine",
     "Reconstruction",
     "Region",
     "Report",
     "Scheme",
+    "Segmentation",
     "Side",
     "Source",
     "Tension",
@@ -99,4 +103,5 @@ __all__ = [
     "Velocity",
     "cut_locus",
     "reconstruct",
+    "segment",
 ]

@@ -44,7 +44,7 @@ template <int d> struct Segmentation_rule
   static constexpr double first_length = .5,    // of edges, relative to those of the first mesh
       ratio = 1.5;                              // between two lengths of edges
   static constexpr int interval = 5;            // moves after which the energy must have fallen
-  static constexpr double slow = 1e-4;  // decrease in these moves, in energies of the interface
+  static constexpr double slow = 1e-3;  // decrease in these moves, in energies of the interface
   static constexpr unsigned passes = 5; // of a motion
   // The number of deviations by which the cost of a cell must exceed the usual one.
   static constexpr double significant = 3;

@@ -1,0 +1,162 @@
+"""Segmentation of images."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _dsc
+from ._complex import Complex2, Complex3, Progress, _given, _integer, _number, _numbers
+from ._images import PlacedImage
+
+
+@dataclass(frozen=True)
+class Phase:
+    """A phase of a segmentation."""
+
+    label: int
+    """Its label in the complex."""
+    intensities: list[float]
+    """Mean value of each channel, or the given value."""
+    pixels: float
+    """Area or volume, in pixels."""
+    components: int
+    """Number of connected components."""
+
+
+@dataclass(frozen=True)
+class Boundary:
+    """The boundary between two phases of a segmentation. Lengths are in sides of pixels."""
+
+    labels: tuple[int, int]
+    """The labels of the phases, increasing."""
+    measure: float
+    """Length or area."""
+    uncertainty: float
+    """Standard deviation of the position by the noise."""
+
+
+@dataclass(frozen=True)
+class Segmentation:
+    """Result of `segment()`."""
+
+    complex: Complex2 | Complex3
+    """The pixels as a mesh. Labels are the indices of `phases`."""
+    phases: list[Phase]
+    """The phases, by increasing intensities."""
+    boundaries: list[Boundary]
+    """The boundaries between phases."""
+    noise: list[float]
+    """Standard deviation of the noise of each channel."""
+    smoothing: float
+    """Energy of the interface, see `segment()`."""
+    energies: list[float]
+    """The energy after every fifth motion of the interface."""
+    residual: float
+    """Mean squared deviation of pixels from their phases, in units of the noise."""
+    converged: bool
+    """Whether the last motions hardly decreased the energy."""
+
+
+def segment(
+    image: Any,
+    phases: int | None = None,
+    *,
+    intensities: npt.ArrayLike | None = None,
+    spacing: float | Sequence[float] | None = None,
+    origin: Sequence[float] | None = None,
+    mask: npt.ArrayLike | None = None,
+    channel_axis: int | None = None,
+    noise: float | Sequence[float] | None = None,
+    smoothing: float | None = None,
+    longest_edge: float | None = None,
+    shortest_edge: float | None = None,
+    start: Complex2 | Complex3 | None = None,
+    keep_topology: bool | None = None,
+    connected: Iterable[int] | None = None,
+    threads: int | None = None,
+    progress: Progress | None = None,
+) -> Segmentation:
+    """Divides an image into phases of constant intensity, and meshes them.
+
+    image: numbers of shape (nx, ny) or (nx, ny, nz), with axes x, y, z; for a picture of rows from top
+        to bottom, use `picture[::-1].T`. Or an image of nibabel or SimpleITK whose axes are axes of
+        space.
+    phases: number of phases; default 2
+    intensities: intensities of the phases, shape (k,) or (k, channels), instead of their number
+    spacing: sides of a pixel; by default 1
+    origin: center of the first pixel; by default 0
+    mask: false for pixels that do not count, of the shape of the image
+    channel_axis: axis of `image` with several channels; by default there is one channel
+    noise: standard deviation of the noise; by default estimated
+    smoothing: energy of the interface per side of a pixel, in squares of the noise; by default by the
+        smallest contrast
+    longest_edge, shortest_edge: edges at the beginning, and of the interface at the end, in pixels
+    start: complex to begin with, whose labels are indices of phases; it does not change
+    keep_topology: whether the topology of `start`, or of the labels of the first mesh, stays
+    connected: labels of which only the largest component stays
+    threads: number of threads; the result does not depend on it
+
+    Raises `Error` if the image has fewer different values than phases, or a value is not finite.
+    """
+    placed = PlacedImage.of(image)
+    if placed is not None:
+        if spacing is not None or origin is not None or channel_axis is not None or mask is not None:
+            raise TypeError("an image has a place and no mask; leave the arguments out")
+        if placed.is_oblique:
+            raise ValueError("the axes of the image are not axes of space: resample it")
+        straight = placed.along_axes_of_space()
+        d = straight.voxels.ndim
+        image, spacing, origin = straight.voxels, list(straight.spacing), list(straight.affine[:d, d])
+    elif isinstance(image, np.ma.MaskedArray):
+        if mask is not None or channel_axis is not None:
+            raise TypeError("the image is masked already: leave out mask and channel_axis")
+        mask = ~np.ma.getmaskarray(image)  # type: ignore[no-untyped-call]
+        image = image.filled(0)
+    values = np.asarray(image)
+    if values.dtype.kind not in "biuf":
+        raise TypeError("image must contain real numbers")
+    channels = [values] if channel_axis is None else list(np.moveaxis(values, channel_axis, 0))
+    if not channels or channels[0].ndim not in (2, 3):
+        raise ValueError("image must have two or three axes, and the channels")
+    d = channels[0].ndim
+    shape = channels[0].shape
+    counted = np.ones(0, np.uint8)
+    if mask is not None:
+        counted = (np.asarray(mask) != 0).astype(np.uint8)
+        if counted.shape != shape:
+            raise ValueError("mask must have the shape of the image")
+    given = None
+    if intensities is not None:
+        given = np.asarray(intensities, dtype=float)
+        given = given.reshape(len(given), -1).tolist()
+    if start is not None and start.dimension != d:
+        raise ValueError("start and the image differ in dimension")
+    options = _given(
+        phases=None if phases is None else _integer(phases, "phases"),
+        intensities=given,
+        noise=None if noise is None else np.broadcast_to(noise, len(channels)).astype(float).tolist(),
+        smoothing=None if smoothing is None else _number(smoothing, "smoothing"),
+        longest_edge=None if longest_edge is None else _number(longest_edge, "longest_edge"),
+        shortest_edge=None if shortest_edge is None else _number(shortest_edge, "shortest_edge"),
+        keep_topology=keep_topology,
+        connected=None if connected is None else [_integer(x, "connected") for x in connected],
+        threads=threads,
+    )
+    compiled, report = (_dsc.segment_2 if d == 2 else _dsc.segment_3)(
+        [channel.astype(np.float32).ravel(order="F") for channel in channels],
+        counted.ravel(order="F"),
+        shape,
+        _numbers(np.broadcast_to(1.0 if spacing is None else spacing, d), d, "spacing"),
+        _numbers(np.zeros(d) if origin is None else origin, d, "origin"),
+        None if start is None else start._compiled,
+        options,
+        progress,
+    )
+    report["phases"] = [Phase(**phase) for phase in report["phases"]]
+    report["boundaries"] = [Boundary(**boundary) for boundary in report["boundaries"]]
+    return Segmentation(Complex2(compiled) if d == 2 else Complex3(compiled), **report)
