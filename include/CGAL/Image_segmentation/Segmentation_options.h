@@ -37,9 +37,9 @@ template <int d> struct Segmentation_options
   std::vector<double> noise;
   /// Energy of the interface per area of a side of a voxel, in the plane per side of a pixel, in
   /// squares of the noise; positive. A ball or disk with a radius below twice this number, divided
-  /// by its squared contrast in units of the noise, vanishes. By default, it is twice the smallest
-  /// squared contrast of two phases, and at least 2.5 times this contrast (in space: 1.2 times),
-  /// in units of the noise.
+  /// by its squared contrast in units of the noise, vanishes. By default, it is the smallest
+  /// squared contrast, with more than two phases twice as much, and at least 2.5 times the smallest
+  /// contrast (in space 1.2 times), in units of the noise.
   std::optional<double> smoothing;
   /// \var longest_edge
   /// Length of edges at the beginning

@@ -50,8 +50,8 @@ struct Segmentation_report
   std::vector<double> energies;     ///< after every fifth motion of the interface
   double residual =
       0; ///< mean squared deviation of pixels from their phases, in units of the noise
-  /// Whether the last five motions decreased the energy by less than a ten-thousandth of that of
-  /// the interface.
+  /// Whether the last five motions decreased the energy by less than a thousandth of that of the
+  /// interface.
   bool has_converged = false;
 };
 

@@ -68,7 +68,8 @@ public:
       m_relabeling.labels.push_back(int(label));
     const double smallest = costs.least_squared_contrast();
     m_smoothing = options.smoothing.value_or(
-        (std::max)(against_layers * smallest, against_specks * std::sqrt(smallest)));
+        (std::max)((costs.intensities().size() > 2 ? of_more_phases : of_two_phases) * smallest,
+                   against_specks * std::sqrt(smallest)));
     m_stiffness = part_of_contrast * smallest * std::pow(m_unit, d + 1);
     m_tension = m_smoothing * std::pow(m_unit, d - 1);
     m_relabeling.interface_energy.set_tension(m_tension);
@@ -135,10 +136,11 @@ public:
   double smoothing() const { return m_smoothing; }
 
 private:
-  // The usual smoothing. With less than a multiple of the smallest squared contrast, the pixels
-  // across a boundary form a layer of a third phase; with less than a multiple of the contrast,
-  // noise forms specks.
-  static constexpr double against_layers = 2, against_specks = d == 2 ? 2.5 : 1.2;
+  // The usual smoothing, in multiples of the smallest squared contrast. With less, pixels follow
+  // their stairs or, across a boundary of three phases, form a layer of the third one.
+  static constexpr double of_two_phases = 1, of_more_phases = 2;
+  // At least, in multiples of the smallest contrast. With less, noise forms specks.
+  static constexpr double against_specks = d == 2 ? 2.5 : 1.2;
   static constexpr double part_of_contrast = .3; // of which the stiffness is
 
   void relabel() {
