@@ -21,6 +21,7 @@ ICONS = (
     ("Solid_reconstruction_3", "solid_reconstruction_3", "flow_reconstruct_gear", 852, 300),
     ("Cut_loci_2", "cut_loci_2", "plane_cut_locus_bumps", 11, 457),
     ("Incompressible_fluids_3", "incompressible_fluids_3", "fluid_collision", 604, 230),
+    ("Image_segmentation", "image_segmentation", "segmentation_brain", 0, 440),
 )
 
 

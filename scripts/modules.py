@@ -37,6 +37,7 @@ PACKAGES = {
     "Solid_reconstruction_3": (),
     "Cut_loci_2": (),
     "Incompressible_fluids_3": (),
+    "Image_segmentation": (),
 }
 # The headers directly in include/CGAL that do not belong to the kernel
 PACKAGE_OF_TOP_HEADER = {
@@ -86,6 +87,10 @@ MODULES = {
         "walls": "contacts with solids, constrained velocities, volume constraints at walls",
         "steps": "the equations and the solution of a time step",
         "fluid": "bookkeeping of liquids and gases, attempts of a step",
+    },
+    "Image_segmentation": {
+        "moments": "integrals of images over cells",
+        "segmentation": "costs of cells, motion of the interface, levels of refinement",
     },
 }
 

@@ -116,7 +116,7 @@ def segment(
         if mask is not None or channel_axis is not None:
             raise TypeError("the image is masked already: leave out mask and channel_axis")
         mask = ~np.ma.getmaskarray(image)  # type: ignore[no-untyped-call]
-        image = image.filled(0)
+        image = image.filled(0)  # type: ignore[no-untyped-call]
     values = np.asarray(image)
     if values.dtype.kind not in "biuf":
         raise TypeError("image must contain real numbers")

@@ -205,6 +205,58 @@ TEST_F(Planar_program, lets_grains_grow) {
     EXPECT_LE(boundary.at("misorientation").get<double>(), 45 + 1e-9);
 }
 
+namespace {
+
+/// Returns an image (.inr) of 8 bits with a bright disk on dark ground.
+std::string image_of_disk(int n) {
+  std::string header = "#INRIMAGE-4#{\nXDIM=" + std::to_string(n) + "\nYDIM=" + std::to_string(n) +
+                       "\nZDIM=1\nVDIM=1\nTYPE=unsigned fixed\nPIXSIZE=8 bits\nCPU=decm\n"
+                       "VX=0.5\nVY=0.5\nVZ=1\n";
+  header.append(256 - header.size() - 4, '\n');
+  std::string voxels;
+  for (int y = 0; y < n; ++y)
+    for (int x = 0; x < n; ++x)
+      voxels += char(std::hypot(x - n / 2., y - n / 2.) < n / 4. ? 200 : 50);
+  return header + "##}\n" + voxels;
+}
+
+} // namespace
+
+TEST_F(Planar_program, segments_images) {
+  std::ofstream(path("disk.inr"), std::ios::binary) << image_of_disk(40);
+  expect_success("segment disk.inr -o disk.svg -o disk.vtu -o disk.dsc -o disk.wkt --picture "
+                 "disk.png --mesh mesh.vtu --report disk.json --quiet");
+  const Json disk = report("disk.json");
+  EXPECT_TRUE(disk.at("converged").get<bool>());
+  ASSERT_EQ(disk.at("phases").size(), 2u);
+  EXPECT_NEAR(disk.at("phases")[1].at("intensities")[0].get<double>(), 200, 10);
+  EXPECT_NEAR(disk.at("phases")[1].at("area").get<double>(), std::acos(-1.) * 25, 4);
+  EXPECT_NEAR(disk.at("boundaries")[0].at("length").get<double>(), 2 * std::acos(-1.) * 5, 1.5);
+  EXPECT_EQ(disk.at("statistics").at("labels")[1].at("components"), 1);
+  for (const std::string file :
+       {"disk.svg", "disk.vtu", "disk.dsc", "disk.wkt", "disk.png", "mesh.vtu"})
+    EXPECT_TRUE(fs::exists(path(file))) << file;
+  // From a given complex, and with the same bits
+  expect_success("segment disk.inr --start disk.dsc --keep-topology --report again.json --quiet");
+  EXPECT_EQ(report("again.json").at("phases")[1].at("components"), 1);
+  expect_success("segment disk.inr --threads 2 -o second.dsc --quiet");
+  EXPECT_EQ(contents(path("second.dsc")), contents(path("disk.dsc")));
+  // Given intensities stay.
+  expect_success("segment disk.inr --intensities 40,210 --report given.json --quiet");
+  EXPECT_EQ(report("given.json").at("phases")[0].at("intensities")[0], 40);
+  for (const std::string arguments :
+       {"", "disk.inr --phases 1", "disk.inr --intensities 1,x",
+        "disk.inr --intensities 1,2 --phases 3", "disk.inr --smoothing 0", "disk.inr -o a.off",
+        "disk.inr -o disk.inr", "disk.inr --picture a.svg"})
+    expect_error("segment " + arguments, 2);
+  for (const std::string arguments :
+       {"missing.inr", "disk.inr --phases 9", "disk.inr --start disk.inr",
+        "disk.inr --mask disk.vtu", "disk.inr --intensities 3"})
+    expect_error("segment " + arguments, 1);
+  std::ofstream(path("short.inr"), std::ios::binary) << image_of_disk(40).substr(0, 1500);
+  expect_error("segment short.inr", 1);
+}
+
 TEST_F(Planar_program, finds_cut_loci) {
   for (const std::string arguments :
        {"", "--point 0", "--point 0,0 --surface u,v", "--point 0,0 --surface u+,v,1",

@@ -1,0 +1,99 @@
+#!/usr/bin/python3
+# Copyright (c) 2026 The deformable simplicial complex authors
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Renders the phases of a mesh (.vtu) with labels, behind a plane through its center.
+
+Label 0 is invisible. Needs VTK 9 for Python (Debian: python3-vtk9). Without a display, run the script
+with xvfb-run.
+"""
+
+import argparse
+
+import vtk
+
+SIZE = (720, 600)
+COLORS = ((0.30, 0.52, 0.74), (0.89, 0.55, 0.24), (0.93, 0.90, 0.82), (0.42, 0.65, 0.38))
+
+
+def read(path):
+    reader = vtk.vtkXMLUnstructuredGridReader()
+    reader.SetFileName(path)
+    reader.Update()
+    if reader.GetErrorCode():
+        raise SystemExit(f"render_phases.py: {path} is no VTK unstructured grid")
+    return reader.GetOutput()
+
+
+def phases_behind(grid, axis, largest):
+    """Returns the boundary of the positive labels below a plane that is perpendicular to an axis."""
+    inside = vtk.vtkThreshold()
+    inside.SetInputData(grid)
+    inside.SetInputArrayToProcess(0, 0, 0, vtk.vtkDataObject.FIELD_ASSOCIATION_CELLS, "label")
+    inside.SetLowerThreshold(1)
+    inside.SetUpperThreshold(largest)
+    inside.SetThresholdFunction(vtk.vtkThreshold.THRESHOLD_BETWEEN)
+    plane = vtk.vtkPlane()
+    plane.SetOrigin(grid.GetCenter())
+    plane.SetNormal(*(1 if i == axis else 0 for i in range(3)))
+    clip = vtk.vtkClipDataSet()
+    clip.SetInputConnection(inside.GetOutputPort())
+    clip.SetClipFunction(plane)
+    clip.InsideOutOn()
+    surface = vtk.vtkDataSetSurfaceFilter()
+    surface.SetInputConnection(clip.GetOutputPort())
+    surface.Update()
+    return surface.GetOutput()
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("mesh", metavar="MESH.vtu")
+    parser.add_argument("picture", metavar="PICTURE.png")
+    parser.add_argument("--axis", type=int, choices=range(3), default=2, help="0 for x, 1 for y, 2 for z")
+    parser.add_argument("--eye", type=float, nargs=3, default=[0.4, -1, 1.2], help="direction to the camera")
+    arguments = parser.parse_args()
+    grid = read(arguments.mesh)
+    largest = grid.GetCellData().GetArray("label").GetRange()[1]
+    table = vtk.vtkLookupTable()
+    table.SetNumberOfTableValues(int(largest))
+    table.SetTableRange(1, largest)
+    for label in range(int(largest)):
+        table.SetTableValue(label, *COLORS[label % len(COLORS)], 1)
+    mapper = vtk.vtkPolyDataMapper()
+    mapper.SetInputData(phases_behind(grid, arguments.axis, largest))
+    mapper.SetScalarModeToUseCellFieldData()
+    mapper.SelectColorArray("label")
+    mapper.SetLookupTable(table)
+    mapper.UseLookupTableScalarRangeOn()
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetInterpolationToFlat()
+    actor.GetProperty().SetAmbient(0.25)
+    actor.GetProperty().SetDiffuse(0.75)
+    renderer = vtk.vtkRenderer()
+    renderer.SetBackground(1, 1, 1)
+    renderer.AddActor(actor)
+    camera = renderer.GetActiveCamera()
+    camera.SetFocalPoint(0, 0, 0)
+    camera.SetPosition(*arguments.eye)
+    camera.SetViewUp(0, 0, 1) if arguments.axis != 2 else camera.SetViewUp(0, 1, 0)
+    renderer.ResetCamera()
+    camera.Zoom(1.35)
+    window = vtk.vtkRenderWindow()
+    window.OffScreenRenderingOn()
+    window.SetMultiSamples(8)
+    window.SetSize(*SIZE)
+    window.AddRenderer(renderer)
+    window.Render()
+    image = vtk.vtkWindowToImageFilter()
+    image.SetInput(window)
+    image.ReadFrontBufferOff()
+    writer = vtk.vtkPNGWriter()
+    writer.SetFileName(arguments.picture)
+    writer.SetInputConnection(image.GetOutputPort())
+    writer.Write()
+
+
+if __name__ == "__main__":
+    main()
