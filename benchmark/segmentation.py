@@ -1,12 +1,11 @@
 #!/usr/bin/env python3
-"""Compares segmentations of `dsc segment` with phantoms whose boundaries are known, and segments
-photographs and volumes.
+"""Compares segmentations of `dsc segment` with phantoms whose boundaries are known, and with other
+methods on photographs. Prints tables.
 
-Usage: benchmark/segmentation.py DSC [--data DIR] [--pictures DIR] [PART...]
+Usage: benchmark/segmentation.py DSC [PART...]
 
 The parts are phantoms, sizes, torus and images; all by default. Needs numpy, for `images` also
-scikit-image (its coins and cell), the volumes skull_2.9.inr of CGAL in DIR, and chris_t1.nii.gz of
-Debian's package mricron-data.
+scikit-image (Debian: python3-skimage).
 """
 
 import json
@@ -238,35 +237,70 @@ def sizes(dsc):
 
 
 def torus(dsc):
-    """A torus in strong noise: topology found, and topology of the first mesh kept."""
-    print("\n| torus, noise over contrast | options | components, Euler characteristic | Dice |")
-    print("| --- " * 4 + "|")
+    """A torus in strong noise: with free topology, and from a thin torus whose topology stays."""
+    print("\n| noise over contrast | options | components, Euler characteristic of the boundary | Dice | seconds |")
+    print("| --- " * 5 + "|")
     n = 64
-    shape = Ring(1, (32, 32, 32), 18, 7)
     x = np.arange(n) + .5
-    truth = (shape.level([x[None, None, :], x[None, :, None], x[:, None, None]]) < 0)
-    for sigma in (.5, 1, 2):
-        values = (truth + sigma * np.random.default_rng(31).standard_normal(truth.shape)).astype(np.float32)
-        for options in ([], ["--connected", "0,1"]):
-            with tempfile.TemporaryDirectory() as folder:
-                report, labels, _ = segment(dsc, folder, values, ["--phases", "2", *options])
-            found = (report["statistics"]["labels"] + [{"components": 0, "euler_characteristic": 0}])[1]
-            print(f"| {sigma} | {' '.join(options)} | {found['components']}, {found['euler_characteristic']} | "
-                  f"{dice(truth, labels, 1):.4f} |", flush=True)
+    axes = [x[None, None, :], x[None, :, None], x[:, None, None]]
+    truth = Ring(1, (32, 32, 32), 18, 7).level(axes) < 0
+    with tempfile.TemporaryDirectory() as folder:
+        start, thin = os.path.join(folder, "start.dsc"), os.path.join(folder, "thin.mha")
+        write_mha(thin, (Ring(1, (32, 32, 32), 18, 4).level(axes) < 0).astype(np.float32))
+        subprocess.run([dsc, "segment", thin, "--quiet", "-o", start], check=True)
+        for sigma in (.5, 1, 2, 3):
+            values = (truth + sigma * np.random.default_rng(31).standard_normal(truth.shape)).astype(np.float32)
+            for options in ([], ["--intensities", "0,1"],
+                            ["--intensities", "0,1", "--start", start, "--keep-topology"]):
+                report, labels, seconds = segment(dsc, folder, values, options)
+                found = {x["label"]: x for x in report["statistics"]["labels"]}.get(1)
+                words = " ".join(o for o in options if o != start).replace("--start", "--start thin.dsc")
+                topology = f"{found['components']}, {found['euler_characteristic']}" if found else "vanished"
+                print(f"| {sigma} | {words} | {topology} | {dice(truth, labels, 1):.4f} | {seconds:.2f} |", flush=True)
+
+
+def energy_of_labels(values, labels, smoothing, noise):
+    """Returns the energy of labels of pixels, with boundaries smoothed by marching squares."""
+    from skimage import measure
+    energy = sum(((values[labels == k] - values[labels == k].mean()) ** 2).sum() for k in np.unique(labels)) / noise ** 2
+    length = sum(np.linalg.norm(np.diff(c, axis=0), axis=1).sum()
+                 for k in np.unique(labels)[1:] for c in measure.find_contours((labels >= k).astype(float), .5))
+    return energy, length, energy + smoothing * length
+
+
+def images(dsc):
+    """Photographs of scikit-image, beside its methods. `segmentation.cpp` does the same for volumes."""
+    import skimage.data
+    from skimage import filters, segmentation as methods
+    print("\n| image | method | deviations | length | energy | seconds |")
+    print("| --- " * 6 + "|")
+    for name, phases in (("coins", 2), ("cell", 2), ("camera", 3)):
+        values = getattr(skimage.data, name)()[::-1].astype(np.float32)
+        with tempfile.TemporaryDirectory() as folder:
+            report, labels, seconds = segment(dsc, folder, values, ["--phases", str(phases), "--threads", "1"])
+        noise, smoothing = report["parameters"]["noise"][0], report["parameters"]["smoothing"]
+        length = sum(b["length"] for b in report["boundaries"])
+        energy = report["energies"][-1]
+        rows = [("dsc segment", (energy - smoothing * length, length, energy), seconds),
+                ("the same, as pixels", energy_of_labels(values, labels, smoothing, noise), seconds)]
+        begin = time.monotonic()
+        found = np.digitize(values, filters.threshold_multiotsu(values, phases))
+        rows.append(("thresholds of Otsu", energy_of_labels(values, found, smoothing, noise), time.monotonic() - begin))
+        if phases == 2:
+            scale = np.ptp(values)
+            begin = time.monotonic()
+            # Its energy is mu * length + sum of squared deviations of values in [0, 1].
+            found = methods.chan_vese((values - values.min()) / scale, mu=smoothing * (noise / scale) ** 2,
+                                      max_num_iter=500).astype(int)
+            rows.append(("Chan and Vese", energy_of_labels(values, found, smoothing, noise), time.monotonic() - begin))
+        for method, (deviations, size, total), t in rows:
+            print(f"| {name} | {method} | {deviations:.0f} | {size:.0f} | {total:.0f} | {t:.2f} |", flush=True)
 
 
 def main(arguments):
-    dsc, parts = arguments[0], []
-    rest = iter(arguments[1:])
-    options = {"--data": ".", "--pictures": ""}
-    for word in rest:
-        if word in options:
-            options[word] = next(rest)
-        else:
-            parts.append(word)
-    known = {"phantoms": phantoms, "sizes": sizes, "torus": torus}
-    for part in parts or known:
-        known[part](dsc)
+    known = {"phantoms": phantoms, "sizes": sizes, "torus": torus, "images": images}
+    for part in arguments[1:] or known:
+        known[part](arguments[0])
 
 
 if __name__ == "__main__":
