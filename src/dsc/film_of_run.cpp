@@ -80,6 +80,7 @@ std::optional<std::int64_t> step_of_file(const std::string& file) {
 /// Adds the numbers of a step of a report that charts show.
 void add_series(const Json& step, bool is_surface, Film& film) {
   static constexpr const char* names[][2] = {{"energy", "energy"},
+                                             {"grains", "number of grains"},
                                              {"kinetic_energy", "kinetic energy"},
                                              {"surface_energy", "surface energy"},
                                              {"potential_energy", "potential energy"},

@@ -19,16 +19,16 @@ namespace dsc {
 /// The growth of grains on a torus with periods of 1.
 struct Grain_run
 {
-  enum class Energy { isotropic, read_shockley };
+  using Of_angle = std::function<double(double)>; ///< of a misorientation in degrees
 
-  std::size_t number = 100; ///< of grains at the beginning
-  Energy energy = Energy::isotropic;
-  double largest_angle = 15; ///< of the energy of Read and Shockley, in degrees
-  double until = .5;         ///< fraction of grains that ends the run, in (0, 1)
-  unsigned steps = 0;        ///< greatest number of steps; no bound if 0
-  double edges = 10;         ///< in the diameter of a mean grain
-  double step = .1;          ///< time step in squares of an edge
-  std::uint32_t seed = 1;    ///< number of the random sequence
+  std::size_t number = 100;   ///< of grains at the beginning
+  Of_angle tension, mobility; ///< of grain boundaries; 1 for all if empty
+  double fastest = 1;         ///< greatest product of a tension and a mobility
+  double until = .5;          ///< fraction of grains that ends the run, in (0, 1)
+  unsigned steps = 0;         ///< greatest number of steps; no bound if 0
+  double edges = 10;          ///< in the diameter of a mean grain
+  double step = .1;           ///< time step in squares of an edge
+  std::uint32_t seed = 1;     ///< number of the random sequence
   unsigned threads = 1;
   unsigned every = 10; ///< number of steps from one file to the next
   std::string output;  ///< folder for ParaView files; empty for none

@@ -187,7 +187,11 @@ TEST_F(Planar_program, lets_grains_grow) {
   }
   EXPECT_NEAR(area, 1, 1e-9);
   EXPECT_EQ(sides, 6. * double(isotropic.at("grains").size())); // Euler's formula on a torus
-  EXPECT_NE(contents(path("grains/grains.pvd")).find("grains_000030.vtu"), std::string::npos);
+  EXPECT_NE(contents(path("grains/volume.pvd")).find("volume_000030.vtu"), std::string::npos);
+  EXPECT_NE(contents(path("grains/interface_000030.vtu")).find("misorientation"),
+            std::string::npos);
+  expect_success("view grains --report a.json -o grains.html --quiet");
+  expect_success("view grains --surface -o surface.html --quiet");
   EXPECT_NE(contents(path("a.svg")).find("<svg"), std::string::npos);
   expect_error(small + "--output grains", 1); // contains a run
   // The same bits again; other grains with another seed
@@ -203,6 +207,18 @@ TEST_F(Planar_program, lets_grains_grow) {
   EXPECT_FALSE(report("b.json").contains("law"));
   for (const Json& boundary : report("b.json").at("boundaries"))
     EXPECT_LE(boundary.at("misorientation").get<double>(), 45 + 1e-9);
+  // A table of energies, and the distributions. Twice the tension gives twice the energy.
+  std::ofstream(path("energy.txt")) << "0 2 # angle, tension\n\n45 2 .5\n";
+  expect_success(small + "--quiet --report c.json --energy energy.txt --plot plot.svg");
+  EXPECT_NEAR(report("c.json").at("steps")[0].at("energy").get<double>(),
+              2 * isotropic.at("steps")[0].at("energy").get<double>(), 1e-9);
+  EXPECT_NE(contents(path("plot.svg")).find("misorientation"), std::string::npos);
+  for (const std::string table :
+       {"", "0", "0 -1", "0 1 0", "0 1\n0 2", "0 x", "0 1 1 1", "nan 1"}) {
+    std::ofstream(path("bad.txt")) << table;
+    expect_error(small + "--energy bad.txt", 1);
+  }
+  expect_error(small + "--energy missing.txt", 1);
 }
 
 namespace {

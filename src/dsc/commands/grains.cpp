@@ -3,18 +3,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "Grain_run.h"
+#include "angle_table.h"
 #include "commands/commands.h"
 #include "errors.h"
 #include "files.h"
+#include "histograms.h"
 #include "interrupt.h"
 #include "option_values.h"
 #include "report_json.h"
 #include "threads_option.h"
 
+#include <CGAL/Interface_flows/Grain_orientations.h>
+
+#include <CGAL/number_utils.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdio>
-#include <map>
 #include <memory>
 #include <string>
 
@@ -25,37 +32,20 @@ struct Grains_options
 {
   Grain_run run;
   int dimension = 2;
-  std::string largest_angle = "15", until = ".5", edges = "10", step = ".1"; ///< as written
-  std::string report; ///< file; empty for none
+  std::string energy = "isotropic", largest_angle = "15", until = ".5", edges = "10",
+              step = ".1";  ///< as written
+  std::string report, plot; ///< files; empty for none
   bool quiet = false;
 };
 
-const std::map<std::string, Grain_run::Energy>& energies() {
-  static const std::map<std::string, Grain_run::Energy> result = {
-      {"isotropic", Grain_run::Energy::isotropic},
-      {"read-shockley", Grain_run::Energy::read_shockley}};
-  return result;
-}
-
-std::string name_of(Grain_run::Energy energy) {
-  for (const auto& [name, value] : energies())
-    if (value == energy)
-      return name;
-  return {};
-}
-
 Json parameters(const Grains_options& options) {
   const Grain_run& run = options.run;
-  Json result = {{"command", "grains"},
-                 {"number", run.number},
-                 {"dimension", options.dimension},
-                 {"energy", name_of(run.energy)},
-                 {"until", run.until},
-                 {"edges", run.edges},
-                 {"step", run.step},
-                 {"seed", run.seed}};
-  if (run.energy == Grain_run::Energy::read_shockley)
-    result["largest_angle"] = run.largest_angle;
+  Json result = {
+      {"command", "grains"},      {"number", run.number}, {"dimension", options.dimension},
+      {"energy", options.energy}, {"until", run.until},   {"edges", run.edges},
+      {"step", run.step},         {"seed", run.seed}};
+  if (options.energy == "read-shockley")
+    result["largest_angle"] = parse_positive(options.largest_angle, "--largest-angle");
   return result;
 }
 
@@ -83,9 +73,39 @@ Json json_of(const CGAL::Deformable_simplicial_complexes::Grain_statistics& grai
   return result;
 }
 
+/// Draws the distributions of sizes, of neighbors and of misorientations.
+void plot(const std::string& path, const Grain_result& result, int dimension) {
+  static constexpr double largest_size = 3;              // diameters of a mean grain
+  static constexpr double largest_angles[] = {45, 62.8}; // misorientations of cubic crystals
+  Histogram sizes, neighbors, misorientations;
+  double sum = 0;
+  for (const auto& grain : result.grains)
+    sum += grain.measure;
+  std::size_t most = 1;
+  for (const auto& grain : result.grains) {
+    sizes.values.push_back(
+        std::pow(grain.measure * double(result.grains.size()) / sum, 1. / dimension));
+    neighbors.values.push_back(double(grain.neighbors));
+    most = std::max(most, grain.neighbors);
+  }
+  sizes.quantity = "diameter of a grain / diameter of a mean grain";
+  sizes.high = largest_size;
+  neighbors.quantity = "neighbors of a grain";
+  neighbors.low = -.5;
+  neighbors.high = double(most) + .5;
+  neighbors.bins = most + 1;
+  misorientations.quantity = dimension == 2 ? "misorientation, weighted by length (degrees)"
+                                            : "misorientation, weighted by area (degrees)";
+  misorientations.high = largest_angles[dimension - 2];
+  misorientations.values = result.misorientations;
+  misorientations.weights = result.areas;
+  write_histograms(path, {sizes, neighbors, misorientations});
+}
+
 int execute(const Grains_options& options) {
   const Grain_run& run = options.run;
   require_place("--report", options.report, {run.picture});
+  require_place("--plot", options.plot, {run.picture, options.report});
   if (!run.picture.empty())
     require_writable(run.picture);
   Json states = Json::array();
@@ -110,6 +130,8 @@ int execute(const Grains_options& options) {
           {{"misorientation", result.misorientations[k]}, {"measure", result.areas[k]}});
     write_json(options.report, json);
   }
+  if (!options.plot.empty())
+    plot(options.plot, result, options.dimension);
   if (options.quiet)
     return 0;
   std::printf("dsc: %zu of %zu grains are left after %u %s, at the time %.6g\n", last.grains,
@@ -121,11 +143,39 @@ int execute(const Grains_options& options) {
   return 0;
 }
 
+/// Reads the energy: a name or a table.
+void read_energy(Grains_options& options, bool given_largest_angle) {
+  static constexpr double degree = CGAL_PI / 180;
+  Grain_run& run = options.run;
+  const double largest = parse_positive(options.largest_angle, "--largest-angle");
+  if (given_largest_angle && options.energy != "read-shockley")
+    throw Usage_error("--largest-angle applies only to --energy read-shockley; leave it out");
+  if (options.energy == "isotropic")
+    return;
+  if (options.energy == "read-shockley") {
+    run.tension = [largest](double angle) {
+      return CGAL::Deformable_simplicial_complexes::read_shockley_energy(angle * degree,
+                                                                         largest * degree);
+    };
+    return;
+  }
+  if (extension(options.energy).empty())
+    throw Usage_error("--energy expects isotropic, read-shockley, or a file with a table such as "
+                      "energy.txt; the value was '" +
+                      options.energy + "'");
+  const auto table = std::make_shared<const Angle_table>(read_angle_table(options.energy));
+  run.tension = [table](double angle) { return table->tension(angle); };
+  run.mobility = [table](double angle) { return table->mobility(angle); };
+  run.fastest = 0;
+  for (const auto& row : table->rows)
+    run.fastest = std::max(run.fastest, row.tension * row.mobility);
+}
+
 /// Reads the numbers that are given as text.
 /// \throws Usage_error
 void read(Grains_options& options, bool given_largest_angle) {
   Grain_run& run = options.run;
-  run.largest_angle = parse_positive(options.largest_angle, "--largest-angle");
+  read_energy(options, given_largest_angle);
   run.edges = parse_positive(options.edges, "--edges");
   run.step = parse_positive(options.step, "--step");
   static constexpr double fewest_edges = 3, most_edges = 1000, longest_step = 10;
@@ -136,8 +186,8 @@ void read(Grains_options& options, bool given_largest_angle) {
   run.until = parse_positive(options.until, "--until");
   if (!(run.until < 1))
     throw Usage_error("--until must be less than 1; write it like 0.5");
-  if (given_largest_angle && run.energy == Grain_run::Energy::isotropic)
-    throw Usage_error("--largest-angle applies only to --energy read-shockley; leave it out");
+  if (!options.plot.empty())
+    require_extension(options.plot, {"svg"});
   if (run.picture.empty())
     return;
   require_extension(run.picture, {"svg"});
@@ -158,11 +208,11 @@ void add_grains(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(2, 3))
       ->capture_default_str();
   command
-      ->add_option("--energy", run.energy,
-                   "Energy of grain boundaries: the same for all, or by the misorientation of two "
-                   "cubic crystals with random orientations")
-      ->transform(CLI::CheckedTransformer(energies()))
-      ->default_str("isotropic");
+      ->add_option("--energy", options->energy,
+                   "Energy of grain boundaries: isotropic, read-shockley (by the misorientation of "
+                   "two cubic crystals with random orientations), or a file with lines of an angle "
+                   "in degrees, a tension and a mobility")
+      ->capture_default_str();
   command
       ->add_option("--largest-angle", options->largest_angle,
                    "Angle in degrees below which the energy read-shockley depends on the "
@@ -186,6 +236,8 @@ void add_grains(CLI::App& app, int& exit_code) {
       ->needs(output)
       ->capture_default_str();
   command->add_option("--picture", run.picture, "Picture at the end (.svg), in the plane");
+  command->add_option("--plot", options->plot,
+                      "Distributions of sizes, neighbors and misorientations at the end (.svg)");
   command->add_option(
       "--report", options->report,
       "JSON file with all steps, and with sizes and neighbors of grains at the end");
