@@ -299,6 +299,8 @@ def images(dsc):
 
 def main(arguments):
     known = {"phantoms": phantoms, "sizes": sizes, "torus": torus, "images": images}
+    if not arguments or not set(arguments[1:]) <= set(known):
+        sys.exit(__doc__)
     for part in arguments[1:] or known:
         known[part](arguments[0])
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Segments images and draws the pictures of the manual: doc/Image_segmentation/fig/segmentation_NAME.png.
-# Needs the targets dsc and dsc-segment in BUILD_DIR. Takes two minutes.
+# Needs the targets dsc, dsc-files and dsc-segment in BUILD_DIR.
 # Usage: scripts/draw_segmentations.sh [BUILD_DIR]
 set -euo pipefail
 source=$(realpath "$(dirname "$0")/..")
@@ -12,7 +12,9 @@ display=()
 [ -n "${DISPLAY:-}" ] || display=(xvfb-run -a)
 
 "$source/scripts/install_dependencies.sh" libvtk9-dev mricron-data python3-skimage
-[ -x "$build/dsc" ] || { echo "draw_segmentations.sh: $build/dsc is missing; build it first" >&2; exit 1; }
+for program in dsc dsc-files dsc-segment; do
+  [ -x "$build/$program" ] || { echo "draw_segmentations.sh: $build/$program is missing; build it first" >&2; exit 1; }
+done
 rm -rf "$work"
 mkdir -p "$work"
 cd "$work"

@@ -54,7 +54,10 @@ def main():
     parser.add_argument("--eye", type=float, nargs=3, default=[0.4, -1, 1.2], help="direction to the camera")
     arguments = parser.parse_args()
     grid = read(arguments.mesh)
-    largest = grid.GetCellData().GetArray("label").GetRange()[1]
+    labels = grid.GetCellData().GetArray("label")
+    if labels is None or labels.GetRange()[1] < 1:
+        raise SystemExit(f"render_phases.py: {arguments.mesh} has no positive labels")
+    largest = labels.GetRange()[1]
     table = vtk.vtkLookupTable()
     table.SetNumberOfTableValues(int(largest))
     table.SetTableRange(1, largest)

@@ -47,7 +47,7 @@ class Segmentation:
     complex: Complex2 | Complex3
     """The pixels as a mesh. Labels are the indices of `phases`."""
     phases: list[Phase]
-    """The phases, by increasing intensities."""
+    """The phases, by increasing labels. A phase that vanished has no components."""
     boundaries: list[Boundary]
     """The boundaries between phases."""
     noise: list[float]
@@ -59,7 +59,7 @@ class Segmentation:
     residual: float
     """Mean squared deviation of pixels from their phases, in units of the noise."""
     converged: bool
-    """Whether the last motions hardly decreased the energy."""
+    """Whether the last motions changed the energy by less than 1 % of the energy of the interface."""
 
 
 def segment(
@@ -87,59 +87,38 @@ def segment(
         to bottom, use `picture[::-1].T`. Or an image of nibabel or SimpleITK whose axes are axes of
         space.
     phases: number of phases; default 2
-    intensities: intensities of the phases, shape (k,) or (k, channels), instead of their number
+    intensities: intensities of the phases, shape (k,) or (k, channels), instead of their number. Labels
+        are their indices.
     spacing: sides of a pixel; by default 1
     origin: center of the first pixel; by default 0
-    mask: false for pixels that do not count, of the shape of the image
+    mask: false for pixels that are ignored, of the shape of the image
     channel_axis: axis of `image` with several channels; by default there is one channel
     noise: standard deviation of the noise; by default estimated
-    smoothing: energy of the interface per side of a pixel, in squares of the noise; by default by the
-        smallest contrast
+    smoothing: energy of the interface per side of a pixel, in squares of the noise; by default, it
+        depends on the smallest contrast of two phases
     longest_edge, shortest_edge: edges at the beginning, and of the interface at the end, in pixels
     start: complex to begin with, whose labels are indices of phases; it does not change
     keep_topology: whether the topology of `start`, or of the labels of the first mesh, stays
     connected: labels of which only the largest component stays
     threads: number of threads; the result does not depend on it
+    progress: called with the name of the present phase; the function ends if it returns false
 
-    Raises `Error` if the image has fewer different values than phases, or a value is not finite.
+    Raises `Error` if there are fewer separate classes of values than phases, a value is not finite, or an
+    option is out of its range; `TypeError` or `ValueError` if types or shapes do not fit; `Interrupted`
+    if `progress` returned false.
     """
-    placed = PlacedImage.of(image)
-    if placed is not None:
-        if spacing is not None or origin is not None or channel_axis is not None or mask is not None:
-            raise TypeError("an image has a place and no mask; leave the arguments out")
-        if placed.is_oblique:
-            raise ValueError("the axes of the image are not axes of space: resample it")
-        straight = placed.along_axes_of_space()
-        d = straight.voxels.ndim
-        image, spacing, origin = straight.voxels, list(straight.spacing), list(straight.affine[:d, d])
-    elif isinstance(image, np.ma.MaskedArray):
-        if mask is not None or channel_axis is not None:
-            raise TypeError("the image is masked already: leave out mask and channel_axis")
-        mask = ~np.ma.getmaskarray(image)  # type: ignore[no-untyped-call]
-        image = image.filled(0)  # type: ignore[no-untyped-call]
-    values = np.asarray(image)
-    if values.dtype.kind not in "biuf":
-        raise TypeError("image must contain real numbers")
+    values, mask, place = _placed(image, spacing, origin, mask, channel_axis)
     channels = [values] if channel_axis is None else list(np.moveaxis(values, channel_axis, 0))
     if not channels or channels[0].ndim not in (2, 3):
         raise ValueError("image must have two or three axes, and the channels")
     d = channels[0].ndim
     shape = channels[0].shape
-    counted = np.ones(0, np.uint8)
-    if mask is not None:
-        counted = (np.asarray(mask) != 0).astype(np.uint8)
-        if counted.shape != shape:
-            raise ValueError("mask must have the shape of the image")
-    given = None
-    if intensities is not None:
-        given = np.asarray(intensities, dtype=float)
-        given = given.reshape(len(given), -1).tolist()
-    if start is not None and start.dimension != d:
-        raise ValueError("start and the image differ in dimension")
+    if start is not None and not isinstance(start, Complex2 if d == 2 else Complex3):
+        raise TypeError(f"start must be a Complex{d}")
     options = _given(
         phases=None if phases is None else _integer(phases, "phases"),
-        intensities=given,
-        noise=None if noise is None else np.broadcast_to(noise, len(channels)).astype(float).tolist(),
+        intensities=_intensities(intensities, phases, len(channels)),
+        noise=None if noise is None else _repeated(noise, len(channels), "noise"),
         smoothing=None if smoothing is None else _number(smoothing, "smoothing"),
         longest_edge=None if longest_edge is None else _number(longest_edge, "longest_edge"),
         shortest_edge=None if shortest_edge is None else _number(shortest_edge, "shortest_edge"),
@@ -149,10 +128,10 @@ def segment(
     )
     compiled, report = (_dsc.segment_2 if d == 2 else _dsc.segment_3)(
         [channel.astype(np.float32).ravel(order="F") for channel in channels],
-        counted.ravel(order="F"),
+        _mask(mask, shape).ravel(order="F"),
         shape,
-        _numbers(np.broadcast_to(1.0 if spacing is None else spacing, d), d, "spacing"),
-        _numbers(np.zeros(d) if origin is None else origin, d, "origin"),
+        _repeated(place[0], d, "spacing"),
+        _repeated(place[1], d, "origin"),
         None if start is None else start._compiled,
         options,
         progress,
@@ -160,3 +139,61 @@ def segment(
     report["phases"] = [Phase(**phase) for phase in report["phases"]]
     report["boundaries"] = [Boundary(**boundary) for boundary in report["boundaries"]]
     return Segmentation(Complex2(compiled) if d == 2 else Complex3(compiled), **report)
+
+
+def _placed(
+    image: Any, spacing: Any, origin: Any, mask: Any, channel_axis: int | None
+) -> tuple[npt.NDArray[Any], Any, tuple[Any, Any]]:
+    """Returns the values, the mask, and the spacing and the origin of an image of any kind."""
+    placed = PlacedImage.of(image)
+    if placed is not None:
+        if spacing is not None or origin is not None or channel_axis is not None:
+            raise TypeError("an image has a spacing and an origin; leave the arguments out")
+        if placed.is_oblique:
+            raise ValueError("the axes of the image are not axes of space: resample it")
+        straight = placed.along_axes_of_space()
+        if mask is not None:
+            mask = PlacedImage(np.asarray(mask), placed.affine).along_axes_of_space().voxels
+        d = straight.voxels.ndim
+        image, spacing, origin = straight.voxels, straight.spacing, straight.affine[:d, d]
+    elif isinstance(image, np.ma.MaskedArray):
+        if mask is not None or channel_axis is not None:
+            raise TypeError("the image is masked already: leave out mask and channel_axis")
+        mask = ~np.ma.getmaskarray(image)  # type: ignore[no-untyped-call]
+        image = image.filled(0)  # type: ignore[no-untyped-call]
+    values = np.asarray(image)
+    if values.dtype.kind not in "biuf":
+        raise TypeError("image must contain real numbers")
+    return values, mask, (1.0 if spacing is None else spacing, 0.0 if origin is None else origin)
+
+
+def _mask(mask: Any, shape: tuple[int, ...]) -> npt.NDArray[np.uint8]:
+    if mask is None:
+        return np.ones(0, np.uint8)
+    array = np.asarray(mask)
+    if array.dtype.kind not in "biuf":
+        raise TypeError("mask must contain truth values")
+    if array.shape != shape:
+        raise ValueError("mask must have the shape of the image")
+    result: npt.NDArray[np.uint8] = ((array != 0) & ~np.isnan(array)).astype(np.uint8)
+    return result
+
+
+def _intensities(intensities: Any, phases: int | None, channels: int) -> list[list[float]] | None:
+    if intensities is None:
+        return None
+    array = np.asarray(intensities, dtype=float)
+    if array.ndim == 1:
+        array = array[:, None]
+    if array.ndim != 2 or array.shape[1] != channels:
+        raise ValueError("intensities must have the shape (k,) or (k, channels)")
+    if phases is not None and phases != len(array):
+        raise ValueError("phases and the number of intensities differ: leave out phases")
+    result: list[list[float]] = array.tolist()
+    return result
+
+
+def _repeated(value: Any, number: int, name: str) -> list[float]:
+    """Returns several numbers, which can be given as one."""
+    array = np.asarray(value, dtype=float)
+    return _numbers(np.full(number, array) if array.ndim == 0 else array, number, name)

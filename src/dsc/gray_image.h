@@ -12,7 +12,7 @@
 
 namespace dsc {
 
-/// An image of numbers. In the plane, it has a single layer.
+/// An image with numeric values. In the plane, it has a single layer.
 struct Read_image
 {
   CGAL::Deformable_simplicial_complexes::Gray_image<3> image;
@@ -21,7 +21,7 @@ struct Read_image
   bool is_planar() const { return image.grid.size[2] == 1; }
 };
 
-/// Reads an image of numbers in any format of `dsc-files`, or .inr, .inr.gz.
+/// Reads an image with numeric values in any format of `dsc-files`, or .inr, .inr.gz.
 /// \param has_channels whether colors keep their channels; otherwise they become gray values
 /// \throws Input_error if it cannot be read
 Read_image read_gray_image(const std::string& path, bool has_channels);

@@ -128,10 +128,8 @@ void print_answer(const std::string& path, std::istream& answer) {
 
 /// Runs `dsc-files` for a file. Returns what it prints.
 std::string run_dsc_files(const std::string& path, std::vector<std::string> arguments) {
+  require_program("dsc-files", path);
   const std::string program = path_of_program("dsc-files");
-  if (!fs::exists(program))
-    throw Input_error(path + " needs the program dsc-files, which is built if VTK is found "
-                             "(Debian: libvtk9-dev); build it, or convert the file");
   arguments.insert(arguments.begin(), program);
   const std::string folder = new_folder(), output = folder + "/output",
                     messages = folder + "/messages";
@@ -153,6 +151,13 @@ std::string path_of_program(const std::string& name) {
   if (error)
     throw std::runtime_error("cannot find the folder of this program: " + error.message());
   return (self.parent_path() / name).string();
+}
+
+void require_program(const std::string& name, const std::string& file) {
+  if (!fs::exists(path_of_program(name)))
+    throw Input_error(file + " needs the program " + name +
+                      ", which is built if VTK is found (Debian: libvtk9-dev); build it, or use "
+                      "another format");
 }
 
 bool is_foreign(const std::string& path) {

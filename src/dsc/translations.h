@@ -15,6 +15,10 @@ namespace dsc {
 /// \throws std::runtime_error if the folder cannot be found
 std::string path_of_program(const std::string& name);
 
+/// Checks whether a program that is needed for a file is in the folder of this program.
+/// \throws Input_error if it is not
+void require_program(const std::string& name, const std::string& file);
+
 /// Returns whether the extension belongs to a format that only `dsc-files` reads.
 bool is_foreign(const std::string& path);
 
@@ -30,8 +34,8 @@ std::string translate(const std::string& path, const std::string& labels,
                       const std::string& thresholds,
                       const std::function<bool(const std::string& translation)>& accepts = {});
 
-/// Translates an image of any format that `dsc-files` reads into an image of numbers (.inr), as
-/// above.
+/// Translates an image of any format that `dsc-files` reads into an image with numeric values
+/// (.inr), as above.
 /// \param has_channels whether colors keep their channels; otherwise they become gray values
 std::string translate_image(const std::string& path, bool has_channels);
 

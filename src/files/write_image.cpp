@@ -120,9 +120,17 @@ std::vector<int> palette_of(vtkDataArray* array, Translation& result) {
   return labels;
 }
 
+/// Returns whether values are red, green and blue, perhaps with opacity.
 bool has_colors(vtkDataArray* array) {
   const int components = array->GetNumberOfComponents();
-  return array->GetDataType() == VTK_UNSIGNED_CHAR && (components == 3 || components == 4);
+  const bool is_of_picture =
+      array->GetDataType() == VTK_UNSIGNED_CHAR || array->GetDataType() == VTK_UNSIGNED_SHORT;
+  return is_of_picture && (components == 3 || components == 4);
+}
+
+/// Returns whether values are gray values with opacity, as in pictures of 8 bits.
+bool has_opacity_of_gray(vtkDataArray* array) {
+  return array->GetDataType() == VTK_UNSIGNED_CHAR && array->GetNumberOfComponents() == 2;
 }
 
 /// Returns the luminance of ITU-R BT.709 of colors, and the first component of other values.
@@ -153,9 +161,10 @@ std::vector<std::vector<double>> channels_of(vtkDataArray* array, const Options&
   const int components = array->GetNumberOfComponents();
   if (has_colors(array) && options.values == "gray")
     return {luminance_of(array, result)};
-  result.leave_out(has_colors(array) && components == 4 ? 1 : 0, "channel (opacity)", "");
+  const bool has_opacity = has_opacity_of_gray(array) || (has_colors(array) && components == 4);
+  result.leave_out(has_opacity ? 1 : 0, "channel (opacity)", "");
   std::vector<std::vector<double>> channels;
-  for (int k = 0; k < (has_colors(array) ? 3 : components); ++k)
+  for (int k = 0; k < components - (has_opacity ? 1 : 0); ++k)
     channels.push_back(component(array, k));
   return channels;
 }

@@ -12,6 +12,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
 #include <CGAL/Deformable_simplicial_complexes/remove_components.h>
+#include <CGAL/Deformable_simplicial_complexes/shared_measures.h>
 #include <CGAL/Interface_flows/Grain_growth.h>
 #include <CGAL/Interface_flows/Grain_orientations.h>
 #include <CGAL/Interface_flows/Voronoi_labels.h>
@@ -21,8 +22,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <map>
-#include <utility>
 
 namespace dsc {
 
@@ -51,11 +50,8 @@ void measure_boundaries(
     const CGAL::Deformable_simplicial_complexes::Grain_orientations<Complex::dimension>&
         orientations,
     Grain_result& result) {
-  std::map<std::pair<int, int>, double> areas;
-  for (const auto& facet : complex.interface_facets())
-    areas[std::minmax({facet.first->label(), facet.first->neighbor(facet.second)->label()})] +=
-        complex.measure(facet);
-  for (const auto& [labels, area] : areas) {
+  for (const auto& [labels, area] :
+       CGAL::Deformable_simplicial_complexes::shared_measures(complex)) {
     result.misorientations.push_back(orientations.misorientation(labels.first, labels.second) /
                                      degree);
     result.areas.push_back(area);

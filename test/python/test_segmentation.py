@@ -65,6 +65,9 @@ def test_refuses_bad_arguments():
         {"phases": 1},
         {"phases": 500},
         {"intensities": [1]},
+        {"intensities": [1, 1]},
+        {"connected": [2]},
+        {"connected": [1], "keep_topology": True},
         {"smoothing": 0},
         {"noise": -1},
         {"longest_edge": 0.5},
@@ -73,8 +76,23 @@ def test_refuses_bad_arguments():
             dsc.segment(np.round(image), **options)
     with pytest.raises(ValueError):
         dsc.segment(image, mask=image[:-1])
-    with pytest.raises(TypeError):
-        dsc.segment(image, phases=2.5)
+    for options in (
+        {"intensities": 5},
+        {"intensities": [[1, 2], [3, 4]]},
+        {"intensities": [0, 1], "phases": 3},
+        {"spacing": (1, 1, 1)},
+        {"noise": (1, 1)},
+    ):
+        with pytest.raises(ValueError):
+            dsc.segment(image, **options)
+    for options in {"phases": 2.5}, {"mask": "x"}, {"start": "x"}:
+        with pytest.raises(TypeError):
+            dsc.segment(image, **options)
+    elsewhere = dsc.segment(image, origin=(1000, 0)).complex
+    with pytest.raises(dsc.Error, match="no cell"):
+        dsc.segment(image, start=elsewhere)
+    with pytest.raises(dsc.Error, match="too far"):
+        dsc.segment(image, origin=(1e17, 0))
     with pytest.raises(dsc.Error):
         dsc.segment(np.where(image > 0.5, np.nan, image))
     with pytest.raises(dsc.Interrupted):

@@ -18,9 +18,7 @@
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_split.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>

@@ -125,7 +125,7 @@ private:
 
 Gives cells other labels as long as this decreases the energy: the sum of an energy of each cell and
 of the energy of the interface. One cell changes at a time; the result is a local minimum. The mesh
-does not change. Linear in the number of cells and labels, and in the number of changes.
+does not change. The time is linear in the number of cells and changes, times the number of labels.
 
 \param complex the complex
 \param energy_of_cell `energy_of_cell(c, label)` returns the energy of a finite cell with a label: a
@@ -171,9 +171,9 @@ std::size_t relabel_by_energy(Complex& complex, const EnergyOfCell& energy_of_ce
 \ingroup PkgDeformableSimplicialComplexesRef
 
 Gives whole connected components other labels if this decreases the energy of `relabel_by_energy()`.
-Each component is considered once, the smallest one first. Thin parts and small components that cell
-by cell would only change with more energy in between can vanish in this way, or get a third label.
-The mesh does not change. n log n in the number of cells, times the number of labels.
+Each component is considered once, the smallest one first. This removes components that no sequence
+of changes of single cells removes if each change decreases the energy. The mesh does not change. n
+log n in the number of cells, times the number of labels.
 
 \param complex, energy_of_cell as above
 \param options the options. The control of topology is asked for each component that would change,

@@ -20,6 +20,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -173,17 +174,19 @@ std::vector<typename Complex::Label> remove_components(Complex& complex, const S
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Removes all components of a label except the largest one, for each label, see `remove_components()`.
+Removes all components of a label except the largest one, see `remove_components()`.
 
 \param complex the complex
 \param energy, visitor as above
+\param selects `selects(label)` returns whether the components of a label are removed; by default, this
+       holds for all labels
 \return the labels of the components that were removed
 \throws Error as above
 */
-template <class Complex>
+template <class Complex, class Selects>
 std::vector<typename Complex::Label>
-keep_largest_components(Complex& complex, const Interface_energy& energy = {},
-                        Any_visitor<Complex>* visitor = nullptr) {
+keep_largest_components(Complex& complex, const Interface_energy& energy,
+                        std::common_type_t<Any_visitor<Complex>*> visitor, const Selects& selects) {
   using Label = typename Complex::Label;
   std::map<Label, std::pair<double, std::uint32_t>> largest;
   for (const auto& [number, component] : internal::components_of(complex)) {
@@ -193,8 +196,20 @@ keep_largest_components(Complex& complex, const Interface_energy& energy = {},
   }
   return remove_components(
       complex,
-      [&](Label label, std::uint32_t number, double) { return largest.at(label).second != number; },
+      [&](Label label, std::uint32_t number, double) {
+        return largest.at(label).second != number && selects(label);
+      },
       energy, visitor);
+}
+
+/// \ingroup PkgDeformableSimplicialComplexesRef
+/// The same for all labels.
+template <class Complex>
+std::vector<typename Complex::Label>
+keep_largest_components(Complex& complex, const Interface_energy& energy = {},
+                        Any_visitor<Complex>* visitor = nullptr) {
+  return keep_largest_components(complex, energy, visitor,
+                                 [](typename Complex::Label) { return true; });
 }
 
 } // namespace Deformable_simplicial_complexes

@@ -10,6 +10,7 @@
 
 #include <CGAL/license/Image_segmentation.h>
 
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/sample_labels.h>
 
@@ -36,14 +37,27 @@ template <int d> struct Gray_image
   std::vector<std::vector<float>> channels; ///< values of each channel, the first axis fastest
   std::vector<std::uint8_t> mask; ///< 0 for pixels without a value; empty if all pixels have one
 
+  /// Returns the side of a square or a cube with the measure of a pixel.
+  double side() const {
+    double measure = 1;
+    for (const double x : grid.spacing)
+      measure *= x;
+    return std::pow(measure, 1. / d);
+  }
+
   /// Returns whether a pixel has a value.
   bool has_value(std::size_t pixel) const { return mask.empty() || mask[pixel] != 0; }
 
   /// Throws an exception unless the image can be used. Linear.
   /// \throws Error if the grid is not valid, there is no channel or no pixel with a value, a size does
-  ///         not fit the grid, or a value is not finite
+  ///         not fit the grid, a value is not finite, or the origin is farther than 1e9 pixels
   void check() const {
+    static constexpr double farthest = 1e9; // sides of a pixel, which doubles resolve
     const std::size_t n = grid.number_of_points();
+    for (int axis = 0; axis < d; ++axis)
+      if (!(std::abs(grid.origin[axis]) <= farthest * grid.spacing[axis]))
+        throw Error("the origin of the image is too far away for the size of its pixels: move the "
+                    "image");
     if (channels.empty())
       throw Error("the image has no channel");
     for (const auto& channel : channels)
@@ -55,6 +69,8 @@ template <int d> struct Gray_image
                   " values, but the grid has " + std::to_string(n) + " points");
     bool is_empty = true;
     for (std::size_t i = 0; i < n; ++i) {
+      if (i % 4096 == 0)
+        Progress_scope::check();
       if (!has_value(i))
         continue;
       is_empty = false;

@@ -13,6 +13,7 @@
 #include <CGAL/Image_segmentation/Gray_image.h>
 #include <CGAL/Image_segmentation/internal/moments/Pixel_sums_2.h>
 #include <CGAL/Image_segmentation/internal/moments/Voxel_lines_3.h>
+#include <CGAL/Image_segmentation/internal/moments/pixel_pieces.h>
 
 #include <algorithm>
 #include <array>
@@ -27,9 +28,10 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgImageSegmentationRef
 
-Integrals of an image over cells and facets. They count pixels: a pixel has the measure 1. In the
-plane, integrals over cells are exact up to rounding. In space, they are exact along lines in the
-direction of the first axis; at least six lines cross a cell in each direction.
+Integrals of an image over cells and facets. They count pixels: a pixel has the measure 1. Values
+outside the image are 0. In the plane, integrals over cells are exact up to rounding. In space, they
+are exact along lines in the direction of the first axis, with up to 8 lines for each side of a
+voxel. A cell that no line crosses has the value at its centroid.
 
 Any number of threads may use an object. In the plane, it takes 8 bytes for each pixel and field.
 
@@ -88,7 +90,8 @@ public:
   }
 
   /// Divides a facet into pieces, and visits those in pixels with values. In the plane, each piece
-  /// is the part in one pixel; in space, it is a triangle, shorter than a voxel.
+  /// is the part in one pixel; in space, it is a triangle, shorter than a voxel if the facet is
+  /// shorter than a thousand voxels.
   /// \param corners the corners of the facet
   /// \param visit `visit(weights, share, pixel)` gets the barycentric coordinates of the middle of
   ///        the piece, an `std::array<double, d>`, its part of the measure of the facet, and the
@@ -96,24 +99,31 @@ public:
   template <class Visit>
   void for_each_piece(const std::array<Place, d>& corners, const Visit& visit) const {
     const auto visit_at = [&](const std::array<double, d>& weights, double share) {
+      static constexpr double rounding = 1e-9; // of vertices on the sides of the image
       std::size_t pixel = 0;
       for (int axis = d; axis-- > 0;) {
         double x = 0;
         for (int i = 0; i < d; ++i)
           x += weights[i] * corners[i][axis];
-        // The sides of the domain belong to the pixels beside them.
-        const double last = double(m_image.grid.size[axis] - 1);
-        pixel = pixel * m_image.grid.size[axis] + std::size_t(std::clamp(std::floor(x), 0., last));
+        const double size = double(m_image.grid.size[axis]);
+        if (!(x >= -rounding && x <= size + rounding))
+          return;
+        pixel =
+            pixel * m_image.grid.size[axis] + std::size_t(std::clamp(std::floor(x), 0., size - 1));
       }
       if (m_image.has_value(pixel))
         visit(weights, share, pixel);
     };
-    if constexpr (d == 2)
-      internal::Pixel_sums_2::for_each_piece(corners[0], corners[1], [&](double from, double to) {
+    if constexpr (d == 2) {
+      internal::Segment_part part;
+      for (std::size_t axis = 0; axis < 2; ++axis)
+        part = internal::clip(part, corners[0][axis], corners[1][axis],
+                              double(m_image.grid.size[axis]));
+      internal::for_each_pixel_piece(corners[0], corners[1], part, [&](double from, double to) {
         const double middle = (from + to) / 2;
         visit_at({1 - middle, middle}, to - from);
       });
-    else
+    } else
       for_each_triangle(corners, visit_at);
   }
 
@@ -137,7 +147,8 @@ private:
       }
       longest = (std::max)(longest, squared);
     }
-    const int n = (std::max)(1, int(std::ceil(std::sqrt(longest))));
+    static constexpr double most = 1000; // pieces along a side, for facets far larger than an image
+    const int n = int(std::clamp(std::ceil(std::sqrt(longest)), 1., most));
     for (int i = 0; i < n; ++i)
       for (int j = 0; i + j < n; ++j)
         for (int up = 1; up <= (i + j + 1 < n ? 2 : 1); ++up) {

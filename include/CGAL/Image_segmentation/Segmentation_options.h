@@ -12,8 +12,11 @@
 
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -31,13 +34,15 @@ template <int d> struct Segmentation_options
 {
   /// Number of phases, at least 2. Their intensities are estimated.
   unsigned phases = 2;
-  /// Intensities of the phases, one for each channel, instead of the number of phases. They stay.
+  /// Intensities of the phases, one for each channel, instead of the number of phases. They do not
+  /// change. Labels are their indices.
   std::vector<std::vector<double>> intensities;
   /// Standard deviation of the noise of each channel. If empty, it is estimated.
   std::vector<double> noise;
   /// Energy of the interface per area of a side of a voxel, in the plane per side of a pixel, in
-  /// squares of the noise; positive. A ball or disk with a radius below twice this number, divided
-  /// by its squared contrast in units of the noise, vanishes. By default, it is the smallest
+  /// squares of the noise; positive. A disk vanishes if its radius is below twice this number,
+  /// divided by its squared contrast in units of the noise; a ball vanishes below three times this
+  /// number. By default, it is the smallest
   /// squared contrast, with more than two phases twice as much, and at least 2.5 times the smallest
   /// contrast (in space 1.2 times), in units of the noise.
   std::optional<double> smoothing;
@@ -46,10 +51,9 @@ template <int d> struct Segmentation_options
   /// \var shortest_edge
   /// Target length of edges of the interface at the end. Both are at least 1.
   double longest_edge = d == 2 ? 5 : 10, shortest_edge = d == 2 ? 2.5 : 3;
-  /// Whether the topology stays as it is after the labels of the first mesh, or that of the given
-  /// complex.
+  /// Whether the topology of the first labels, or of the given complex, is preserved.
   bool keeps_topology = false;
-  /// Labels of which only the largest component stays.
+  /// Labels of which only the largest component stays. Not together with `keeps_topology`.
   std::vector<int> connected;
   /// Number of threads if linked with TBB. The result does not depend on it.
   unsigned number_of_threads = 1;
@@ -57,13 +61,26 @@ template <int d> struct Segmentation_options
   /// Throws an exception unless all values are in their ranges.
   /// \throws Error if a value is out of its range
   void check() const {
-    if ((intensities.empty() ? phases : intensities.size()) < 2)
+    const std::size_t number = intensities.empty() ? phases : intensities.size();
+    if (number < 2)
       throw Error("the number of phases is too small: use 2 or more");
-    for (const auto& intensity : intensities)
+    for (const auto& intensity : intensities) {
       for (const double x : intensity)
         if (!std::isfinite(x) || intensity.size() != intensities.front().size())
           throw Error("the intensities of the phases are not finite, or do not have one number for "
                       "each channel");
+      if (std::count(intensities.begin(), intensities.end(), intensity) > 1)
+        throw Error("two phases have the same intensities: give different ones");
+    }
+    for (const int label : connected)
+      if (label < 0 || std::size_t(label) >= number)
+        throw Error("the label " + std::to_string(label) +
+                    " that must stay connected is no index of a phase: use 0 to " +
+                    std::to_string(number - 1));
+    if (keeps_topology && !connected.empty())
+      throw Error(
+          "components cannot be removed if the topology stays: give either connected labels "
+          "or keep the topology");
     for (const double x : noise)
       if (!(x > 0) || !std::isfinite(x))
         throw Error("the noise is out of range: use positive, finite numbers");

@@ -19,7 +19,7 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgImageSegmentationRef
 
-What `segment_image()` has found. Measures are in numbers of pixels, lengths and areas in their
+Result of `segment_image()`. Measures are in numbers of pixels, lengths and areas in their
 sides.
 */
 struct Segmentation_report
@@ -43,15 +43,15 @@ struct Segmentation_report
     double measure;     ///< length or area
     double uncertainty; ///< standard deviation of its position by the noise, in pixels
   };
-  std::vector<Phase> phases;        ///< by increasing label
+  std::vector<Phase> phases;        ///< by increasing label; vanished phases have the measure 0
   std::vector<Boundary> boundaries; ///< by increasing labels
   std::vector<double> noise;        ///< standard deviation of each channel
   double smoothing = 0;             ///< energy of the interface, see `Segmentation_options`
   std::vector<double> energies;     ///< after every fifth motion of the interface
   double residual =
       0; ///< mean squared deviation of pixels from their phases, in units of the noise
-  /// Whether the last five motions decreased the energy by less than a thousandth of that of the
-  /// interface.
+  /// Whether the last motions with steps of full length changed the energy by less than 1 % of the
+  /// energy of the interface. It is true if the interface has vanished.
   bool has_converged = false;
 };
 

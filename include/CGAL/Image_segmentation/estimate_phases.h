@@ -10,6 +10,7 @@
 
 #include <CGAL/license/Image_segmentation.h>
 
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Image_segmentation/Gray_image.h>
 
@@ -28,7 +29,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 
 /// \ingroup PkgImageSegmentationRef
-/// What an image contains: phases of constant intensity, and noise.
+/// The phases and the noise of an image.
 struct Image_phases
 {
   std::vector<std::vector<double>> intensities; ///< for each phase, one for each channel
@@ -55,11 +56,14 @@ template <int d> double noise_of_differences(const Gray_image<d>& image, std::si
   const std::vector<float>& values = image.channels[channel];
   std::vector<double> differences;
   const std::size_t n = image.grid.size[0];
-  for (std::size_t i = 1; i + 1 < values.size(); ++i)
+  for (std::size_t i = 1; i + 1 < values.size(); ++i) {
+    if (i % 4096 == 0)
+      Progress_scope::check();
     if (i % n != 0 && i % n != n - 1 && image.has_value(i - 1) && image.has_value(i) &&
         image.has_value(i + 1))
       differences.push_back(
           std::abs(double(values[i - 1]) - 2 * double(values[i]) + double(values[i + 1])));
+  }
   return deviation_over_median / std::sqrt(6.) * median(differences);
 }
 
@@ -76,6 +80,8 @@ struct Block_means
     std::vector<std::vector<double>> sums(n, std::vector<double>(image.channels.size(), 0.));
     block_of.resize(image.channels.front().size());
     for (std::size_t pixel = 0; pixel < block_of.size(); ++pixel) {
+      if (pixel % 4096 == 0)
+        Progress_scope::check();
       std::size_t rest = pixel, block = 0, stride = 1;
       for (int axis = 0; axis < d; ++axis) {
         block += rest % image.grid.size[axis] / side * stride;
@@ -106,17 +112,36 @@ struct Block_means
   std::vector<std::size_t> block_of;      // for each pixel with a value
 };
 
+// The largest number of phases, which is the number of bins of histograms.
+constexpr std::size_t most_phases = 256;
+
+// Returns the range of numbers without outliers: at most a five-hundredth at each end, and one of a
+// few numbers.
+inline std::pair<double, double> range_of(std::vector<double> numbers) {
+  static constexpr std::size_t part = 500, few = 64;
+  std::sort(numbers.begin(), numbers.end());
+  const std::size_t skipped =
+      numbers.size() < few ? 0 : (std::max)(numbers.size() / part, std::size_t(1));
+  // An end is an outlier only if it is far from the rest.
+  static constexpr double far = 2; // times the range of the rest
+  const double low = numbers[skipped], high = numbers[numbers.size() - 1 - skipped],
+               margin = far * (high - low);
+  return {(std::max)(numbers.front(), low - margin) > numbers.front() ? low : numbers.front(),
+          (std::min)(numbers.back(), high + margin) < numbers.back() ? high : numbers.back()};
+}
+
 // Divides numbers into k classes with the least sum of squared distances from the means of classes,
-// by dynamic programming over a histogram. Returns the means; there are fewer if there are fewer
-// different bins.
+// by dynamic programming over a histogram. Outliers count in the outer bins. Returns the means;
+// there are fewer if there are fewer different bins.
 inline std::vector<double> means_of_classes(const std::vector<double>& numbers, std::size_t k) {
-  static constexpr std::size_t bins = 256;
-  const auto [least, largest] = std::minmax_element(numbers.begin(), numbers.end());
-  const double low = *least, width = (*largest - low) / double(bins);
+  static constexpr std::size_t bins = most_phases;
+  const auto [low, high] = range_of(numbers);
+  const double width = (high - low) / double(bins);
   if (!(width > 0))
     return {low};
   std::array<double, bins + 1> count = {}, sum = {}, squares = {}; // of the bins below
-  for (const double x : numbers) {
+  for (const double number : numbers) {
+    const double x = std::clamp(number, low, high);
     const std::size_t bin = (std::min)(std::size_t((x - low) / width), bins - 1) + 1;
     count[bin] += 1;
     sum[bin] += x - low;
@@ -136,7 +161,8 @@ inline std::vector<double> means_of_classes(const std::vector<double>& numbers, 
   std::vector<std::array<std::size_t, bins + 1>> begin(k + 1);
   cost[0].fill(std::numeric_limits<double>::infinity());
   cost[0][0] = 0;
-  for (std::size_t classes = 1; classes <= k; ++classes)
+  for (std::size_t classes = 1; classes <= k; ++classes) {
+    Progress_scope::check();
     for (std::size_t to = 0; to <= bins; ++to) {
       cost[classes][to] = std::numeric_limits<double>::infinity();
       begin[classes][to] = to;
@@ -146,6 +172,7 @@ inline std::vector<double> means_of_classes(const std::vector<double>& numbers, 
           begin[classes][to] = from;
         }
     }
+  }
   std::vector<double> result;
   for (std::size_t classes = k, to = bins; classes > 0; --classes) {
     const std::size_t from = begin[classes][to];
@@ -191,10 +218,11 @@ inline Eigen::VectorXd principal_direction(const std::vector<std::vector<double>
   return result[largest] < 0 ? Eigen::VectorXd(-result) : result;
 }
 
-// Divides points into k classes (Lloyd's algorithm), from the best classes along the direction of
-// the largest variance. Returns the means of the classes, in the order along this direction.
-inline std::vector<std::vector<double>>
-means_of_classes(const std::vector<std::vector<double>>& points, std::size_t k) {
+// Divides points without outliers into k classes (Lloyd's algorithm), from the best classes along
+// the direction of the largest variance. Returns the means of the classes, in the order along this
+// direction.
+inline std::vector<std::vector<double>> means_of_classes(std::vector<std::vector<double>> points,
+                                                         std::size_t k) {
   static constexpr int most_rounds = 100;
   const auto n = Eigen::Index(points.front().size());
   const Eigen::VectorXd direction = principal_direction(points);
@@ -202,6 +230,15 @@ means_of_classes(const std::vector<std::vector<double>>& points, std::size_t k) 
   along.reserve(points.size());
   for (const auto& p : points)
     along.push_back(direction.dot(Eigen::Map<const Eigen::VectorXd>(p.data(), n)));
+  const auto [low, high] = range_of(along);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (along[i] >= low && along[i] <= high) {
+      along[kept] = along[i];
+      points[kept++] = points[i];
+    }
+  along.resize(kept);
+  points.resize(kept);
   const std::vector<double> first = means_of_classes(along, k);
   std::vector<std::size_t> class_of(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -223,6 +260,8 @@ means_of_classes(const std::vector<std::vector<double>>& points, std::size_t k) 
         result[j][c] = sums[j][c] / double(counts[j]);
     has_changed = false;
     for (std::size_t i = 0; i < points.size(); ++i) {
+      if (i % 256 == 0)
+        Progress_scope::check();
       const std::size_t nearest = nearest_of(result, points[i]);
       has_changed = has_changed || nearest != class_of[i];
       class_of[i] = nearest;
@@ -272,18 +311,21 @@ image without noise do not follow a smooth boundary.
 n log n in the number of pixels, times the number of phases.
 
 \param image the image
-\param phases the number of phases, at least 1
+\param phases the number of phases, from 1 to 256
 \return the phases in the order of their intensities, for several channels in the direction of the
         largest variance
-\throws Error if the image cannot be used, or has fewer different values than phases
+\throws Error if the image cannot be used, the number of phases is out of range, or there are fewer
+        separate classes of values
+\throws Interrupted_error if the callback of a `Progress_scope` returned `false`
 */
 template <int d> Image_phases estimate_phases(const Gray_image<d>& image, unsigned phases) {
   static constexpr double averaged = .05;   // noise of the mean of a cube relative to the spread
   static constexpr std::size_t largest = 9; // side of a cube in pixels
   static constexpr double least_noise = .1; // relative to the smallest contrast
+  const Progress_phase progress("estimating the phases of the image");
   image.check();
-  if (phases == 0)
-    throw Error("the number of phases is 0: use 1 or more");
+  if (phases == 0 || phases > internal::most_phases)
+    throw Error("the number of phases is out of range: use 1 to 256");
   const std::size_t channels = image.channels.size();
   Image_phases result;
   for (std::size_t k = 0; k < channels; ++k)
@@ -299,14 +341,20 @@ template <int d> Image_phases estimate_phases(const Gray_image<d>& image, unsign
   };
   // In a small image, there would be too few cubes.
   static constexpr std::size_t fewest = 64; // cubes for each phase
-  while (side < largest && blocks.means.size() > fewest * phases && !is_averaged())
-    blocks = internal::Block_means(image, side += 2);
   if (blocks.means.size() < fewest * phases)
     blocks = internal::Block_means(image, 1);
+  else
+    while (side < largest && !is_averaged()) {
+      internal::Block_means larger(image, side += 2);
+      if (larger.means.size() < fewest * phases)
+        break;
+      blocks = std::move(larger);
+    }
   result.intensities = internal::means_of_classes(blocks.means, phases);
   if (result.intensities.size() < phases)
-    throw Error("the image has only " + std::to_string(result.intensities.size()) +
-                " different values: use fewer phases than " + std::to_string(phases));
+    throw Error("only " + std::to_string(result.intensities.size()) +
+                " separate classes of values were found: use fewer phases than " +
+                std::to_string(phases));
   for (std::size_t k = 0; k < channels; ++k) {
     double contrast = std::numeric_limits<double>::infinity();
     for (const auto& a : result.intensities)

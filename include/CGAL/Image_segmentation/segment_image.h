@@ -14,6 +14,7 @@
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/shared_measures.h>
 #include <CGAL/Image_segmentation/Segmentation_options.h>
 #include <CGAL/Image_segmentation/Segmentation_report.h>
 #include <CGAL/Image_segmentation/estimate_phases.h>
@@ -27,7 +28,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,25 +37,19 @@ namespace Deformable_simplicial_complexes {
 
 namespace internal {
 
-// Returns the side of a square or a cube with the measure of a pixel.
-template <int d> double side_of_pixel(const Sampling_grid<d>& grid) {
-  double measure = 1;
-  for (const double x : grid.spacing)
-    measure *= x;
-  return std::pow(measure, 1. / d);
-}
-
 // Returns a mesh of the pixels of an image, with a single label. The unit of length is the side of
 // a pixel.
 template <class Complex>
-Complex mesh_of_image(const Sampling_grid<Complex::dimension>& grid, double edge) {
+Complex mesh_of_image(const Gray_image<Complex::dimension>& image, double longest_edge) {
   static constexpr int d = Complex::dimension;
-  const double side = side_of_pixel(grid);
+  const auto& grid = image.grid;
+  const double side = image.side();
   std::array<double, d> sizes, corner;
   for (int axis = 0; axis < d; ++axis) {
     sizes[axis] = double(grid.size[axis]) * grid.spacing[axis] / side;
     corner[axis] = grid.origin[axis] - grid.spacing[axis] / 2;
   }
+  const double edge = (std::min)(longest_edge, *std::max_element(sizes.begin(), sizes.end()));
   const auto label = [](const auto&) { return 0; };
   Complex result = [&] {
     if constexpr (d == 2)
@@ -89,53 +83,95 @@ Image_phases phases_of(const Gray_image<d>& image, const Segmentation_options<d>
   return result;
 }
 
+// An image with noise of deviation 1 in each channel, and the intensities in this unit. Values far
+// from all intensities, such as those of defective pixels, come nearer.
+template <int d> struct Normalized_image
+{
+  Normalized_image(const Gray_image<d>& original, const Image_phases& phases)
+      : image(original), intensities(phases.intensities), noise(phases.noise) {
+    static constexpr double farthest = 10; // from the intensities, in deviations of the noise
+    for (std::size_t k = 0; k < image.channels.size(); ++k) {
+      double sum = 0;
+      for (const auto& intensity : intensities)
+        sum += intensity[k];
+      centers.push_back(sum / double(intensities.size()));
+      double low = 0, high = 0;
+      for (auto& intensity : intensities) {
+        intensity[k] = (intensity[k] - centers[k]) / noise[k];
+        low = (std::min)(low, intensity[k] - farthest);
+        high = (std::max)(high, intensity[k] + farthest);
+      }
+      for (std::size_t i = 0; i < image.channels[k].size(); ++i) {
+        if (i % 4096 == 0)
+          Progress_scope::check();
+        if (image.has_value(i))
+          image.channels[k][i] =
+              float(std::clamp((double(image.channels[k][i]) - centers[k]) / noise[k], low, high));
+      }
+    }
+  }
+
+  // Returns intensities in the unit of the original image.
+  std::vector<double> original(std::vector<double> intensity) const {
+    for (std::size_t k = 0; k < intensity.size(); ++k)
+      intensity[k] = centers[k] + noise[k] * intensity[k];
+    return intensity;
+  }
+
+  Gray_image<d> image;
+  std::vector<std::vector<double>> intensities;
+  std::vector<double> noise, centers; // of each channel
+};
+
+// Adds the phases to a report.
+template <class Complex>
+void report_phases(const Complex& complex, const Cell_costs<Complex>& costs,
+                   const Normalized_image<Complex::dimension>& image, Segmentation_report& report) {
+  const double pixels = std::pow(costs.pixels_in_unit(), Complex::dimension);
+  for (std::size_t label = 0; label < costs.intensities().size(); ++label)
+    report.phases.push_back({int(label), image.original(costs.intensities()[label]),
+                             complex.measure(int(label)) * pixels,
+                             complex.number_of_components(int(label))});
+}
+
+// Adds the boundaries to a report. The noise is averaged over an edge, or over the distance along
+// which the smoothing acts.
+template <class Complex>
+void report_boundaries(const Complex& complex, const Cell_costs<Complex>& costs,
+                       double shortest_edge, Segmentation_report& report) {
+  static constexpr int d = Complex::dimension;
+  const double pixels = std::pow(costs.pixels_in_unit(), d - 1);
+  for (const auto& [labels, area] : shared_measures(complex)) {
+    const double contrast = std::sqrt(costs.squared_contrast(labels.first, labels.second)),
+                 averaged = (std::max)(shortest_edge, std::sqrt(report.smoothing) / contrast);
+    report.boundaries.push_back({labels.first, labels.second, area * pixels,
+                                 1 / (contrast * std::pow(averaged, (d - 1) / 2.))});
+  }
+}
+
 // Segments an image on a mesh, which gets its best labels first if `is_new`.
 template <class Complex>
 Segmentation_report segment(Complex& complex, const Gray_image<Complex::dimension>& image,
                             const Segmentation_options<Complex::dimension>& options,
                             Image_phases phases, bool is_new) {
-  static constexpr int d = Complex::dimension;
   const Progress_phase phase("segmenting the image");
-  Gray_image<d> scaled = image; // with noise of deviation 1
-  for (std::size_t k = 0; k < scaled.channels.size(); ++k) {
-    for (float& value : scaled.channels[k])
-      value = float(double(value) / phases.noise[k]);
-    for (auto& intensity : phases.intensities)
-      intensity[k] /= phases.noise[k];
-  }
-  Cell_costs<Complex> costs(complex, scaled, phases.intensities);
+  const Normalized_image<Complex::dimension> normalized(image, phases);
+  Cell_costs<Complex> costs(complex, normalized.image, normalized.intensities);
+  static constexpr double few = .5; // pixels, more than rounding errors
+  if (!(costs.pixels() > few))
+    throw Error("no cell of the complex contains a pixel with a value: use a complex with the "
+                "coordinates of the image");
   Segmenter<Complex> segmenter(complex, costs, options);
+  complex.measure_interface_edges();
   if (is_new)
     segmenter.label_cells();
   Segmentation_report result;
-  segmenter.run(result);
-  result.noise = phases.noise;
+  result.noise = normalized.noise;
   result.smoothing = segmenter.smoothing();
-  const double unit = costs.pixels_in_unit();
-  double pixels = 0;
-  for (const auto c : complex.cells())
-    pixels += costs.fields(c)[0];
-  result.residual = costs.total() / (pixels * double(scaled.channels.size()));
-  for (std::size_t label = 0; label < costs.intensities().size(); ++label) {
-    std::vector<double> intensities = costs.intensities()[label];
-    for (std::size_t k = 0; k < intensities.size(); ++k)
-      intensities[k] *= phases.noise[k];
-    result.phases.push_back({int(label), std::move(intensities),
-                             complex.measure(int(label)) * std::pow(unit, d),
-                             complex.number_of_components(int(label))});
-  }
-  std::map<std::pair<int, int>, double> measures;
-  for (const auto& facet : complex.interface_facets())
-    measures[{facet.first->neighbor(facet.second)->label(), facet.first->label()}] +=
-        complex.measure(facet);
-  for (const auto& [labels, area] : measures) {
-    // The noise is averaged over an edge, or over the distance along which the smoothing acts.
-    const double contrast = std::sqrt(costs.squared_contrast(labels.first, labels.second)),
-                 averaged =
-                     (std::max)(options.shortest_edge, std::sqrt(result.smoothing) / contrast);
-    result.boundaries.push_back({labels.first, labels.second, area * std::pow(unit, d - 1),
-                                 1 / (contrast * std::pow(averaged, (d - 1) / 2.))});
-  }
+  segmenter.run(result);
+  result.residual = costs.total() / (costs.pixels() * double(costs.channels()));
+  report_phases(complex, costs, normalized, result);
+  report_boundaries(complex, costs, options.shortest_edge, result);
   return result;
 }
 
@@ -151,8 +187,9 @@ The result minimizes locally
 
 Here, \f$\Omega_a\f$ are the cells with the label a, \f$I_k\f$ is a channel of the image with the
 noise \f$\sigma_k\f$, \f$c_{ak}\f$ are the intensities of the phase, \f$\Gamma\f$ is the interface,
-and
-\f$\alpha\f$ is `Segmentation_options::smoothing`. Lengths are in pixels.
+and \f$\alpha\f$ is `Segmentation_options::smoothing`. Lengths are in pixels. A value that is more
+than \f$10\,\sigma_k\f$ below or above all intensities counts as one at this distance, so that
+defective pixels have little effect.
 
 The mesh begins with equal cells. Cells get the labels that decrease the energy; cells across
 boundaries are bisected; vertices of the interface move against the gradient of the energy. This is
@@ -162,10 +199,10 @@ repeated with shorter and shorter edges. The mesh stays coarse inside phases.
 
 \param image the image
 \param options the options
-\return the complex and the report. Labels are the indices of phases, by increasing intensities; the
-        user coordinates of the complex are those of the image.
-\throws Error if the image or an option cannot be used, or the image has fewer different values than
-        phases
+\return the complex and the report. Labels are the indices of phases: of the given intensities, or in
+        the order of the estimated ones. The user coordinates of the complex are those of the image.
+\throws Error if the image or an option cannot be used, or if there are fewer separate classes of
+        values than phases
 \throws Interrupted_error if the callback of a `Progress_scope` returned `false`
 
 The time is linear in the number of pixels, plus n log n in the number of cells for each of about a
@@ -178,7 +215,7 @@ segment_image(const Gray_image<Complex::dimension>& image,
   image.check();
   const Image_phases phases = internal::phases_of(image, options);
   std::pair<Complex, Segmentation_report> result{
-      internal::mesh_of_image<Complex>(image.grid, options.longest_edge), {}};
+      internal::mesh_of_image<Complex>(image, options.longest_edge), {}};
   result.second = internal::segment(result.first, image, options, phases, true);
   return result;
 }
@@ -186,16 +223,17 @@ segment_image(const Gray_image<Complex::dimension>& image,
 /*!
 \ingroup PkgImageSegmentationRef
 
-Improves the segmentation that a complex is: the same as above, from the labels of the complex. So
-the topology can be prescribed, with `Segmentation_options::keeps_topology`. Pixels outside the
-domain are not used; cells outside the image have no cost.
+Improves a segmentation. The labels of a complex are the initial labels. So the topology can be
+prescribed, with `Segmentation_options::keeps_topology`. Pixels outside the domain are not used, and
+the image is 0 outside its pixels without any cost.
 
 \param complex the complex. Its labels are indices of phases, and its user coordinates are those of
        the image, see `Labelled_complex::normalization()`.
 \param image, options as above
- eturn the report
-        hrows Error as above, and if a label is no index of a phase. The complex is then unchanged.
-        hrows Interrupted_error as above; the complex is then valid.
+\return the report
+\throws Error as above, and if a label is no index of a phase, or no cell contains a pixel with a
+        value. The complex is then unchanged.
+\throws Interrupted_error as above; the complex is then valid.
 */
 template <class Complex>
 Segmentation_report segment_image(Complex& complex, const Gray_image<Complex::dimension>& image,
@@ -204,8 +242,9 @@ Segmentation_report segment_image(Complex& complex, const Gray_image<Complex::di
   const Image_phases phases = internal::phases_of(image, options);
   for (const int label : complex.labels())
     if (label < 0 || std::size_t(label) >= phases.intensities.size())
-      throw Error("the label " + std::to_string(label) + " of the complex is no index of a phase");
-  complex.measure_interface_edges();
+      throw Error("the label " + std::to_string(label) +
+                  " of the complex is no index of a phase: use " +
+                  std::to_string(phases.intensities.size()) + " phases from 0 on");
   return internal::segment(complex, image, options, phases, false);
 }
 

@@ -10,6 +10,8 @@
 
 #include <CGAL/license/Interface_flows.h>
 
+#include <CGAL/Deformable_simplicial_complexes/shared_measures.h>
+
 #include <CGAL/Origin.h>
 #include <CGAL/number_utils.h>
 
@@ -18,7 +20,6 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <set>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -65,14 +66,8 @@ namespace internal {
 // Adds the corners of each label: vertices with three labels or more around them.
 template <class Complex>
 void add_corners(const Complex& complex, std::map<int, Grain_statistics>& grains) {
-  std::vector<typename Complex::Cell_handle> star;
   for (auto v : complex.interface_vertices()) {
-    star.clear();
-    complex.star(v, star);
-    std::set<int> labels;
-    for (auto c : star)
-      if (!complex.is_infinite(c))
-        labels.insert(c->label());
+    const auto labels = labels_around(complex, v);
     static constexpr std::size_t junction = 3;
     for (int label : labels)
       grains[label].corners += labels.size() >= junction;
@@ -146,18 +141,11 @@ template <class Complex> std::vector<Grain_statistics> grain_statistics(const Co
   std::map<int, Grain_statistics> grains;
   for (int label : complex.labels())
     grains[label].measure = complex.measure(label);
-  std::set<std::pair<int, int>> neighbors;
-  for (const auto& facet : complex.interface_facets()) {
-    const int a = facet.first->label(), b = facet.first->neighbor(facet.second)->label();
-    const double area = complex.measure(facet);
-    grains[a].boundary += area;
-    grains[b].boundary += area;
-    neighbors.insert(std::minmax({a, b}));
-  }
-  for (const auto& [a, b] : neighbors) {
-    ++grains[a].neighbors;
-    ++grains[b].neighbors;
-  }
+  for (const auto& [labels, area] : shared_measures(complex))
+    for (const int label : {labels.first, labels.second}) {
+      grains[label].boundary += area;
+      ++grains[label].neighbors;
+    }
   if constexpr (Complex::dimension == 2)
     internal::add_corners(complex, grains);
   else

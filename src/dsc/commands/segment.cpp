@@ -16,6 +16,7 @@
 #include "tracked_complex_3.h"
 #include "translations.h"
 
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
 #include <CGAL/Deformable_simplicial_complexes/sample_labels.h>
@@ -80,7 +81,6 @@ DSC::Segmentation_options<d> options_of(const Segment_options& options, std::siz
       throw Usage_error("--intensities applies to an image with one channel; use --phases");
     for (const double x : parse_numbers(options.intensities, "--intensities"))
       result.intensities.push_back({x});
-    std::sort(result.intensities.begin(), result.intensities.end());
     if (options.phases > 0 && options.phases != result.intensities.size())
       throw Usage_error("--phases and the number of --intensities differ; leave out --phases");
   }
@@ -100,21 +100,12 @@ DSC::Segmentation_options<d> options_of(const Segment_options& options, std::siz
 
 bool is_label_image(const std::string& path) {
   const std::string format = extension(path);
+  if (format == "gz" && !is_foreign(path))
+    throw Usage_error("'" + path + "' is no name of an image; write .nii.gz");
   for (const char* const known : {"gz", "inr", "mha", "nii", "png", "tif", "tiff", "vti", "vtk"})
     if (format == known)
       return true;
   return false;
-}
-
-/// Returns the grid of an image as one in space; a planar one as a single layer.
-template <int d> DSC::Sampling_grid<3> grid_in_space(const DSC::Sampling_grid<d>& grid) {
-  DSC::Sampling_grid<3> result = {{1, 1, 1}, {1, 1, 1}, {0, 0, 0}};
-  for (std::size_t axis = 0; axis < d; ++axis) {
-    result.size[axis] = grid.size[axis];
-    result.spacing[axis] = grid.spacing[axis];
-    result.origin[axis] = grid.origin[axis];
-  }
-  return result;
 }
 
 /// Draws the image with the boundaries of phases; in space, the boundaries alone.
@@ -122,28 +113,52 @@ void draw(const std::string& path, const Tracked_complex_3& tracked, const DSC::
   tracked.write(path);
 }
 
+/// Returns the gray value of each pixel between 0 and 1, without the darkest and the brightest
+/// ones.
+std::vector<double> gray_values(const DSC::Gray_image<2>& image) {
+  static constexpr double tail = .005; // part of the pixels that are black, and white
+  std::vector<double> result(image.channels.front().size(), 0.), sorted;
+  for (std::size_t i = 0; i < result.size(); ++i)
+    if (image.has_value(i)) {
+      for (const auto& channel : image.channels)
+        result[i] += double(channel[i]) / double(image.channels.size());
+      sorted.push_back(result[i]);
+    }
+  std::sort(sorted.begin(), sorted.end());
+  const auto skipped = std::size_t(tail * double(sorted.size()));
+  const double low = sorted[skipped], high = sorted[sorted.size() - 1 - skipped];
+  for (double& value : result)
+    value = high > low ? std::clamp((value - low) / (high - low), 0., 1.) : .5;
+  return result;
+}
+
 void draw(const std::string& path, const Tracked_complex_2& tracked,
           const DSC::Gray_image<2>& image) {
   static constexpr double dark = .15, light = .95; // gray values, so that lines are visible
+  static constexpr Picture_color without_value = {1, 1, 1};
+  static constexpr std::size_t most = 800; // squares along a side of the picture
   const auto& grid = image.grid;
-  std::vector<float> sorted = image.channels.front();
-  std::sort(sorted.begin(), sorted.end());
-  static constexpr double tail = .005; // of the pixels that are shown as black or as white
-  const auto skipped = std::size_t(tail * double(sorted.size()));
-  const double low = sorted[skipped], high = sorted[sorted.size() - 1 - skipped];
+  const std::size_t step = std::max(grid.size[0], grid.size[1]) / most + 1; // pixels of a square
+  const std::vector<double> values = gray_values(image);
   Plane_picture picture;
-  for (std::size_t y = 0; y < grid.size[1]; ++y)
-    for (std::size_t x = 0; x < grid.size[0]; ++x) {
-      const std::array<double, 2> center = {grid.origin[0] + double(x) * grid.spacing[0],
-                                            grid.origin[1] + double(y) * grid.spacing[1]};
-      Picture_polygon pixel;
-      for (const auto& [i, j] : {std::pair(-.5, -.5), {.5, -.5}, {.5, .5}, {-.5, .5}})
-        pixel.corners.push_back({center[0] + i * grid.spacing[0], center[1] + j * grid.spacing[1]});
-      const double value = double(image.channels.front()[y * grid.size[0] + x]);
-      const double part = high > low ? std::clamp((value - low) / (high - low), 0., 1.) : .5;
-      pixel.color.fill(dark + part * (light - dark));
-      picture.polygons.push_back(std::move(pixel));
+  for (std::size_t y = 0; y < grid.size[1]; y += step) {
+    DSC::Progress_scope::check();
+    for (std::size_t x = 0; x < grid.size[0]; x += step) {
+      Picture_polygon square;
+      for (const auto& [i, j] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}})
+        square.corners.push_back(
+            {grid.origin[0] +
+                 (double(std::min(x + std::size_t(i) * step, grid.size[0])) - .5) * grid.spacing[0],
+             grid.origin[1] + (double(std::min(y + std::size_t(j) * step, grid.size[1])) - .5) *
+                                  grid.spacing[1]});
+      const std::size_t pixel = y * grid.size[0] + x;
+      if (image.has_value(pixel))
+        square.color.fill(dark + values[pixel] * (light - dark));
+      else
+        square.color = without_value;
+      picture.polygons.push_back(std::move(square));
     }
+  }
   static constexpr std::array<Picture_color, 6> colors = {
       {{.9, .1, .1}, {.1, .45, .95}, {.95, .65, .0}, {.1, .65, .2}, {.7, .2, .8}, {.0, .7, .75}}};
   const auto& complex = tracked.complex;
@@ -176,11 +191,8 @@ void improve(Tracked_complex_3& tracked, unsigned threads) {
 
 template <int d>
 Json json_of(const Segmentation_report& report, const Segment_options& options,
-             const Tracked<d>& tracked, const DSC::Sampling_grid<d>& grid) {
-  double pixel = 1;
-  for (const double x : grid.spacing)
-    pixel *= x;
-  const double side = std::pow(pixel, 1. / d);
+             const Tracked<d>& tracked, const DSC::Gray_image<d>& image) {
+  const double side = image.side(), pixel = std::pow(side, d);
   Json json = {{"parameters",
                 {{"command", "segment"},
                  {"input", options.input},
@@ -212,12 +224,18 @@ template <int d> void print(const Segmentation_report& report, std::size_t cells
     std::printf("dsc: label %d: intensity", phase.label);
     for (const double x : phase.intensities)
       std::printf(" %.4g", x);
-    std::printf(", %.6g pixels in %zu %s\n", phase.measure, phase.components,
-                noun(phase.components, "component", "components"));
+    if (phase.components == 0)
+      std::printf(", vanished\n");
+    else
+      std::printf(", %.6g pixels in %zu %s\n", phase.measure, phase.components,
+                  noun(phase.components, "component", "components"));
   }
 }
 
-template <int d> int segment(const Segment_options& options, const DSC::Gray_image<d>& image) {
+/// \param voxels the grid of the image in space; of a planar image, a single layer
+template <int d>
+int segment(const Segment_options& options, const DSC::Gray_image<d>& image,
+            const DSC::Sampling_grid<3>& voxels) {
   using Complex = typename Tracked<d>::Complex;
   const auto library_options = options_of<d>(options, image.channels.size());
   Tracked<d> tracked;
@@ -234,12 +252,16 @@ template <int d> int segment(const Segment_options& options, const DSC::Gray_ima
       throw Input_error(options.start + " and " + options.input +
                         " differ in dimension; use a complex of the same dimension");
     tracked.complex = std::move(complex->complex);
-    report = DSC::segment_image(tracked.complex, image, library_options);
+    try {
+      report = DSC::segment_image(tracked.complex, image, library_options);
+    } catch (const DSC::Error& error) {
+      throw Input_error(options.start + ": " + error.what());
+    }
   }
   for (const std::string& output : options.outputs)
     if (is_label_image(output))
-      write_label_image(output, grid_in_space(image.grid),
-                        DSC::sample_labels(tracked.complex, image.grid));
+      write_label_image(output, voxels, DSC::sample_labels(tracked.complex, image.grid),
+                        is_foreign(options.input) ? options.input : "");
     else if (extension(output) == "dsc")
       tracked.write_checkpoint(output, "");
     else
@@ -247,7 +269,7 @@ template <int d> int segment(const Segment_options& options, const DSC::Gray_ima
   if (!options.picture.empty())
     draw(options.picture, tracked, image);
   if (!options.report.empty())
-    write_json(options.report, json_of<d>(report, options, tracked, image.grid));
+    write_json(options.report, json_of<d>(report, options, tracked, image));
   if (!options.quiet)
     print<d>(report, tracked.complex.number_of_cells());
   if (!options.mesh.empty()) {
@@ -266,6 +288,8 @@ void check_files(const Segment_options& options, bool is_planar) {
     others.push_back(path);
   };
   for (const std::string& output : options.outputs) {
+    if (is_label_image(output))
+      require_program("dsc-files", output);
     if (is_planar)
       require_extension(output, {"png", "tif", "tiff", "inr", "mha", "nii", "gz", "vti", "vtk",
                                  "svg", "wkt", "poly", "vtu", "dsc"});
@@ -309,12 +333,14 @@ int execute(const Segment_options& options) {
   if (!options.mask.empty())
     apply_mask(image, options.mask);
   try {
-    if (image.is_planar())
-      return segment<2>(options, layer_of(std::move(image)));
-    return segment<3>(options, image.image);
+    image.image.check();
   } catch (const DSC::Error& error) {
     throw Input_error(options.input + ": " + error.what());
   }
+  const DSC::Sampling_grid<3> voxels = image.image.grid;
+  if (image.is_planar())
+    return segment<2>(options, layer_of(std::move(image)), voxels);
+  return segment<3>(options, image.image, voxels);
 }
 
 } // namespace
@@ -339,7 +365,7 @@ void add_segment(CLI::App& app, int& exit_code) {
                       "by the smallest contrast)");
   command->add_option("--noise", options->noise,
                       "Standard deviation of the noise (default: estimated)");
-  command->add_option("--mask", options->mask, "Image that is 0 at pixels that do not count");
+  command->add_option("--mask", options->mask, "Mask image; pixels with the value 0 are ignored");
   command->add_flag("--color", options->has_channels, "Use the channels of a color image");
   command->add_option("--longest-edge", options->longest_edge,
                       "Edges at the beginning, in pixels (default: 5, in space 10)");

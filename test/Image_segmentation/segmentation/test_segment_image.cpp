@@ -261,6 +261,13 @@ TEST(Segment_image, refuses_what_it_cannot_use) {
   refused([](auto& o) { o.phases = 1; });
   refused([](auto& o) { o.intensities = {{1}, {1, 2}}; });
   refused([](auto& o) { o.intensities = {{1, 0}, {1, 2}}; }); // one channel
+  refused([](auto& o) { o.intensities = {{1}, {2}, {1}}; });
+  refused([](auto& o) { o.connected = {2}; });
+  refused([](auto& o) { o.connected = {-1}; });
+  refused([](auto& o) {
+    o.connected = {1};
+    o.keeps_topology = true;
+  });
   refused([](auto& o) { o.noise = {0}; });
   refused([](auto& o) { o.noise = {1, 1}; });
   refused([](auto& o) { o.smoothing = 0; });
@@ -279,6 +286,56 @@ TEST(Segment_image, refuses_what_it_cannot_use) {
   const auto row = dsc::segment_image<Complex_2>(image_of<2>(
       {40, 1}, [](const Place<2>& p) { return p[0] < 20 ? 0. : 1.; }, 0));
   EXPECT_NEAR(row.second.phases[0].measure, 20, 1);
+}
+
+// A complex much larger than the image: the parts outside have no cost, and take no time.
+TEST(Segment_image, accepts_complexes_larger_than_the_image) {
+  const auto image = image_of<2>({64, 60}, target, .1);
+  dsc::Segmentation_options<2> options;
+  options.phases = 3;
+  auto complex = dsc::segment_image<Complex_2>(image, options).first;
+  auto normalization = complex.normalization();
+  normalization.scale = 1e6;
+  normalization.translation = {-3e7, -3.3e7};
+  complex.set_normalization(normalization);
+  EXPECT_NO_THROW(dsc::segment_image(complex, image, options));
+  EXPECT_TRUE(complex.is_valid());
+  normalization.translation = {1e3, 0}; // beside the image
+  normalization.scale = 1;
+  complex.set_normalization(normalization);
+  EXPECT_THROW(dsc::segment_image(complex, image, options), dsc::Error);
+}
+
+// A large constant does not change the result, up to the precision of the values.
+TEST(Segment_image, subtracts_the_mean) {
+  auto image = image_of<2>({64, 60}, target, .1);
+  for (float& value : image.channels[0])
+    value = std::round(value * 1024);
+  dsc::Segmentation_options<2> options;
+  options.phases = 3;
+  const auto once = dsc::segment_image<Complex_2>(image, options).second;
+  for (float& value : image.channels[0])
+    value += 8388608; // exact
+  const auto shifted = dsc::segment_image<Complex_2>(image, options).second;
+  EXPECT_NEAR(shifted.residual, once.residual, .02);
+  EXPECT_NEAR(shifted.phases[2].measure, once.phases[2].measure, 3);
+}
+
+// Outliers form no phase, and strong noise in a small image is averaged.
+TEST(Segment_image, estimates_are_robust) {
+  auto image = image_of<2>({90, 90}, target, .1);
+  image.channels[0][4000] = 1e6;
+  const auto phases = dsc::estimate_phases(image, 3);
+  for (std::size_t k = 0; k < 3; ++k)
+    EXPECT_NEAR(phases.intensities[k].front(), double(k) / 2, .1);
+  const auto ball = image_of<3>(
+      {36, 36, 36},
+      [](const Place<3>& p) {
+        return std::hypot(p[0] - 18, std::hypot(p[1] - 18, p[2] - 18)) < 12 ? 1. : 0.;
+      },
+      1.5);
+  EXPECT_NEAR(dsc::segment_image<Complex_3>(ball).second.phases[1].measure, 4 / 3. * CGAL_PI * 1728,
+              900);
 }
 
 TEST(Segment_image, stops_when_asked) {

@@ -10,11 +10,12 @@
 
 #include <CGAL/license/Image_segmentation.h>
 
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Image_segmentation/Gray_image.h>
+#include <CGAL/Image_segmentation/internal/moments/pixel_pieces.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -26,9 +27,9 @@ namespace internal {
 // channels, and each channel. Coordinates are in pixels: pixel (i, j) is the square from (i, j) to
 // (i + 1, j + 1). Values outside the image are 0.
 //
-// The integral over a triangle is that of S dy along its boundary, where S(x, y) is the integral of
-// the field from 0 to x in the row of y. Between two lines of the pixel grid, S is linear along an
-// edge.
+// The integral over a triangle equals the integral of S dy along its boundary, where S(x, y) is the
+// integral of the field from 0 to x in the row of y. Between two lines of the pixel grid, S is
+// linear along an edge.
 class Pixel_sums_2
 {
 public:
@@ -38,7 +39,8 @@ public:
       : m_width(image.grid.size[0]), m_height(image.grid.size[1]),
         m_fields(image.channels.size() + 2), m_sums((m_width + 1) * m_height * m_fields) {
     std::vector<double> value(m_fields);
-    for (std::size_t y = 0; y < m_height; ++y)
+    for (std::size_t y = 0; y < m_height; ++y) {
+      Progress_scope::check();
       for (std::size_t x = 0; x < m_width; ++x) {
         const std::size_t pixel = y * m_width + x;
         const bool counts = image.has_value(pixel);
@@ -52,6 +54,7 @@ public:
         for (std::size_t f = 0; f < m_fields; ++f)
           m_sums[here + m_fields + f] = m_sums[here + f] + value[f];
       }
+    }
   }
 
   // Adds the integrals over a triangle to `result`, an entry for each field. Positive if the
@@ -62,52 +65,40 @@ public:
   }
 
 private:
-  void add_edge(const Point& p, const Point& q, double* result) const {
-    if (p[1] == q[1])
+  void add_edge(Point p, Point q, double* result) const {
+    const Segment_part rows = clip({}, p[1], q[1], double(m_height));
+    if (p[1] == q[1] || !(rows.from < rows.to))
       return;
-    for_each_piece(p, q, [&](double from, double to) {
+    // To the left of the image, S is 0. To the right, it depends on y only.
+    const double width = double(m_width);
+    const Segment_part inside = clip(rows, p[0], q[0], width);
+    if (inside.from < inside.to)
+      add_part(p, q, inside, result);
+    const auto add_right = [&](const Segment_part& part) {
+      if (part.from < part.to && p[0] + (part.from + part.to) / 2 * (q[0] - p[0]) > width)
+        add_part({width, p[1]}, {width, q[1]}, part, result);
+    };
+    if (inside.from < inside.to) {
+      add_right({rows.from, inside.from});
+      add_right({inside.to, rows.to});
+    } else
+      add_right(rows);
+  }
+
+  void add_part(const Point& p, const Point& q, const Segment_part& part, double* result) const {
+    for_each_pixel_piece(p, q, part, [&](double from, double to) {
       const double middle = (from + to) / 2, dy = (q[1] - p[1]) * (to - from);
-      const double y = p[1] + middle * (q[1] - p[1]);
-      if (!(y > 0 && y < double(m_height)))
-        return;
-      const double x = std::clamp(p[0] + middle * (q[0] - p[0]), 0., double(m_width));
-      const auto column = (std::min)(std::size_t(x), m_width - 1);
-      const double part = x - double(column);
-      const double* left = m_sums.data() + ((std::size_t(y) * (m_width + 1)) + column) * m_fields;
+      const double y = std::clamp(p[1] + middle * (q[1] - p[1]), 0., double(m_height)),
+                   x = std::clamp(p[0] + middle * (q[0] - p[0]), 0., double(m_width));
+      const auto row = (std::min)(std::size_t(y), m_height - 1),
+                 column = (std::min)(std::size_t(x), m_width - 1);
+      const double of_pixel = x - double(column);
+      const double* left = m_sums.data() + (row * (m_width + 1) + column) * m_fields;
       for (std::size_t f = 0; f < m_fields; ++f)
-        result[f] += dy * (left[f] + part * (left[f + m_fields] - left[f]));
+        result[f] += dy * (left[f] + of_pixel * (left[f + m_fields] - left[f]));
     });
   }
 
-public:
-  // Calls visit(from, to) for the pieces of a segment between lines of the grid, as fractions of
-  // the segment.
-  template <class Visit>
-  static void for_each_piece(const Point& p, const Point& q, const Visit& visit) {
-    std::array<double, 2> next, step; // fractions at the next line of each axis, and between lines
-    std::array<double, 2> line, direction;
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      const double length = q[axis] - p[axis];
-      direction[axis] = length < 0 ? -1 : 1;
-      line[axis] = length < 0 ? std::ceil(p[axis]) - 1 : std::floor(p[axis]) + 1;
-      step[axis] = length;
-      next[axis] = length == 0 ? 2 : (line[axis] - p[axis]) / length;
-    }
-    double at = 0;
-    while (at < 1) {
-      const std::size_t axis = next[0] <= next[1] ? 0 : 1;
-      const double to = (std::min)(next[axis], 1.);
-      if (to > at)
-        visit(at, to);
-      at = (std::max)(at, to);
-      if (at < 1) {
-        line[axis] += direction[axis];
-        next[axis] = (line[axis] - p[axis]) / step[axis];
-      }
-    }
-  }
-
-private:
   std::size_t m_width, m_height, m_fields;
   std::vector<double> m_sums; // of the pixels to the left, for each row, place and field
 };

@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Integrals of the fields of an image over tetrahedra, as those of `Pixel_sums_2`. The integrals
+// Integrals of an image over tetrahedra, with the same fields as `Pixel_sums_2`. The integrals
 // along lines in the direction of the first axis are exact; the lines are at the middles of squares
 // of a regular subdivision of the voxels. The results are scaled to the exact volume. Coordinates
 // are in voxels.
@@ -45,10 +45,12 @@ public:
     static constexpr double most = 8;         // lines along a side of a voxel
     const double n = std::clamp(std::ceil(lines_across / std::cbrt(6 * planes.volume)), 1., most);
     Fields sums(m_image.channels.size() + 2, 0.);
-    const double lines = add_lines(corners, planes, n, sums);
-    if (lines > 0) {
+    bool is_inside = true;
+    const double lengths = add_lines(corners, planes, n, sums, is_inside);
+    if (lengths > 0 || !is_inside) {
+      const double area = is_inside ? planes.volume / lengths : 1 / (n * n); // of a line
       for (std::size_t f = 0; f < sums.size(); ++f)
-        result[f] += sums[f] * (planes.volume / lines);
+        result[f] += sums[f] * area;
       return;
     }
     Point center = {};
@@ -99,9 +101,10 @@ private:
     std::array<double, 4> constants;
   };
 
-  // Adds the integrals along the lines; returns the sum of the lengths of the lines.
+  // Adds the integrals along the lines in the image; returns the sum of their lengths. Sets
+  // `is_inside` to false if lines outside the image cross the cell.
   double add_lines(const std::array<Point, 4>& corners, const Planes& planes, double n,
-                   Fields& sums) const {
+                   Fields& sums, bool& is_inside) const {
     std::array<double, 2> least, largest;
     for (int k = 0; k < 2; ++k) {
       least[k] = std::numeric_limits<double>::infinity();
@@ -110,6 +113,12 @@ private:
         least[k] = (std::min)(least[k], p[k + 1]);
         largest[k] = (std::max)(largest[k], p[k + 1]);
       }
+    }
+    for (int k = 0; k < 2; ++k) {
+      const double size = double(m_image.grid.size[k + 1]);
+      is_inside = is_inside && least[k] >= 0 && largest[k] <= size;
+      least[k] = (std::max)(least[k], 0.);
+      largest[k] = (std::min)(largest[k], size);
     }
     const auto first = [&](int k) { return std::ceil(least[k] * n - .5); };
     const auto last = [&](int k) { return std::floor(largest[k] * n - .5); };

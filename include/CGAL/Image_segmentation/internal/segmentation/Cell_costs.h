@@ -45,13 +45,9 @@ public:
   const Intensities& intensities() const { return m_intensities; }
   std::size_t channels() const { return m_fields - 2; }
 
-  // Returns the length of a unit of the complex in sides of pixels. The side of a pixel is that of
-  // a square or a cube with its measure.
+  // Returns the length of a unit of the complex in sides of pixels.
   double pixels_in_unit() const {
-    double measure = 1;
-    for (const double x : m_moments.image().grid.spacing)
-      measure *= x;
-    return m_complex.normalization().scale / std::pow(measure, 1. / d);
+    return m_complex.normalization().scale / m_moments.image().side();
   }
 
   // Computes the moments of all cells that have changed.
@@ -149,6 +145,14 @@ public:
         }
       }
     }
+    return result;
+  }
+
+  // Returns the number of pixels with values in all cells.
+  double pixels() {
+    double result = 0;
+    for (const Cell_handle c : m_complex.cells())
+      result += fields(c)[0];
     return result;
   }
 

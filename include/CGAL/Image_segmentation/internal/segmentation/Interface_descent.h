@@ -40,8 +40,8 @@ public:
   using Point = typename Complex::Approximate_point;
   using Vector = typename Complex::Approximate_vector;
 
-  // `tension` and `stiffness` are in units of the complex. The stiffness is the least increase of
-  // the force on a unit of the interface when it leaves its place by a unit of length.
+  // `tension` and `stiffness` are in units of the complex. The stiffness is a lower bound of the
+  // derivative of the force per unit of the interface with respect to its displacement.
   Interface_descent(Complex& complex, Cell_costs<Complex>& costs, double tension, double stiffness,
                     const Deformation_options<Complex>& options)
       : m_complex(complex), m_costs(costs), m_tension(tension), m_stiffness(stiffness),

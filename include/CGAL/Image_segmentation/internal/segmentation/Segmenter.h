@@ -22,12 +22,11 @@
 #include <CGAL/Image_segmentation/internal/segmentation/Cell_costs.h>
 #include <CGAL/Image_segmentation/internal/segmentation/Interface_descent.h>
 
+#include <CGAL/Origin.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <map>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -44,12 +43,14 @@ template <int d> struct Segmentation_rule
   static constexpr double first_length = .5,    // of edges, relative to those of the first mesh
       ratio = 1.5;                              // between two lengths of edges
   static constexpr int interval = 5;            // moves after which the energy must have fallen
-  static constexpr double slow = 1e-3;  // decrease in these moves, in energies of the interface
+  // Changes of the energy relative to that of the interface: a decrease in these moves that ends
+  // them, and the change in the last moves of a result that has converged.
+  static constexpr double slow = 1e-3, converged = 1e-2;
   static constexpr unsigned passes = 5; // of a motion
   // The number of deviations by which the cost of a cell must exceed the usual one.
   static constexpr double significant = 3;
   // Area of a facet of a regular cell, relative to the power of an edge.
-  static constexpr double facet = d == 2 ? 1 : .43;
+  static constexpr double facet_ratio = d == 2 ? 1 : .43;
 };
 
 // Minimizes the energy of a segmentation: the costs of cells plus a tension times the measure of
@@ -67,9 +68,7 @@ public:
     for (std::size_t label = 0; label < costs.intensities().size(); ++label)
       m_relabeling.labels.push_back(int(label));
     const double smallest = costs.least_squared_contrast();
-    m_smoothing = options.smoothing.value_or(
-        (std::max)((costs.intensities().size() > 2 ? of_more_phases : of_two_phases) * smallest,
-                   against_specks * std::sqrt(smallest)));
+    m_smoothing = options.smoothing.value_or(usual_smoothing(smallest, costs.intensities().size()));
     m_stiffness = part_of_contrast * smallest * std::pow(m_unit, d + 1);
     m_tension = m_smoothing * std::pow(m_unit, d - 1);
     m_relabeling.interface_energy.set_tension(m_tension);
@@ -97,8 +96,12 @@ public:
       m_relabeling.topology_control = forbid;
       m_deformation.topology_control = forbid;
     }
-    const double last = m_options.shortest_edge / m_unit,
-                 first = (std::max)(Rule::first_length * m_options.longest_edge / m_unit, last);
+    double largest = 0; // side of the image, in pixels
+    for (const std::size_t n : m_costs.moments().image().grid.size)
+      largest = (std::max)(largest, double(n));
+    const double last = (std::min)(m_options.shortest_edge, largest) / m_unit,
+                 longest = (std::min)(m_options.longest_edge, largest) / m_unit,
+                 first = (std::max)(Rule::first_length * longest, last);
     const int levels = int(std::ceil(std::log(first / last) / std::log(Rule::ratio)));
     for (int level = 0; level <= levels; ++level) {
       m_edge = levels == 0 ? first : first * std::pow(last / first, double(level) / double(levels));
@@ -113,10 +116,16 @@ public:
         improve();
       }
     }
-    move(Rule::last_moves, true, report);
     relabel();
+    // Shorter steps, which follow, would hide that the motion does not converge.
+    const double before = energy();
+    move(Rule::moves, false, report);
+    report.has_converged = std::abs(before - energy()) < Rule::converged * energy_of_interface() ||
+                           m_complex.interface_vertices().empty();
+    move(Rule::last_moves, true, report);
     if (m_options.intensities.empty())
       m_costs.measure_intensities();
+    report.energies.push_back(energy());
   }
 
   // Returns the energy of the interface.
@@ -141,7 +150,11 @@ private:
   static constexpr double of_two_phases = 1, of_more_phases = 2;
   // At least, in multiples of the smallest contrast. With less, noise forms specks.
   static constexpr double against_specks = d == 2 ? 2.5 : 1.2;
-  static constexpr double part_of_contrast = .3; // of which the stiffness is
+  static double usual_smoothing(double squared_contrast, std::size_t phases) {
+    return (std::max)((phases > 2 ? of_more_phases : of_two_phases) * squared_contrast,
+                      against_specks * std::sqrt(squared_contrast));
+  }
+  static constexpr double part_of_contrast = .3; // the stiffness relative to the squared contrast
 
   void relabel() {
     m_costs.update(m_for_each_index);
@@ -159,22 +172,11 @@ private:
   }
 
   void keep_connected() {
-    if (m_options.connected.empty())
-      return;
-    std::map<int, std::pair<double, std::uint32_t>> largest;
-    const auto is_connected = [&](int label) {
-      return std::find(m_options.connected.begin(), m_options.connected.end(), label) !=
-             m_options.connected.end();
-    };
-    remove_components(m_complex, [&](int label, std::uint32_t number, double measure) {
-      if (const auto [found, is_new] = largest.try_emplace(label, measure, number);
-          !is_new && found->second.first < measure)
-        found->second = {measure, number};
-      return false;
-    });
-    remove_components(m_complex, [&](int label, std::uint32_t number, double) {
-      return is_connected(label) && largest.at(label).second != number;
-    });
+    if (!m_options.connected.empty())
+      keep_largest_components(m_complex, m_relabeling.interface_energy, nullptr, [this](int label) {
+        return std::find(m_options.connected.begin(), m_options.connected.end(), label) !=
+               m_options.connected.end();
+      });
   }
 
   // Bisects long cells whose cost exceeds that of the noise by more than the energy of a new facet.
@@ -194,7 +196,8 @@ private:
       for (int j = 0; j < i; ++j)
         squared = (std::max)(squared,
                              m_complex.displacement(c->vertex(i), c->vertex(j)).squared_length());
-    return squared >= 4 * m_edge * m_edge && excess(c, usual) > new_facet(std::sqrt(squared));
+    return squared >= 4 * m_edge * m_edge &&
+           excess(c, usual) > half_energy_of_facet(std::sqrt(squared));
   }
 
   // Returns the cost of a cell beyond that of the noise and its fluctuation.
@@ -205,27 +208,25 @@ private:
   }
 
   // Returns half of the energy of a facet of a cell.
-  double new_facet(double edge) const {
-    return m_tension / 2 * Rule::facet * std::pow(edge, d - 1);
+  double half_energy_of_facet(double edge) const {
+    return m_tension / 2 * Rule::facet_ratio * std::pow(edge, d - 1);
   }
 
-  // Moves the interface until the energy hardly falls. `shortens` makes the steps shorter and
-  // shorter.
-  void move(int moves, bool shortens, Segmentation_report& report) {
-    if (m_complex.interface_vertices().empty())
-      return;
+  // Moves the interface until the energy no longer decreases. `reduces_steps` makes the steps
+  // shorter and shorter.
+  void move(int moves, bool reduces_steps, Segmentation_report& report) {
+    bool has_ended = m_complex.interface_vertices().empty();
     Interface_descent<Complex> descent(m_complex, m_costs, m_tension, m_stiffness, m_deformation);
     double before = energy();
-    report.has_converged = false;
-    for (int i = 0; i < moves && !report.has_converged; ++i) {
+    for (int i = 0; i < moves && !has_ended; ++i) {
       Progress_scope::check();
       const double longest = (std::max)(.5 / m_unit, m_edge / 4);
-      descent.step(shortens ? longest * double(moves - i) / double(moves) : longest,
+      descent.step(reduces_steps ? longest * double(moves - i) / double(moves) : longest,
                    m_for_each_index);
       if ((i + 1) % Rule::interval != 0)
         continue;
       report.energies.push_back(energy());
-      report.has_converged = before - report.energies.back() < Rule::slow * energy_of_interface();
+      has_ended = before - report.energies.back() < Rule::slow * energy_of_interface();
       before = report.energies.back();
     }
   }
@@ -233,7 +234,7 @@ private:
   void improve() {
     static constexpr double split = 2, collapse = .4, coarse = 6; // in target lengths of edges
     Interface_improvement_options<Complex> options;
-    options.sizing_field = [edge = m_edge](const auto&) { return edge; };
+    options.sizing_field = [this](const auto& p) { return edge_at(p); };
     options.interface_split_length = split;
     options.interface_collapse_length = collapse;
     improve_interface(m_complex, options);
@@ -245,6 +246,20 @@ private:
     detail.split_length = 2 * coarse;
     detail.where = [&](Cell_handle c) { return !(excess(c, usual) > 0); };
     control_detail(m_complex, detail);
+  }
+
+  // Returns the target length of edges at a point. It grows with the distance from the image,
+  // because the complex of a user can be much larger.
+  double edge_at(const typename Complex::Approximate_point& p) const {
+    static constexpr double gradation = .5;
+    const auto& normalization = m_complex.normalization();
+    const auto place = m_costs.moments().place(
+        ORIGIN + (normalization.translation + normalization.scale * (p - ORIGIN)));
+    double distance = 0; // from the image, in pixels
+    for (int axis = 0; axis < d; ++axis)
+      distance = (std::max)({distance, -place[axis],
+                             place[axis] - double(m_costs.moments().image().grid.size[axis])});
+    return m_edge + gradation * distance / m_unit;
   }
 
   Complex& m_complex;
