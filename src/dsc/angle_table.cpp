@@ -56,7 +56,7 @@ Angle_table read_angle_table(const std::string& path) {
     result.rows.push_back({values[0], values[1], values.size() > 2 ? values[2] : 1});
   }
   if (result.rows.empty())
-    throw Input_error(path + " contains no row of an angle and a tension");
+    throw Input_error(path + " contains no row; write lines of an angle and a tension, like 15 1");
   return result;
 }
 

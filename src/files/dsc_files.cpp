@@ -90,7 +90,7 @@ dsc_files::Translation translate(const dsc_files::Options& options) {
   const std::string format = dsc_files::format_of(options.input);
   const bool is_text = format == "csv" || format == "pcd" || format == "geojson";
   if (is_text && !options.values.empty())
-    throw dsc_files::Failure("is no image");
+    throw dsc_files::Failure("is no image; give an image of pixels or voxels");
   if (format == "csv")
     return translate_csv(options);
   if (format == "pcd")
@@ -102,7 +102,7 @@ dsc_files::Translation translate(const dsc_files::Options& options) {
   if (image != nullptr && !options.labels.empty())
     throw dsc_files::Failure("is an image, whose labels are its values; leave out --labels");
   if (image == nullptr && !options.values.empty())
-    throw dsc_files::Failure("is no image");
+    throw dsc_files::Failure("is no image; give an image of pixels or voxels");
   if (image == nullptr && !options.thresholds.empty())
     throw dsc_files::Failure("is no image; leave out --threshold");
   dsc_files::Translation result = image == nullptr         ? write_cells(dataset.data, options)

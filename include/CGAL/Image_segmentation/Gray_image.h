@@ -59,7 +59,7 @@ template <int d> struct Gray_image
         throw Error("the origin of the image is too far away for the size of its pixels: move the "
                     "image");
     if (channels.empty())
-      throw Error("the image has no channel");
+      throw Error("the image has no channel: add the values of its pixels");
     for (const auto& channel : channels)
       if (channel.size() != n)
         throw Error("a channel of the image has " + std::to_string(channel.size()) +
@@ -80,7 +80,8 @@ template <int d> struct Gray_image
                       " is not finite: leave such pixels out by the mask");
     }
     if (is_empty)
-      throw Error("the mask of the image leaves out all pixels");
+      throw Error(
+          "the mask of the image leaves out all pixels: use a mask that is not 0 somewhere");
   }
 };
 

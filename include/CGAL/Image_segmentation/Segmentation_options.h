@@ -67,8 +67,9 @@ template <int d> struct Segmentation_options
     for (const auto& intensity : intensities) {
       for (const double x : intensity)
         if (!std::isfinite(x) || intensity.size() != intensities.front().size())
-          throw Error("the intensities of the phases are not finite, or do not have one number for "
-                      "each channel");
+          throw Error(
+              "the intensities of the phases are out of range: give one finite number for each "
+              "channel");
       if (std::count(intensities.begin(), intensities.end(), intensity) > 1)
         throw Error("two phases have the same intensities: give different ones");
     }

@@ -78,8 +78,9 @@ Image_phases phases_of(const Gray_image<d>& image, const Segmentation_options<d>
   }
   if (result.noise.size() != image.channels.size() ||
       result.intensities.front().size() != image.channels.size())
-    throw Error("the intensities or the noise do not have one number for each of the " +
-                std::to_string(image.channels.size()) + " channels of the image");
+    throw Error(
+        "the intensities or the noise do not fit the image: give one number for each of its " +
+        std::to_string(image.channels.size()) + " channels");
   return result;
 }
 

@@ -6,6 +6,8 @@
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/neighbor_exchange_2.h>
 #include <CGAL/Deformable_simplicial_complexes/relabeling.h>
+#include <CGAL/Deformable_simplicial_complexes/shared_measures.h>
+#include <CGAL/Interface_flows/Grain_growth.h>
 #include <CGAL/Interface_flows/Mean_curvature_flow.h>
 #include <CGAL/Interface_flows/advect_adaptively.h>
 #include <CGAL/Interface_flows/advect_interface.h>
@@ -227,6 +229,53 @@ TEST(Interface_energy, decides_whether_neighbors_are_exchanged) {
               dsc::propose_neighbor_exchange(complex, c, i, .5, cavity, energy).has_value();
     EXPECT_EQ(is_proposed, tension == 1);
   }
+}
+
+// In a channel of width 1, the label 3 displaces the wall between the labels 1 and 2. Its boundary
+// turns from the normal of a side to the angle of Young at the junction, and travels like a grim
+// reaper: the speed times half the width is the angle of this turn.
+TEST(Interface_energy, junction_travels_at_its_speed) {
+  static constexpr std::size_t n = 10; // edges in the width
+  const double exact = 2 * (CGAL_PI / 2 - 82.8192 / 2 * degree);
+  Complex complex = planar_regions::grid(
+      3 * n, n,
+      [](std::size_t i, std::size_t j) { return Complex::Point_2(double(i) / n, double(j) / n); },
+      [](std::size_t i, std::size_t j) { return i >= 2 * n  ? 3
+                                                : j < n / 2 ? 1
+                                                            : 2; });
+  dsc::Grain_growth_options options;
+  options.edges_of_grain = n;
+  dsc::Grain_growth<Complex> growth(complex, with_tension_of_1_and_2(1.5), options);
+  while (growth.time() < .3)
+    growth.advance();
+  const double area = complex.area(3), begin = growth.time();
+  while (growth.time() < .5)
+    growth.advance();
+  EXPECT_NEAR((complex.area(3) - area) / (growth.time() - begin), exact, .01 * exact);
+}
+
+// A phase that wets the wall between two others separates them.
+TEST(Interface_energy, phase_that_wets_advances) {
+  static constexpr std::size_t n = 10;
+  Complex complex = planar_regions::grid(
+      3 * n, n,
+      [](std::size_t i, std::size_t j) { return Complex::Point_2(double(i) / n, double(j) / n); },
+      [](std::size_t i, std::size_t j) { return i >= 2 * n  ? 3
+                                                : j < n / 2 ? 1
+                                                            : 2; });
+  const Interface_energy energy = with_tension_of_1_and_2(2.5);
+  dsc::Grain_growth_options options;
+  options.edges_of_grain = n;
+  dsc::Grain_growth<Complex> growth(complex, energy, options);
+  const auto length = [&] { return dsc::shared_measures(complex).at({1, 2}); };
+  double energy_before = energy(complex);
+  while (growth.time() < .45) {
+    growth.advance();
+    EXPECT_LT(energy(complex), energy_before);
+    energy_before = energy(complex);
+  }
+  EXPECT_LT(length(), .6); // it was 2
+  EXPECT_EQ(complex.number_of_components(3), 1u);
 }
 
 // A lens of constant area between two labels. Its two arcs are circular, so its angle follows from
