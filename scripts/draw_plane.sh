@@ -58,8 +58,10 @@ picture vortex/picture_000400.svg vortex
 picture foam.svg foam
 "$build/dsc" grains --number 300 --picture grains.svg
 picture grains.svg grains
-"$build/dsc" grains --number 300 --energy read-shockley --largest-angle 30 --picture textured_grains.svg
+"$build/dsc" grains --number 300 --energy read-shockley --largest-angle 30 --picture textured_grains.svg \
+  --plot grain_distributions.svg
 picture textured_grains.svg textured_grains
+picture grain_distributions.svg grain_distributions 900
 for case in 1 2; do
   "$bubble" $case .03 .01 2.2 "bubble_$case.svg"
   picture "bubble_$case.svg" "bubble_$case"

@@ -34,11 +34,18 @@ void write(std::ostream& out, const Histogram& histogram, double left) {
   }
   out << "<path d=\"M" << number(left) << ',' << number(bottom) << "h" << number(width)
       << "\" stroke=\"#000000\"/>\n";
+  const auto tick = [&](double value) {
+    out << "<text x=\""
+        << number(left + width * (value - histogram.low) / (histogram.high - histogram.low))
+        << "\" y=\"" << number(bottom + 16) << "\" text-anchor=\"middle\">" << number(value)
+        << "</text>\n";
+  };
   static constexpr int ticks = 4;
-  for (int i = 0; i <= ticks; ++i)
-    out << "<text x=\"" << number(left + width * i / ticks) << "\" y=\"" << number(bottom + 16)
-        << "\" text-anchor=\"middle\">"
-        << number(histogram.low + (histogram.high - histogram.low) * i / ticks) << "</text>\n";
+  for (int i = 0; i <= ticks && !histogram.is_integer; ++i)
+    tick(histogram.low + (histogram.high - histogram.low) * i / ticks);
+  // Every second integer, so that the names do not overlap.
+  for (std::size_t i = 0; i < densities.size() && histogram.is_integer; i += 2)
+    tick(histogram.low + .5 + double(i));
   out << "<text x=\"" << number(left + width / 2) << "\" y=\"" << number(bottom + 36)
       << "\" text-anchor=\"middle\">" << histogram.quantity << "</text>\n"
       << "<text x=\"" << number(left - 4) << "\" y=\"" << number(margin / 2 + 5)

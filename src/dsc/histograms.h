@@ -19,6 +19,7 @@ struct Histogram
   std::vector<double> weights; ///< of the values; 1 for all if empty
   double low = 0, high = 1;    ///< range of the axis; other values count in the outer bins
   std::size_t bins = 20;
+  bool is_integer = false; ///< whether each bin is an integer, which names it
 
   /// Returns the density in each bin: the integral over the axis is 1; 0 without values.
   std::vector<double> densities() const;

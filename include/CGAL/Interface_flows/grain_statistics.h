@@ -10,18 +10,14 @@
 
 #include <CGAL/license/Interface_flows.h>
 
+#include <CGAL/Deformable_simplicial_complexes/junctions.h>
 #include <CGAL/Deformable_simplicial_complexes/shared_measures.h>
 
-#include <CGAL/Origin.h>
 #include <CGAL/number_utils.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <tuple>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -74,59 +70,19 @@ void add_corners(const Complex& complex, std::map<int, Grain_statistics>& grains
   }
 }
 
-// Adds the mean width and the triple lines of each label. The inner angle of a label at an edge is
-// the sum of the dihedral angles of its cells there. Edges with one label are skipped, also on the
-// boundary of the domain.
+// Adds the mean width and the triple lines of each label. Edges with one label are skipped, also on
+// the boundary of the domain.
 template <class Complex>
 void add_edges(const Complex& complex, std::map<int, Grain_statistics>& grains) {
-  struct Angle
-  {
-    std::size_t from, to; // time stamps of the ends
-    int label;
-    double length, angle;
-  };
-  std::vector<Angle> angles;
-  for (auto c : complex.cells()) {
-    std::array<typename Complex::Approximate_point, Complex::corners> p;
-    for (int i = 0; i < Complex::corners; ++i)
-      p[i] = complex.corner(c, i);
-    for (int i = 0; i < Complex::corners; ++i)
-      for (int j = i + 1; j < Complex::corners; ++j) {
-        const auto a = c->vertex(i), b = c->vertex(j);
-        if (!(a->is_interface() && b->is_interface()))
-          continue;
-        int k = 0;
-        while (k == i || k == j)
-          ++k;
-        const int l = 6 - i - j - k;
-        const auto edge = p[j] - p[i], one = cross_product(edge, p[k] - p[i]),
-                   other = cross_product(edge, p[l] - p[i]);
-        const double angle =
-            std::atan2(std::sqrt(cross_product(one, other).squared_length()), one * other);
-        const auto ends = std::minmax({a->time_stamp(), b->time_stamp()});
-        angles.push_back(
-            {ends.first, ends.second, c->label(), std::sqrt(edge.squared_length()), angle});
-      }
-  }
-  const auto key = [](const Angle& a) { return std::make_tuple(a.from, a.to, a.label); };
-  std::sort(angles.begin(), angles.end(),
-            [&](const Angle& a, const Angle& b) { return key(a) < key(b); });
-  for (auto first = angles.begin(); first != angles.end();) {
-    auto last = first;
-    std::vector<std::pair<int, double>> of_labels;
-    for (; last != angles.end() && last->from == first->from && last->to == first->to; ++last) {
-      if (of_labels.empty() || of_labels.back().first != last->label)
-        of_labels.emplace_back(last->label, 0);
-      of_labels.back().second += last->angle;
-    }
+  visit_interface_edges(complex, [&](const auto& ends, const auto& angles) {
     static constexpr std::size_t junction = 3;
-    for (const auto& [label, angle] : of_labels)
-      if (of_labels.size() > 1) {
-        grains[label].mean_width += first->length * (CGAL_PI - angle) / (2 * CGAL_PI);
-        grains[label].triple_lines += of_labels.size() >= junction ? first->length : 0;
+    const double length = std::sqrt(complex.displacement(ends[0], ends[1]).squared_length());
+    for (const auto& [label, angle] : angles)
+      if (angles.size() > 1) {
+        grains[label].mean_width += length * (CGAL_PI - angle) / (2 * CGAL_PI);
+        grains[label].triple_lines += angles.size() >= junction ? length : 0;
       }
-    first = last;
-  }
+  });
 }
 
 } // namespace internal

@@ -94,6 +94,7 @@ void plot(const std::string& path, const Grain_result& result, int dimension) {
   neighbors.low = -.5;
   neighbors.high = double(most) + .5;
   neighbors.bins = most + 1;
+  neighbors.is_integer = true;
   misorientations.quantity = dimension == 2 ? "misorientation, weighted by length (degrees)"
                                             : "misorientation, weighted by area (degrees)";
   misorientations.high = largest_angles[dimension - 2];

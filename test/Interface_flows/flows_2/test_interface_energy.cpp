@@ -1,9 +1,13 @@
 // Tensions, mobilities and energy densities that depend on labels, and the flow of their energy.
 #include "planar_regions.h"
 
+#include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/junctions.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/neighbor_exchange_2.h>
 #include <CGAL/Deformable_simplicial_complexes/relabeling.h>
 #include <CGAL/Deformable_simplicial_complexes/shared_measures.h>
@@ -17,8 +21,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace test_interface_energy {
@@ -87,6 +93,61 @@ TEST(Interface_energy, has_the_angles_of_young) {
   EXPECT_NEAR((*other)[2], 82.8192 * degree, 1e-6);
   EXPECT_NEAR((*other)[0] + (*other)[1] + (*other)[2], 2 * CGAL_PI, 1e-14);
   EXPECT_FALSE(with_tension_of_1_and_2(2).young_angles(1, 2, 3)); // 3 wets the interface
+}
+
+TEST(Junctions, have_the_angles_of_labels) {
+  // Square 5 in the middle of the labels 1, 2 (below) and 3 (above)
+  const Complex complex = planar_regions::grid(
+      6, 6, [](std::size_t i, std::size_t j) { return Complex::Point_2(double(i), double(j)); },
+      [](std::size_t i, std::size_t j) {
+        return i > 1 && i < 4 && j > 1 && j < 4 ? 5 : j < 3 ? (i < 3 ? 1 : 2) : 3;
+      });
+  const auto found = dsc::junctions(complex);
+  ASSERT_EQ(found.size(), 3u);
+  for (const auto& junction : found) {
+    const auto p = complex.position(junction.vertices[0]);
+    EXPECT_EQ(junction.angles.size(), 3u);
+    EXPECT_NEAR(junction.angles.at(5), CGAL_PI, 1e-12); // a side of the square
+    for (const auto& [label, angle] : junction.angles)
+      if (label != 5) {
+        EXPECT_NEAR(angle, CGAL_PI / 2, 1e-12);
+      }
+    EXPECT_TRUE((p.x() == 3 && p.y() == 2) || (p.y() == 3 && (p.x() == 2 || p.x() == 4)));
+  }
+  EXPECT_EQ(dsc::labels_around(complex, found[0].vertices[0]).size(), 3u);
+  const auto shared = dsc::shared_measures(complex);
+  EXPECT_DOUBLE_EQ(shared.at({1, 2}), 2);
+  EXPECT_DOUBLE_EQ(shared.at({1, 5}), 2);
+  EXPECT_DOUBLE_EQ(shared.at({3, 5}), 4);
+  EXPECT_EQ(shared.size(), 6u);
+}
+
+// Four blocks of a box meet at a straight line, and three at another one.
+TEST(Junctions, are_edges_in_space) {
+  using Complex_3 = CGAL::Deformable_simplicial_complex_3<>;
+  std::vector<Complex_3::Point_3> points;
+  std::vector<std::array<std::size_t, 4>> cells;
+  std::vector<int> labels;
+  // Prisms over the four triangles of a square around its center
+  for (const double z : {0., 1.})
+    for (const auto& [x, y] : {std::pair(0., 0.), {2., 0.}, {2., 2.}, {0., 2.}, {.5, 1.}})
+      points.emplace_back(x, y, z);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t a = i, b = (i + 1) % 4, c = 4;
+    cells.push_back({a, b, c, c + 5});
+    cells.push_back({a, b, c + 5, b + 5});
+    cells.push_back({a, b + 5, c + 5, a + 5});
+    labels.insert(labels.end(), 3, i == 3 ? 1 : int(i) + 1); // two prisms have the label 1
+  }
+  const auto complex = dsc::make_deformable_simplicial_complex_3<Complex_3>(
+      points, cells, labels, dsc::parameters::improve(false));
+  const auto found = dsc::junctions(complex);
+  ASSERT_EQ(found.size(), 1u);
+  double sum = 0;
+  for (const auto& [label, angle] : found[0].angles)
+    sum += angle;
+  EXPECT_NEAR(sum, 2 * CGAL_PI, 1e-12);
+  EXPECT_NEAR(found[0].angles.at(2), 2 * std::atan(1 / 1.5), 1e-12);
 }
 
 TEST(Interface_energy, is_the_sum_over_pairs_and_labels) {
