@@ -2,13 +2,13 @@
 # Builds the benchmarks, runs them on the meshes of CGAL, and writes tables and raw results to
 # BUILD_DIR/benchmark-results. benchmark/README.md describes the measurements.
 # Usage: benchmark/run.sh [BUILD_DIR [motion] [breathing] [topology] [improvement] [memory] [operations]
-#                                   [flows] [surfaces] [points] [abuse] [meshes] [repair] [cut_loci]]
+#                                   [flows] [surfaces] [points] [abuse] [meshes] [repair] [cut_loci] [segmentation]]
 # Runs all parts by default.
 set -euo pipefail
 source=$(realpath "$(dirname "$0")/..")
 build=$(realpath --canonicalize-missing "${1:-$source/build}")
 parts=("${@:2}")
-[ ${#parts[@]} -gt 0 ] || parts=(motion breathing topology flows surfaces points improvement memory operations abuse meshes repair cut_loci)
+[ ${#parts[@]} -gt 0 ] || parts=(motion breathing topology flows surfaces points improvement memory operations abuse meshes repair cut_loci segmentation)
 mesh_seconds=${MESH_SECONDS:-600} # the time limit of one mesh in `meshes`, in seconds
 
 programs=$build/benchmark
@@ -291,10 +291,18 @@ measure_cut_loci() {
   "$programs/cut_loci" >"$results/cut_loci.md" || fail "$results/cut_loci.md" cut_loci $?
 }
 
-"$source/scripts/install_dependencies.sh"
+measure_segmentation() {
+  {
+    /usr/bin/python3 "$source/benchmark/segmentation.py" "$build/dsc"
+    echo
+    "$programs/segmentation"
+  } >"$results/segmentation.md" || fail "$results/segmentation.md" segmentation $?
+}
+
+"$source/scripts/install_dependencies.sh" libvtk9-dev python3-numpy python3-skimage
 [ -f "$build/CMakeCache.txt" ] ||
   cmake -S "$source" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release
-cmake --build "$build" --target benchmarks dsc dsc-full dsc-cut-locus dsc-fluid dsc-reconstruct --parallel "$(nproc)"
+cmake --build "$build" --target benchmarks dsc dsc-files dsc-full dsc-cut-locus dsc-fluid dsc-reconstruct dsc-segment --parallel "$(nproc)"
 mkdir -p "$results"
 tar --extract --gzip --file /usr/share/doc/libcgal-dev/data.tar.gz --directory "$build" data/meshes data/points_3
 {

@@ -42,6 +42,7 @@
 #include <initializer_list>
 #include <iterator>
 #include <sstream>
+#include <type_traits>
 #include <vector>
 
 namespace dsc_files {
@@ -109,6 +110,8 @@ vtkSmartPointer<vtkDataSet> read_named(const std::string& path, Messages* messag
 template <class Reader>
 vtkSmartPointer<vtkDataSet> read_image(const std::string& path, Messages* messages) {
   vtkNew<Reader> reader;
+  if constexpr (std::is_same_v<Reader, vtkTIFFReader>)
+    reader->SetOrientationType(4); // ORIENTATION_BOTLEFT: the last row of the file has y = 0
   if (reader->CanReadFile(path.c_str()) == 0)
     throw Failure("is not in the format of its extension, or is damaged");
   reader->SetFileName(path.c_str());

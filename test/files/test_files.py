@@ -123,6 +123,30 @@ def test_images(tmp_path, name, writer):
         assert "size of a voxel       0.5 x 0.5 x 1\nfirst voxel           3 4 5" in text
 
 
+def test_pictures_have_the_same_orientation(tmp_path):
+    labels = np.zeros((40, 30, 1), np.uint8)
+    labels[5:15, 4:9] = 1  # near the first row of the image
+    for name, writer in (("a.png", "vtkPNGWriter"), ("a.tif", "vtkTIFFWriter"), ("a.vti", "vtkXMLImageDataWriter")):
+        files.write_image(tmp_path / name, writer, labels)
+    regions = []
+    for name in "a.png", "a.tif", "a.vti":
+        assert run("convert", tmp_path / name, tmp_path / f"{name}.wkt").returncode == 0
+        regions.append((tmp_path / f"{name}.wkt").read_text())
+    assert regions[0] == regions[1] == regions[2]
+
+
+@pytest.mark.parametrize(("name", "writer"), IMAGES)
+def test_segmentation(tmp_path, name, writer):
+    values = files.gray_voxels().astype(np.float32)
+    files.write_image(tmp_path / name, writer, values)
+    labels = tmp_path / ("labels." + name.split(".", 1)[1].replace("mhd", "mha"))
+    result = run("segment", tmp_path / name, "--intensities", "40,180", "-o", labels)
+    assert result.returncode == 0, result.stderr
+    numbers, _ = info(labels)
+    bright = np.count_nonzero(values > 110)
+    assert abs(numbers["label 1"] - bright) < 0.05 * bright
+
+
 def test_image_of_nrrd(tmp_path):
     voxels = files.ball_voxels()
     path = tmp_path / "ball.nrrd"

@@ -338,6 +338,19 @@ TEST(Segment_image, estimates_are_robust) {
               900);
 }
 
+// A ball smaller than the first cells. No single cell with its label would decrease the energy.
+TEST(Segment_image, finds_regions_smaller_than_the_first_cells) {
+  const auto image = image_of<3>(
+      {24, 24, 24},
+      [](const Place<3>& p) {
+        return std::hypot(p[0] - 12, std::hypot(p[1] - 12, p[2] - 12)) < 7.3 ? 1. : 0.;
+      },
+      .05);
+  const auto report = dsc::segment_image<Complex_3>(image).second;
+  EXPECT_EQ(report.phases[1].components, 1u);
+  EXPECT_NEAR(report.phases[1].measure, 4 / 3. * CGAL_PI * 389, 120);
+}
+
 TEST(Segment_image, stops_when_asked) {
   const auto image = image_of<2>({64, 60}, target, .1);
   unsigned calls = 0;

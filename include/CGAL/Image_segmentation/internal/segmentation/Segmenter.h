@@ -79,14 +79,9 @@ public:
   // Gives each cell of a new mesh its best label.
   void label_cells() {
     m_costs.update(m_for_each_index);
-    for (const Cell_handle c : m_complex.cells()) {
-      int best = 0;
-      for (const int label : m_relabeling.labels)
-        if (m_costs(c, label) < m_costs(c, best))
-          best = label;
-      if (best != c->label())
+    for (const Cell_handle c : m_complex.cells())
+      if (const int best = label_of_least_cost(c); best != c->label())
         m_complex.relabel(c, best);
-    }
     m_complex.measure_interface_edges();
   }
 
@@ -186,8 +181,29 @@ private:
       const std::vector<double> usual = m_costs.usual_costs();
       if (refine_cells(m_complex, [&](Cell_handle c) { return is_to_be_refined(c, usual); }) == 0)
         return;
+      if (!m_options.keeps_topology)
+        begin_regions(usual);
       relabel();
     }
+  }
+
+  // Gives cells whose cost exceeds that of the noise the label with the least cost. Single cells of
+  // a new region have more energy at first, so relabel_by_energy() does not begin it; afterwards,
+  // it removes the regions that are not worth their boundary.
+  void begin_regions(const std::vector<double>& usual) {
+    m_costs.update(m_for_each_index);
+    for (const Cell_handle c : m_complex.cells())
+      if (excess(c, usual) > 0)
+        if (const int best = label_of_least_cost(c); best != c->label())
+          m_complex.relabel(c, best);
+  }
+
+  int label_of_least_cost(Cell_handle c) {
+    int result = c->label();
+    for (const int label : m_relabeling.labels)
+      if (m_costs(c, label) < m_costs(c, result))
+        result = label;
+    return result;
   }
 
   bool is_to_be_refined(Cell_handle c, const std::vector<double>& usual) {
