@@ -55,7 +55,7 @@ class Segmentation:
     smoothing: float
     """Energy of the interface, see `segment()`."""
     energies: list[float]
-    """The energy after every fifth motion of the interface."""
+    """The energy after every fifth motion of the interface, and at the end."""
     residual: float
     """Mean squared deviation of pixels from their phases, in units of the noise."""
     converged: bool
@@ -151,8 +151,12 @@ def _placed(
             raise TypeError("an image has a spacing and an origin; leave the arguments out")
         if placed.is_oblique:
             raise ValueError("the axes of the image are not axes of space: resample it")
+        if placed.voxels.ndim != len(placed.affine) - 1:
+            raise ValueError("image must have two or three axes")
         straight = placed.along_axes_of_space()
         if mask is not None:
+            if np.shape(mask) != placed.voxels.shape:
+                raise ValueError("mask must have the shape of the image")
             mask = PlacedImage(np.asarray(mask), placed.affine).along_axes_of_space().voxels
         d = straight.voxels.ndim
         image, spacing, origin = straight.voxels, straight.spacing, straight.affine[:d, d]

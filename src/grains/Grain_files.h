@@ -21,6 +21,7 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <system_error>
 
@@ -49,13 +50,15 @@ public:
     require_writable(m_volume.path());
   }
 
-  /// Writes the cells and the interface, with the misorientations of its facets.
+  /// Writes the cells and the interface, with the misorientations of its facets, unless the state
+  /// is written already.
   template <class Complex>
   void write(const Complex& complex, const Grain_state& state,
              const CGAL::Deformable_simplicial_complexes::Grain_orientations<Complex::dimension>&
                  orientations) {
-    if (m_run.output.empty() || state.step % m_run.every != 0)
+    if (m_run.output.empty() || m_last == state.step)
       return;
+    m_last = state.step;
     std::array<char, 32> name;
     std::snprintf(name.data(), name.size(), "_%06u.vtu", state.step);
     const std::string volume = m_run.output + "/volume" + name.data(),
@@ -76,6 +79,7 @@ public:
 private:
   const Grain_run& m_run;
   CGAL::IO::PVD_series m_volume, m_interface;
+  std::optional<unsigned> m_last; // step of the last state
 };
 
 } // namespace dsc

@@ -26,7 +26,8 @@ public:
   /// Takes the statistics before a step.
   void begin(const Complex& complex) { m_before = grain_statistics(complex); }
 
-  /// Adds the rates of growth in a step of the grains whose number of corners has not changed.
+  /// Adds the rates of growth in a step; in the plane, of the grains whose number of corners has
+  /// not changed.
   void end(const Complex& complex, double dt) {
     std::map<int, CGAL::Deformable_simplicial_complexes::Grain_statistics> after;
     for (const auto& grain : grain_statistics(complex))

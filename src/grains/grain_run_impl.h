@@ -81,7 +81,8 @@ Grain_result grow_grains(const Grain_run& run, Grain_files& files, Complex& comp
     state.energy = energy(complex);
     state.grains = complex.labels().size();
     state.cells = complex.number_of_cells();
-    files.write(complex, state, orientations);
+    if (state.step % run.every == 0)
+      files.write(complex, state, orientations);
     on(state);
   };
   tell();
@@ -92,17 +93,20 @@ Grain_result grow_grains(const Grain_run& run, Grain_files& files, Complex& comp
   static constexpr unsigned interval = d == 2 ? 1 : 5;
   Growth_law<Complex> law;
   // Few grains can become strips around the torus, which do not move.
-  static constexpr double still = 1e-9; // relative decrease of the energy in a step
+  static constexpr double still = 1e-6; // relative decrease of the energy in such a time
+  const auto steps_of_edge = unsigned(std::ceil(1 / run.step)); // time of a squared edge
   static constexpr double rounding = 1e-9;
+  // The law does not hold for grains around the torus, which few grains form.
+  static constexpr std::size_t fewest = 20;
+  double energy_before = state.energy;
   bool moves = true;
   const auto goal = std::size_t(std::ceil(run.until * double(run.number) - rounding));
   while (state.grains > std::max(goal, std::size_t(1)) && moves &&
          (run.steps == 0 || state.step < run.steps)) {
-    const bool compares =
-        is_isotropic && state.step * run.step > settled && state.step % interval == 0;
+    const bool compares = is_isotropic && state.grains >= (std::min)(fewest, run.number) &&
+                          state.step * run.step > settled && state.step % interval == 0;
     if (compares)
       law.begin(complex);
-    const double energy_before = state.energy;
     const auto report = growth.advance();
     ++state.step;
     state.removed = report.removed.size();
@@ -110,8 +114,12 @@ Grain_result grow_grains(const Grain_run& run, Grain_files& files, Complex& comp
     if (compares && report.removed.empty()) // no grain got another one
       law.end(complex, report.dt);
     tell();
-    moves = energy_before - state.energy > still * energy_before;
+    if (state.step % steps_of_edge == 0) {
+      moves = energy_before - state.energy > still * energy_before;
+      energy_before = state.energy;
+    }
   }
+  files.write(complex, state, orientations);
   Grain_result result;
   result.grains = grain_statistics(complex);
   law.write(result);

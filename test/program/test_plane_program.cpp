@@ -262,12 +262,12 @@ TEST_F(Planar_program, segments_images) {
   EXPECT_EQ(report("given.json").at("phases")[0].at("intensities")[0], 40);
   for (const std::string arguments :
        {"", "disk.inr --phases 1", "disk.inr --intensities 1,x",
-        "disk.inr --intensities 1,2 --phases 3", "disk.inr --smoothing 0", "disk.inr -o a.off",
-        "disk.inr -o disk.inr", "disk.inr --picture a.svg"})
+        "disk.inr --intensities 1,2 --phases 3", "disk.inr --intensities 3",
+        "disk.inr --smoothing 0", "disk.inr -o a.off", "disk.inr -o disk.inr",
+        "disk.inr --picture a.svg"})
     expect_error("segment " + arguments, 2);
-  for (const std::string arguments :
-       {"missing.inr", "disk.inr --phases 9", "disk.inr --start disk.inr",
-        "disk.inr --mask disk.vtu", "disk.inr --intensities 3"})
+  for (const std::string arguments : {"missing.inr", "disk.inr --phases 9",
+                                      "disk.inr --start disk.inr", "disk.inr --mask disk.vtu"})
     expect_error("segment " + arguments, 1);
   std::ofstream(path("short.inr"), std::ios::binary) << image_of_disk(40).substr(0, 1500);
   expect_error("segment short.inr", 1);

@@ -159,8 +159,11 @@ std::vector<typename Complex::Label> remove_components(Complex& complex, const S
     if (after == before)
       continue;
     // If the neighbor is also removed later, the cells are removed with it.
-    if (const auto next = internal::number_of_neighbor(complex, component, after, left))
+    if (const auto next = internal::number_of_neighbor(complex, component, after, left)) {
       internal::append(component, components.at(*next));
+      for (auto c : component.cells)
+        left.emplace(c->time_stamp(), *next);
+    }
     for (auto c : component.cells) {
       complex.relabel(c, after);
       if (visitor)

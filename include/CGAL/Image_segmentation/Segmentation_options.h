@@ -40,11 +40,12 @@ template <int d> struct Segmentation_options
   /// Standard deviation of the noise of each channel. If empty, it is estimated.
   std::vector<double> noise;
   /// Energy of the interface per area of a side of a voxel, in the plane per side of a pixel, in
-  /// squares of the noise; positive. A disk vanishes if its radius is below twice this number,
-  /// divided by its squared contrast in units of the noise; a ball vanishes below three times this
-  /// number. By default, it is the smallest
-  /// squared contrast, with more than two phases twice as much, and at least 2.5 times the smallest
-  /// contrast (in space 1.2 times), in units of the noise.
+  /// squares of the noise; positive. Let \f$\alpha\f$ be the smoothing and \f$\Delta\f$ a contrast
+  /// in units of the noise. A disk with a radius below \f$2\alpha/\Delta^2\f$ vanishes, and a ball
+  /// with a radius below \f$3\alpha/\Delta^2\f$. The default is \f$\Delta^2\f$ for the smallest
+  /// contrast, and
+  /// \f$2\Delta^2\f$ with more than two phases. It is at least \f$2.5\Delta\f$, in space
+  /// \f$1.2\Delta\f$.
   std::optional<double> smoothing;
   /// \var longest_edge
   /// Length of edges at the beginning

@@ -47,7 +47,7 @@ struct Segmentation_report
   std::vector<Boundary> boundaries; ///< by increasing labels
   std::vector<double> noise;        ///< standard deviation of each channel
   double smoothing = 0;             ///< energy of the interface, see `Segmentation_options`
-  std::vector<double> energies;     ///< after every fifth motion of the interface
+  std::vector<double> energies;     ///< after every fifth motion, and at the end
   double residual =
       0; ///< mean squared deviation of pixels from their phases, in units of the noise
   /// Whether the last motions with steps of full length changed the energy by less than 1 % of the

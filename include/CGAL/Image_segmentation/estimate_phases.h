@@ -67,17 +67,18 @@ template <int d> double noise_of_differences(const Gray_image<d>& image, std::si
   return deviation_over_median / std::sqrt(6.) * median(differences);
 }
 
-// Means of an image over cubes of pixels.
+// Means of an image over blocks of pixels, without values far from the median of a block. So
+// defective pixels do not change them.
 struct Block_means
 {
-  // Computes the means over cubes with a given side.
-  template <int d> Block_means(const Gray_image<d>& image, std::size_t side) {
+  // Computes the means over blocks with a given side. `noise` is the deviation of each channel.
+  template <int d>
+  Block_means(const Gray_image<d>& image, std::size_t side, const std::vector<double>& noise) {
     std::array<std::size_t, d> blocks;
     std::size_t n = 1;
     for (int axis = 0; axis < d; ++axis)
       n *= blocks[axis] = (image.grid.size[axis] + side - 1) / side;
-    std::vector<std::size_t> counts(n, 0);
-    std::vector<std::vector<double>> sums(n, std::vector<double>(image.channels.size(), 0.));
+    std::vector<std::vector<std::size_t>> pixels(n); // of each block
     block_of.resize(image.channels.front().size());
     for (std::size_t pixel = 0; pixel < block_of.size(); ++pixel) {
       if (pixel % 4096 == 0)
@@ -89,20 +90,24 @@ struct Block_means
         rest /= image.grid.size[axis];
       }
       block_of[pixel] = block;
-      if (!image.has_value(pixel))
-        continue;
-      ++counts[block];
-      for (std::size_t k = 0; k < image.channels.size(); ++k)
-        sums[block][k] += double(image.channels[k][pixel]);
+      if (image.has_value(pixel))
+        pixels[block].push_back(pixel);
     }
     std::vector<std::size_t> number_of(n, 0);
+    std::vector<double> values;
     for (std::size_t block = 0; block < n; ++block) {
       number_of[block] = means.size();
-      if (counts[block] == 0)
+      if (pixels[block].empty())
         continue;
-      for (double& sum : sums[block])
-        sum /= double(counts[block]);
-      means.push_back(std::move(sums[block]));
+      if (block % 4096 == 0)
+        Progress_scope::check();
+      means.emplace_back();
+      for (std::size_t k = 0; k < image.channels.size(); ++k) {
+        values.clear();
+        for (const std::size_t pixel : pixels[block])
+          values.push_back(double(image.channels[k][pixel]));
+        means.back().push_back(clipped_mean(values, noise[k]));
+      }
     }
     for (std::size_t& block : block_of)
       block = number_of[block];
@@ -110,38 +115,36 @@ struct Block_means
 
   std::vector<std::vector<double>> means; // for each block with values, of each channel
   std::vector<std::size_t> block_of;      // for each pixel with a value
+
+private:
+  static double clipped_mean(std::vector<double>& values, double noise) {
+    static constexpr double far = 4; // in deviations of the noise
+    const double middle = median(values);
+    double sum = 0;
+    std::size_t n = 0;
+    for (const double x : values)
+      if (std::abs(x - middle) <= far * noise) {
+        sum += x;
+        ++n;
+      }
+    return sum / double(n);
+  }
 };
 
 // The largest number of phases, which is the number of bins of histograms.
 constexpr std::size_t most_phases = 256;
-
-// Returns the range of numbers without outliers: at most a five-hundredth at each end, and one of a
-// few numbers.
-inline std::pair<double, double> range_of(std::vector<double> numbers) {
-  static constexpr std::size_t part = 500, few = 64;
-  std::sort(numbers.begin(), numbers.end());
-  const std::size_t skipped =
-      numbers.size() < few ? 0 : (std::max)(numbers.size() / part, std::size_t(1));
-  // An end is an outlier only if it is far from the rest.
-  static constexpr double far = 2; // times the range of the rest
-  const double low = numbers[skipped], high = numbers[numbers.size() - 1 - skipped],
-               margin = far * (high - low);
-  return {(std::max)(numbers.front(), low - margin) > numbers.front() ? low : numbers.front(),
-          (std::min)(numbers.back(), high + margin) < numbers.back() ? high : numbers.back()};
-}
 
 // Divides numbers into k classes with the least sum of squared distances from the means of classes,
 // by dynamic programming over a histogram. Outliers count in the outer bins. Returns the means;
 // there are fewer if there are fewer different bins.
 inline std::vector<double> means_of_classes(const std::vector<double>& numbers, std::size_t k) {
   static constexpr std::size_t bins = most_phases;
-  const auto [low, high] = range_of(numbers);
-  const double width = (high - low) / double(bins);
+  const auto [least, largest] = std::minmax_element(numbers.begin(), numbers.end());
+  const double low = *least, width = (*largest - low) / double(bins);
   if (!(width > 0))
     return {low};
   std::array<double, bins + 1> count = {}, sum = {}, squares = {}; // of the bins below
-  for (const double number : numbers) {
-    const double x = std::clamp(number, low, high);
+  for (const double x : numbers) {
     const std::size_t bin = (std::min)(std::size_t((x - low) / width), bins - 1) + 1;
     count[bin] += 1;
     sum[bin] += x - low;
@@ -218,7 +221,7 @@ inline Eigen::VectorXd principal_direction(const std::vector<std::vector<double>
   return result[largest] < 0 ? Eigen::VectorXd(-result) : result;
 }
 
-// Divides points without outliers into k classes (Lloyd's algorithm), from the best classes along
+// Divides points into k classes (Lloyd's algorithm), from the best classes along
 // the direction of the largest variance. Returns the means of the classes, in the order along this
 // direction.
 inline std::vector<std::vector<double>> means_of_classes(std::vector<std::vector<double>> points,
@@ -230,15 +233,6 @@ inline std::vector<std::vector<double>> means_of_classes(std::vector<std::vector
   along.reserve(points.size());
   for (const auto& p : points)
     along.push_back(direction.dot(Eigen::Map<const Eigen::VectorXd>(p.data(), n)));
-  const auto [low, high] = range_of(along);
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (along[i] >= low && along[i] <= high) {
-      along[kept] = along[i];
-      points[kept++] = points[i];
-    }
-  along.resize(kept);
-  points.resize(kept);
   const std::vector<double> first = means_of_classes(along, k);
   std::vector<std::size_t> class_of(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -270,15 +264,13 @@ inline std::vector<std::vector<double>> means_of_classes(std::vector<std::vector
   return result;
 }
 
-// Returns the distance between the 2nd and the 98th percentile of the values of a channel.
-inline double spread(const std::vector<std::vector<double>>& points, std::size_t channel) {
-  static constexpr double tail = .02;
-  std::vector<double> values;
-  for (const auto& p : points)
-    values.push_back(p[channel]);
-  std::sort(values.begin(), values.end());
-  const auto skipped = std::size_t(tail * double(values.size()));
-  return values[values.size() - 1 - skipped] - values[skipped];
+// Returns the range of a channel.
+inline double range_of(const std::vector<std::vector<double>>& points, std::size_t channel) {
+  const auto [least, largest] =
+      std::minmax_element(points.begin(), points.end(), [channel](const auto& a, const auto& b) {
+        return a[channel] < b[channel];
+      });
+  return (*largest)[channel] - (*least)[channel];
 }
 
 // Estimates the standard deviation of noise by the deviations of pixels from the intensity nearest
@@ -287,8 +279,8 @@ template <int d>
 double noise_of_phases(const Gray_image<d>& image, std::size_t channel, const Block_means& blocks,
                        const std::vector<std::vector<double>>& intensities) {
   std::vector<double> nearest, deviations;
-  for (const auto& mean : blocks.means)
-    nearest.push_back(intensities[nearest_of(intensities, mean)][channel]);
+  for (const auto& point : blocks.means)
+    nearest.push_back(intensities[nearest_of(intensities, point)][channel]);
   for (std::size_t i = 0; i < blocks.block_of.size(); ++i)
     if (image.has_value(i))
       deviations.push_back(
@@ -296,17 +288,72 @@ double noise_of_phases(const Gray_image<d>& image, std::size_t channel, const Bl
   return deviation_over_median * median(deviations);
 }
 
+// Returns the noise of differences of all channels.
+template <int d> std::vector<double> noise_of_differences(const Gray_image<d>& image) {
+  std::vector<double> result;
+  for (std::size_t k = 0; k < image.channels.size(); ++k)
+    result.push_back(noise_of_differences(image, k));
+  return result;
+}
+
+// Returns the means over blocks that are large enough to average the noise of differences.
+template <int d> Block_means averaging_blocks(const Gray_image<d>& image, std::size_t phases) {
+  static constexpr double averaged = .03;   // noise of a block relative to the range of blocks
+  static constexpr std::size_t largest = 9; // side of a block in pixels
+  static constexpr std::size_t fewest = 64; // blocks for each phase
+  const std::vector<double> noise = noise_of_differences(image);
+  std::size_t side = 3;
+  Block_means blocks(image, side, noise);
+  const auto is_averaged = [&] {
+    for (std::size_t k = 0; k < noise.size(); ++k)
+      if (noise[k] * std::pow(double(side), -d / 2.) > averaged * range_of(blocks.means, k))
+        return false;
+    return true;
+  };
+  if (blocks.means.size() < fewest * phases)
+    return Block_means(image, 1, noise);
+  while (side < largest && !is_averaged()) {
+    Block_means larger(image, side += 2, noise);
+    if (larger.means.size() < fewest * phases)
+      break;
+    blocks = std::move(larger);
+  }
+  return blocks;
+}
+
+// Returns the noise of an image with phases of given intensities, see `estimate_phases()`.
+template <int d>
+std::vector<double> noise_of(const Gray_image<d>& image, const Block_means& blocks,
+                             const std::vector<std::vector<double>>& intensities) {
+  static constexpr double least_noise = .1; // relative to the smallest contrast
+  std::vector<double> result;
+  for (std::size_t k = 0; k < image.channels.size(); ++k) {
+    double contrast = std::numeric_limits<double>::infinity();
+    for (const auto& a : intensities)
+      for (const auto& b : intensities)
+        if (a[k] < b[k])
+          contrast = (std::min)(contrast, b[k] - a[k]);
+    double noise =
+        (std::max)(noise_of_differences(image, k), noise_of_phases(image, k, blocks, intensities));
+    if (std::isfinite(contrast))
+      noise = (std::max)(noise, least_noise * contrast);
+    result.push_back(noise > 0 ? noise : 1); // a constant channel
+  }
+  return result;
+}
+
 } // namespace internal
 
 /*!
 \ingroup PkgImageSegmentationRef
 
-Estimates the intensities of the phases of an image, and its noise. Means over cubes of pixels are
-divided into classes with the least squared deviations (k-means; for one channel, the classes of
-Otsu). The cubes are large enough to average the noise. The noise is the larger one of two robust
-estimates: by second differences of neighbors, and by the deviations of pixels from the classes; so
-a texture counts as noise. It is at least a tenth of the smallest contrast, because the pixels of an
-image without noise do not follow a smooth boundary.
+Estimates the intensities of the phases of an image, and its noise. Means over blocks of pixels,
+without defective pixels, are divided into classes with the least squared deviations (k-means; for
+one channel, the classes of Otsu). The blocks are large enough to average the noise. The noise is
+the larger one of two robust estimates: by second differences of neighbors, and by the deviations of
+pixels from the classes. So a texture counts as noise. The noise is at least a tenth of the smallest
+contrast, because the pixels of an image without noise do not follow a smooth boundary. A phase that
+fills no block is not found.
 
 n log n in the number of pixels, times the number of phases.
 
@@ -319,55 +366,18 @@ n log n in the number of pixels, times the number of phases.
 \throws Interrupted_error if the callback of a `Progress_scope` returned `false`
 */
 template <int d> Image_phases estimate_phases(const Gray_image<d>& image, unsigned phases) {
-  static constexpr double averaged = .05;   // noise of the mean of a cube relative to the spread
-  static constexpr std::size_t largest = 9; // side of a cube in pixels
-  static constexpr double least_noise = .1; // relative to the smallest contrast
   const Progress_phase progress("estimating the phases of the image");
   image.check();
   if (phases == 0 || phases > internal::most_phases)
     throw Error("the number of phases is out of range: use 1 to 256");
-  const std::size_t channels = image.channels.size();
+  const internal::Block_means blocks = internal::averaging_blocks(image, phases);
   Image_phases result;
-  for (std::size_t k = 0; k < channels; ++k)
-    result.noise.push_back(internal::noise_of_differences(image, k));
-  std::size_t side = 3;
-  internal::Block_means blocks(image, side);
-  const auto is_averaged = [&] {
-    for (std::size_t k = 0; k < channels; ++k)
-      if (result.noise[k] * std::pow(double(side), -d / 2.) >
-          averaged * internal::spread(blocks.means, k))
-        return false;
-    return true;
-  };
-  // In a small image, there would be too few cubes.
-  static constexpr std::size_t fewest = 64; // cubes for each phase
-  if (blocks.means.size() < fewest * phases)
-    blocks = internal::Block_means(image, 1);
-  else
-    while (side < largest && !is_averaged()) {
-      internal::Block_means larger(image, side += 2);
-      if (larger.means.size() < fewest * phases)
-        break;
-      blocks = std::move(larger);
-    }
   result.intensities = internal::means_of_classes(blocks.means, phases);
   if (result.intensities.size() < phases)
     throw Error("only " + std::to_string(result.intensities.size()) +
                 " separate classes of values were found: use fewer phases than " +
-                std::to_string(phases));
-  for (std::size_t k = 0; k < channels; ++k) {
-    double contrast = std::numeric_limits<double>::infinity();
-    for (const auto& a : result.intensities)
-      for (const auto& b : result.intensities)
-        if (a[k] < b[k])
-          contrast = (std::min)(contrast, b[k] - a[k]);
-    result.noise[k] = (std::max)(result.noise[k],
-                                 internal::noise_of_phases(image, k, blocks, result.intensities));
-    if (std::isfinite(contrast))
-      result.noise[k] = (std::max)(result.noise[k], least_noise * contrast);
-    if (!(result.noise[k] > 0))
-      result.noise[k] = 1; // a constant channel
-  }
+                std::to_string(phases) + ", or give the intensities of the phases");
+  result.noise = internal::noise_of(image, blocks, result.intensities);
   return result;
 }
 

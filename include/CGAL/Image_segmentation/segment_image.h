@@ -68,13 +68,14 @@ template <int d>
 Image_phases phases_of(const Gray_image<d>& image, const Segmentation_options<d>& options) {
   options.check();
   Image_phases result = {options.intensities, options.noise};
-  if (options.intensities.empty() || options.noise.empty()) {
-    const Image_phases estimate = estimate_phases(
-        image, options.intensities.empty() ? options.phases : unsigned(options.intensities.size()));
-    if (options.intensities.empty())
-      result.intensities = estimate.intensities;
-    if (options.noise.empty())
-      result.noise = estimate.noise;
+  if (options.intensities.empty()) {
+    result = estimate_phases(image, options.phases);
+    if (!options.noise.empty())
+      result.noise = options.noise;
+  } else if (options.noise.empty() && options.intensities.front().size() == image.channels.size()) {
+    const Progress_phase progress("estimating the noise of the image");
+    result.noise =
+        noise_of(image, averaging_blocks(image, options.intensities.size()), options.intensities);
   }
   if (result.noise.size() != image.channels.size() ||
       result.intensities.front().size() != image.channels.size())
@@ -84,13 +85,16 @@ Image_phases phases_of(const Gray_image<d>& image, const Segmentation_options<d>
   return result;
 }
 
-// An image with noise of deviation 1 in each channel, and the intensities in this unit. Values far
-// from all intensities, such as those of defective pixels, come nearer.
+// An image with noise of deviation 1 in each channel, and the intensities in this unit. Values
+// farther than 10 deviations from all intensities and from the means of all small blocks are
+// clamped. These are the values of defective pixels.
 template <int d> struct Normalized_image
 {
   Normalized_image(const Gray_image<d>& original, const Image_phases& phases)
       : image(original), intensities(phases.intensities), noise(phases.noise) {
-    static constexpr double farthest = 10; // from the intensities, in deviations of the noise
+    static constexpr double farthest = 10; // in deviations of the noise
+    static constexpr std::size_t side = 3; // of a block, in pixels
+    const Block_means blocks(original, side, noise);
     for (std::size_t k = 0; k < image.channels.size(); ++k) {
       double sum = 0;
       for (const auto& intensity : intensities)
@@ -101,6 +105,10 @@ template <int d> struct Normalized_image
         intensity[k] = (intensity[k] - centers[k]) / noise[k];
         low = (std::min)(low, intensity[k] - farthest);
         high = (std::max)(high, intensity[k] + farthest);
+      }
+      for (const auto& of_block : blocks.means) {
+        low = (std::min)(low, (of_block[k] - centers[k]) / noise[k] - farthest);
+        high = (std::max)(high, (of_block[k] - centers[k]) / noise[k] + farthest);
       }
       for (std::size_t i = 0; i < image.channels[k].size(); ++i) {
         if (i % 4096 == 0)
@@ -163,9 +171,9 @@ Segmentation_report segment(Complex& complex, const Gray_image<Complex::dimensio
     throw Error("no cell of the complex contains a pixel with a value: use a complex with the "
                 "coordinates of the image");
   Segmenter<Complex> segmenter(complex, costs, options);
-  complex.measure_interface_edges();
   if (is_new)
     segmenter.label_cells();
+  complex.measure_interface_edges();
   Segmentation_report result;
   result.noise = normalized.noise;
   result.smoothing = segmenter.smoothing();
@@ -188,9 +196,9 @@ The result minimizes locally
 
 Here, \f$\Omega_a\f$ are the cells with the label a, \f$I_k\f$ is a channel of the image with the
 noise \f$\sigma_k\f$, \f$c_{ak}\f$ are the intensities of the phase, \f$\Gamma\f$ is the interface,
-and \f$\alpha\f$ is `Segmentation_options::smoothing`. Lengths are in pixels. A value that is more
-than \f$10\,\sigma_k\f$ below or above all intensities counts as one at this distance, so that
-defective pixels have little effect.
+and \f$\alpha\f$ is `Segmentation_options::smoothing`. Lengths are in pixels. A value that
+is more than \f$10\,\sigma_k\f$ below or above all intensities and the means of all blocks of
+three pixels is clamped. So defective pixels have little effect.
 
 The mesh begins with equal cells. Cells get the labels that decrease the energy; cells across
 boundaries are bisected; vertices of the interface move against the gradient of the energy. This is

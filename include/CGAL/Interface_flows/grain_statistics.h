@@ -92,6 +92,8 @@ void add_edges(const Complex& complex, std::map<int, Grain_statistics>& grains) 
 
 Returns the measures of all labels of a complex, by increasing label. n log n in the number of
 cells.
+
+\throws Interrupted_error if the callback of a `Progress_scope` returned `false`
 */
 template <class Complex> std::vector<Grain_statistics> grain_statistics(const Complex& complex) {
   std::map<int, Grain_statistics> grains;

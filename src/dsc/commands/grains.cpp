@@ -105,10 +105,9 @@ void plot(const std::string& path, const Grain_result& result, int dimension) {
 
 int execute(const Grains_options& options) {
   const Grain_run& run = options.run;
-  require_place("--report", options.report, {run.picture});
-  require_place("--plot", options.plot, {run.picture, options.report});
-  if (!run.picture.empty())
-    require_writable(run.picture);
+  require_place("--picture", run.picture, {options.energy});
+  require_place("--report", options.report, {run.picture, options.energy});
+  require_place("--plot", options.plot, {run.picture, options.report, options.energy});
   Json states = Json::array();
   Grain_state last;
   const Interruptible interruptible(options.quiet);

@@ -19,6 +19,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/number_of_word.h>
 #include <CGAL/Deformable_simplicial_complexes/sample_labels.h>
 #include <CGAL/Image_segmentation/compiled_2.h>
 #include <CGAL/Image_segmentation/compiled_3.h>
@@ -95,6 +96,11 @@ DSC::Segmentation_options<d> options_of(const Segment_options& options, std::siz
   result.keeps_topology = options.keeps_topology;
   result.connected = options.connected;
   result.number_of_threads = options.threads;
+  try {
+    result.check();
+  } catch (const DSC::Error& error) {
+    throw Usage_error(error.what());
+  }
   return result;
 }
 

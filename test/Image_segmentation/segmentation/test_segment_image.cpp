@@ -338,6 +338,18 @@ TEST(Segment_image, estimates_are_robust) {
               900);
 }
 
+// A small region is no outlier. Pixels across its boundary decrease the mean of its intensity.
+TEST(Segment_image, finds_a_small_region_in_a_large_image) {
+  const auto report =
+      dsc::segment_image<Complex_2>(
+          image_of<2>(
+              {100, 100}, [](const Place<2>& p) { return distance(p, 40, 60) < 4 ? 1. : 0.; }, .05))
+          .second;
+  EXPECT_EQ(report.phases[1].components, 1u);
+  EXPECT_NEAR(report.phases[1].measure, CGAL_PI * 16, 6);
+  EXPECT_NEAR(report.phases[1].intensities.front(), 1, .1);
+}
+
 // A ball smaller than the first cells. No single cell with its label would decrease the energy.
 TEST(Segment_image, finds_regions_smaller_than_the_first_cells) {
   const auto image = image_of<3>(

@@ -144,6 +144,20 @@ TEST(Remove_components, removes_neighbors_together) {
   }
 }
 
+// 4 is between 3 and 5, which go in the order of their numbers. 5 touches 4 and 1 only.
+TEST(Remove_components, removes_chains_together) {
+  Complex complex = planar_regions::grid(
+      5, 3, [](std::size_t i, std::size_t j) { return Complex::Point_2(double(i), double(j)); },
+      [](std::size_t i, std::size_t j) {
+        return j != 1 ? 1 : i == 1 ? 3 : i == 2 ? 4 : i == 3 ? 5 : 1;
+      });
+  EXPECT_EQ(
+      dsc::remove_components(complex, [](int label, std::uint32_t, double) { return label > 1; })
+          .size(),
+      3u);
+  EXPECT_EQ(complex.labels(), std::vector<int>{1});
+}
+
 TEST(Grain_statistics, counts_corners_and_neighbors) {
   const Complex complex = planar_regions::grid(
       6, 6, [](std::size_t i, std::size_t j) { return Complex::Point_2(double(i), double(j)); },

@@ -47,7 +47,7 @@ public:
     Fields sums(m_image.channels.size() + 2, 0.);
     bool is_inside = true;
     const double lengths = add_lines(corners, planes, n, sums, is_inside);
-    if (lengths > 0 || !is_inside) {
+    if (lengths > 0) {
       const double area = is_inside ? planes.volume / lengths : 1 / (n * n); // of a line
       for (std::size_t f = 0; f < sums.size(); ++f)
         result[f] += sums[f] * area;
@@ -114,9 +114,10 @@ private:
         largest[k] = (std::max)(largest[k], p[k + 1]);
       }
     }
+    static constexpr double rounding = 1e-9; // of vertices on the sides of the image
     for (int k = 0; k < 2; ++k) {
       const double size = double(m_image.grid.size[k + 1]);
-      is_inside = is_inside && least[k] >= 0 && largest[k] <= size;
+      is_inside = is_inside && least[k] >= -rounding && largest[k] <= size + rounding;
       least[k] = (std::max)(least[k], 0.);
       largest[k] = (std::min)(largest[k], size);
     }

@@ -25,8 +25,8 @@ struct Segment_part
   double from = 0, to = 1;
 };
 
-// Returns the part of a segment whose coordinate on an axis is in [0, size]. The ends have the
-// coordinates `p` and `q`.
+// Returns the intersection of a part of a segment with the points whose coordinate is in [0, size].
+// The ends of the segment have the coordinates `p` and `q`.
 inline Segment_part clip(Segment_part part, double p, double q, double size) {
   if (p == q)
     return p >= 0 && p <= size ? part : Segment_part{0, 0};

@@ -82,7 +82,6 @@ public:
     for (const Cell_handle c : m_complex.cells())
       if (const int best = label_of_least_cost(c); best != c->label())
         m_complex.relabel(c, best);
-    m_complex.measure_interface_edges();
   }
 
   void run(Segmentation_report& report) {
@@ -92,8 +91,8 @@ public:
       m_deformation.topology_control = forbid;
     }
     double largest = 0; // side of the image, in pixels
-    for (const std::size_t n : m_costs.moments().image().grid.size)
-      largest = (std::max)(largest, double(n));
+    for (int axis = 0; axis < d; ++axis)
+      largest = (std::max)(largest, double(grid().size[axis]) * sides_along(axis));
     const double last = (std::min)(m_options.shortest_edge, largest) / m_unit,
                  longest = (std::min)(m_options.longest_edge, largest) / m_unit,
                  first = (std::max)(Rule::first_length * longest, last);
@@ -276,6 +275,12 @@ private:
       distance = (std::max)({distance, -place[axis],
                              place[axis] - double(m_costs.moments().image().grid.size[axis])});
     return m_edge + gradation * distance / m_unit;
+  }
+
+  const Sampling_grid<d>& grid() const { return m_costs.moments().image().grid; }
+  // Returns the length of a pixel along an axis, in sides of a pixel.
+  double sides_along(int axis) const {
+    return grid().spacing[axis] / m_costs.moments().image().side();
   }
 
   Complex& m_complex;
