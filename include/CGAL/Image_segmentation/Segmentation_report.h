@@ -50,8 +50,8 @@ struct Segmentation_report
   std::vector<double> energies;     ///< after every fifth motion, and at the end
   double residual =
       0; ///< mean squared deviation of pixels from their phases, in units of the noise
-  /// Whether the last motions with steps of full length changed the energy by less than 1 % of the
-  /// energy of the interface. It is true if the interface has vanished.
+  /// Whether the energies after the last two motions with steps of full length differ by less than
+  /// 1 % of the energy of the interface. It is true if the interface has vanished.
   bool has_converged = false;
 };
 

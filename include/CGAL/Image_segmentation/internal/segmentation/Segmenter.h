@@ -45,7 +45,7 @@ template <int d> struct Segmentation_rule
   static constexpr int interval = 5;            // moves after which the energy must have fallen
   // Changes of the energy relative to that of the interface: a decrease in these moves that ends
   // them, and the change in the last moves of a result that has converged.
-  static constexpr double slow = 1e-3, converged = 1e-2;
+  static constexpr double slow = 1e-3, converged = 2e-2;
   static constexpr unsigned passes = 5; // of a motion
   // The number of deviations by which the cost of a cell must exceed the usual one.
   static constexpr double significant = 3;
@@ -111,8 +111,9 @@ public:
       }
     }
     relabel();
-    // Shorter steps, which follow, would hide that the motion does not converge.
-    const double before = energy();
+    // Compares the last two motions on different meshes. Shorter steps, which follow, would hide
+    // that the motion does not converge.
+    const double before = report.energies.empty() ? energy() : report.energies.back();
     move(Rule::moves, false, report);
     report.has_converged = std::abs(before - energy()) < Rule::converged * energy_of_interface() ||
                            m_complex.interface_vertices().empty();
