@@ -59,7 +59,7 @@ class Segmentation:
     residual: float
     """Mean squared deviation of pixels from their phases, in units of the noise."""
     converged: bool
-    """Whether the last motions changed the energy by less than 1 % of the energy of the interface."""
+    """Whether the energies after the last two motions differ by less than 2 % of that of the interface."""
 
 
 def segment(

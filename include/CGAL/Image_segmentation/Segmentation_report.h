@@ -51,7 +51,7 @@ struct Segmentation_report
   double residual =
       0; ///< mean squared deviation of pixels from their phases, in units of the noise
   /// Whether the energies after the last two motions with steps of full length differ by less than
-  /// 1 % of the energy of the interface. It is true if the interface has vanished.
+  /// 2 % of the energy of the interface. It is true if the interface has vanished.
   bool has_converged = false;
 };
 
