@@ -92,7 +92,8 @@ plus linear in the number of cells.
 \param complex the complex
 \param visit `visit(vertices, angles)` is called in the order of the time stamps of the vertices, with
        `Junction::vertices` and a vector of pairs of a label and its angle, by increasing label.
-There is a single pair if an edge is not on the interface.
+       There is a single pair if an edge is not on the interface, also on the boundary of the
+       domain.
 \throws Interrupted_error if the callback of a `Progress_scope` returned `false`
 */
 template <class Complex, class Visit>
@@ -139,8 +140,8 @@ void visit_interface_edges(const Complex& complex, const Visit& visit) {
 \ingroup PkgDeformableSimplicialComplexesRef
 
 Returns the junctions of a complex with their angles, ordered by the time stamps of their vertices.
-In equilibrium, angles are those of `Interface_energy::young_angles()`. n log n in the number of
-cells at the interface, plus linear in the number of cells.
+In equilibrium, the angles equal the angles of `Interface_energy::young_angles()`. n log n in the
+number of cells at the interface, plus linear in the number of cells.
 
 \throws Interrupted_error if the callback of a `Progress_scope` returned `false`
 */

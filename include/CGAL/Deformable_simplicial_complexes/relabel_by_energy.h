@@ -49,7 +49,8 @@ template <class Complex> struct Relabeling_options
 
 namespace internal {
 
-// Chooses labels by energy: that of cells, given by a function, and that of their boundaries.
+// Chooses labels by the energy of cells, which a function gives, and the energy of their
+// boundaries.
 template <class Complex, class Energy_of_cell> class Label_chooser
 {
 public:
@@ -65,6 +66,7 @@ public:
   // rounding errors.
   template <class Is_own> Label best(const std::vector<Cell_handle>& cells, const Is_own& is_own) {
     static constexpr double rounding = 1e-12; // relative to the energies
+    const bool has_densities = m_options.interface_energy.has_densities();
     m_areas.clear();
     double measure = 0;
     for (auto c : cells) {
@@ -72,7 +74,7 @@ public:
         if (const auto neighbor = c->neighbor(i);
             !m_complex.is_infinite(neighbor) && !is_own(neighbor))
           m_areas[neighbor->label()] += m_complex.measure(std::make_pair(c, i));
-      measure += m_complex.measure(c);
+      measure += has_densities ? m_complex.measure(c) : 0;
     }
     const Label present = cells.front()->label();
     const auto energy_of = [&](Label label) {

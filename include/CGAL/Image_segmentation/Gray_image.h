@@ -69,8 +69,7 @@ template <int d> struct Gray_image
                   " values, but the grid has " + std::to_string(n) + " points");
     bool is_empty = true;
     for (std::size_t i = 0; i < n; ++i) {
-      if (i % 4096 == 0)
-        Progress_scope::check();
+      Progress_scope::check();
       if (!has_value(i))
         continue;
       is_empty = false;

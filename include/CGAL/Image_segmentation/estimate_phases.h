@@ -57,8 +57,7 @@ template <int d> double noise_of_differences(const Gray_image<d>& image, std::si
   std::vector<double> differences;
   const std::size_t n = image.grid.size[0];
   for (std::size_t i = 1; i + 1 < values.size(); ++i) {
-    if (i % 4096 == 0)
-      Progress_scope::check();
+    Progress_scope::check();
     if (i % n != 0 && i % n != n - 1 && image.has_value(i - 1) && image.has_value(i) &&
         image.has_value(i + 1))
       differences.push_back(
@@ -81,8 +80,7 @@ struct Block_means
     std::vector<std::vector<std::size_t>> pixels(n); // of each block
     block_of.resize(image.channels.front().size());
     for (std::size_t pixel = 0; pixel < block_of.size(); ++pixel) {
-      if (pixel % 4096 == 0)
-        Progress_scope::check();
+      Progress_scope::check();
       std::size_t rest = pixel, block = 0, stride = 1;
       for (int axis = 0; axis < d; ++axis) {
         block += rest % image.grid.size[axis] / side * stride;
@@ -99,8 +97,7 @@ struct Block_means
       number_of[block] = means.size();
       if (pixels[block].empty())
         continue;
-      if (block % 4096 == 0)
-        Progress_scope::check();
+      Progress_scope::check();
       means.emplace_back();
       for (std::size_t k = 0; k < image.channels.size(); ++k) {
         values.clear();
@@ -254,8 +251,7 @@ inline std::vector<std::vector<double>> means_of_classes(std::vector<std::vector
         result[j][c] = sums[j][c] / double(counts[j]);
     has_changed = false;
     for (std::size_t i = 0; i < points.size(); ++i) {
-      if (i % 256 == 0)
-        Progress_scope::check();
+      Progress_scope::check();
       const std::size_t nearest = nearest_of(result, points[i]);
       has_changed = has_changed || nearest != class_of[i];
       class_of[i] = nearest;
@@ -296,12 +292,13 @@ template <int d> std::vector<double> noise_of_differences(const Gray_image<d>& i
   return result;
 }
 
-// Returns the means over blocks that are large enough to average the noise of differences.
-template <int d> Block_means averaging_blocks(const Gray_image<d>& image, std::size_t phases) {
+// Returns the means over blocks that are large enough to average noise of the given deviations.
+template <int d>
+Block_means averaging_blocks(const Gray_image<d>& image, const std::vector<double>& noise,
+                             std::size_t phases) {
   static constexpr double averaged = .03;   // noise of a block relative to the range of blocks
   static constexpr std::size_t largest = 9; // side of a block in pixels
   static constexpr std::size_t fewest = 64; // blocks for each phase
-  const std::vector<double> noise = noise_of_differences(image);
   std::size_t side = 3;
   Block_means blocks(image, side, noise);
   const auto is_averaged = [&] {
@@ -321,23 +318,24 @@ template <int d> Block_means averaging_blocks(const Gray_image<d>& image, std::s
   return blocks;
 }
 
-// Returns the noise of an image with phases of given intensities, see `estimate_phases()`.
+// Returns the noise of an image with phases of given intensities, see `estimate_phases()`. `result`
+// is the noise of differences.
 template <int d>
-std::vector<double> noise_of(const Gray_image<d>& image, const Block_means& blocks,
+std::vector<double> noise_of(const Gray_image<d>& image, std::vector<double> result,
+                             const Block_means& blocks,
                              const std::vector<std::vector<double>>& intensities) {
   static constexpr double least_noise = .1; // relative to the smallest contrast
-  std::vector<double> result;
   for (std::size_t k = 0; k < image.channels.size(); ++k) {
     double contrast = std::numeric_limits<double>::infinity();
     for (const auto& a : intensities)
       for (const auto& b : intensities)
         if (a[k] < b[k])
           contrast = (std::min)(contrast, b[k] - a[k]);
-    double noise =
-        (std::max)(noise_of_differences(image, k), noise_of_phases(image, k, blocks, intensities));
+    result[k] = (std::max)(result[k], noise_of_phases(image, k, blocks, intensities));
     if (std::isfinite(contrast))
-      noise = (std::max)(noise, least_noise * contrast);
-    result.push_back(noise > 0 ? noise : 1); // a constant channel
+      result[k] = (std::max)(result[k], least_noise * contrast);
+    if (!(result[k] > 0))
+      result[k] = 1; // a constant channel
   }
   return result;
 }
@@ -370,14 +368,15 @@ template <int d> Image_phases estimate_phases(const Gray_image<d>& image, unsign
   image.check();
   if (phases == 0 || phases > internal::most_phases)
     throw Error("the number of phases is out of range: use 1 to 256");
-  const internal::Block_means blocks = internal::averaging_blocks(image, phases);
+  const std::vector<double> noise = internal::noise_of_differences(image);
+  const internal::Block_means blocks = internal::averaging_blocks(image, noise, phases);
   Image_phases result;
   result.intensities = internal::means_of_classes(blocks.means, phases);
   if (result.intensities.size() < phases)
     throw Error("only " + std::to_string(result.intensities.size()) +
                 " separate classes of values were found: use fewer phases than " +
                 std::to_string(phases) + ", or give the intensities of the phases");
-  result.noise = internal::noise_of(image, blocks, result.intensities);
+  result.noise = internal::noise_of(image, noise, blocks, result.intensities);
   return result;
 }
 

@@ -74,8 +74,10 @@ Image_phases phases_of(const Gray_image<d>& image, const Segmentation_options<d>
       result.noise = options.noise;
   } else if (options.noise.empty() && options.intensities.front().size() == image.channels.size()) {
     const Progress_phase progress("estimating the noise of the image");
+    const std::vector<double> noise = noise_of_differences(image);
     result.noise =
-        noise_of(image, averaging_blocks(image, options.intensities.size()), options.intensities);
+        noise_of(image, noise, averaging_blocks(image, noise, options.intensities.size()),
+                 options.intensities);
   }
   if (result.noise.size() != image.channels.size() ||
       result.intensities.front().size() != image.channels.size())
@@ -111,8 +113,7 @@ template <int d> struct Normalized_image
         high = (std::max)(high, (of_block[k] - centers[k]) / noise[k] + farthest);
       }
       for (std::size_t i = 0; i < image.channels[k].size(); ++i) {
-        if (i % 4096 == 0)
-          Progress_scope::check();
+        Progress_scope::check();
         if (image.has_value(i))
           image.channels[k][i] =
               float(std::clamp((double(image.channels[k][i]) - centers[k]) / noise[k], low, high));
@@ -162,7 +163,7 @@ void report_boundaries(const Complex& complex, const Cell_costs<Complex>& costs,
 template <class Complex>
 Segmentation_report segment(Complex& complex, const Gray_image<Complex::dimension>& image,
                             const Segmentation_options<Complex::dimension>& options,
-                            Image_phases phases, bool is_new) {
+                            const Image_phases& phases, bool is_new) {
   const Progress_phase phase("segmenting the image");
   const Normalized_image<Complex::dimension> normalized(image, phases);
   Cell_costs<Complex> costs(complex, normalized.image, normalized.intensities);

@@ -12,6 +12,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Image_segmentation/Image_moments.h>
+#include <CGAL/Image_segmentation/estimate_phases.h>
 
 #include <algorithm>
 #include <array>
@@ -89,12 +90,7 @@ public:
 
   // Returns the squared distance of the intensities of two phases.
   double squared_contrast(int a, int b) const {
-    double result = 0;
-    for (std::size_t k = 0; k < channels(); ++k) {
-      const double difference = m_intensities[std::size_t(a)][k] - m_intensities[std::size_t(b)][k];
-      result += difference * difference;
-    }
-    return result;
+    return squared_distance_of(m_intensities[std::size_t(a)], m_intensities[std::size_t(b)]);
   }
 
   // Returns the smallest squared distance of two phases; 1 if all intensities are equal.
@@ -124,8 +120,8 @@ public:
     set_intensities(std::move(result));
   }
 
-  // Returns the mean cost of a pixel in each phase: the weighted median over its cells, so that
-  // cells across boundaries do not count; at least that of the noise.
+  // Returns the mean cost of a pixel in each phase: the weighted median over its cells, because
+  // cells across boundaries cost more. The results are at least the cost of the noise.
   std::vector<double> usual_costs() {
     std::vector<std::vector<std::pair<double, double>>> costs(m_intensities.size());
     for (const Cell_handle c : m_complex.cells())

@@ -27,6 +27,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <tuple>
 #include <vector>
 
 namespace CGAL {
@@ -40,11 +41,11 @@ template <int d> struct Segmentation_rule
       refinements = d == 2 ? 8 : 4,             // sweeps over the cells in a round
       moves = d == 2 ? 15 : 10,                 // of the interface in a round
       last_moves = d == 2 ? 30 : 15;            // at the end, shorter and shorter
-  static constexpr double first_length = .5,    // of edges, relative to those of the first mesh
+  static constexpr double first_length = .5,    // of edges, relative to the edges of the first mesh
       ratio = 1.5;                              // between two lengths of edges
   static constexpr int interval = 5;            // moves after which the energy must have fallen
-  // Changes of the energy relative to that of the interface: a decrease in these moves that ends
-  // them, and the change in the last moves of a result that has converged.
+  // Changes of the energy relative to the energy of the interface: a decrease in these moves that
+  // ends them, and the change in the last moves of a result that has converged.
   static constexpr double slow = 1e-3, converged = 2e-2;
   static constexpr unsigned passes = 5; // of a motion
   // The number of deviations by which the cost of a cell must exceed the usual one.
@@ -174,7 +175,8 @@ private:
       });
   }
 
-  // Bisects long cells whose cost exceeds that of the noise by more than the energy of a new facet.
+  // Bisects long cells whose cost exceeds the cost of the noise by more than the energy of a new
+  // facet.
   void refine() {
     for (int sweep = 0; sweep < Rule::refinements; ++sweep) {
       m_costs.update(m_for_each_index);
@@ -187,9 +189,9 @@ private:
     }
   }
 
-  // Gives cells whose cost exceeds that of the noise the label with the least cost. Single cells of
-  // a new region have more energy at first, so relabel_by_energy() does not begin it; afterwards,
-  // it removes the regions that are not worth their boundary.
+  // Relabels cells whose cost exceeds the cost of the noise: they get the label with the least
+  // cost. A single cell of a new region increases the energy, so relabel_by_energy() does not begin
+  // new regions. It is called afterwards and removes regions that increase the energy.
   void begin_regions(const std::vector<double>& usual) {
     m_costs.update(m_for_each_index);
     for (const Cell_handle c : m_complex.cells())
@@ -207,11 +209,7 @@ private:
   }
 
   bool is_to_be_refined(Cell_handle c, const std::vector<double>& usual) {
-    double squared = 0;
-    for (int i = 0; i <= d; ++i)
-      for (int j = 0; j < i; ++j)
-        squared = (std::max)(squared,
-                             m_complex.displacement(c->vertex(i), c->vertex(j)).squared_length());
+    const double squared = std::get<0>(longest_edge(m_complex, c).rank);
     return squared >= 4 * m_edge * m_edge &&
            excess(c, usual) > half_energy_of_facet(std::sqrt(squared));
   }
@@ -271,10 +269,11 @@ private:
     const auto& normalization = m_complex.normalization();
     const auto place = m_costs.moments().place(
         ORIGIN + (normalization.translation + normalization.scale * (p - ORIGIN)));
-    double distance = 0; // from the image, in pixels
+    double distance = 0; // from the image, in sides of a pixel
     for (int axis = 0; axis < d; ++axis)
-      distance = (std::max)({distance, -place[axis],
-                             place[axis] - double(m_costs.moments().image().grid.size[axis])});
+      distance = (std::max)(distance,
+                            sides_along(axis) *
+                                (std::max)(-place[axis], place[axis] - double(grid().size[axis])));
     return m_edge + gradation * distance / m_unit;
   }
 

@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 CGAL_DSC_SEGMENTATION_INSTANTIATION template Segmentation_report
-segment(Default_complex_3&, const Gray_image<3>&, const Segmentation_options<3>&, Image_phases,
-        bool);
+segment(Default_complex_3&, const Gray_image<3>&, const Segmentation_options<3>&,
+        const Image_phases&, bool);
 } // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
