@@ -10,19 +10,10 @@ with xvfb-run.
 
 import argparse
 
+import render
 import vtk
 
-SIZE = (720, 600)
 COLORS = ((0.30, 0.52, 0.74), (0.89, 0.55, 0.24), (0.93, 0.90, 0.82), (0.42, 0.65, 0.38))
-
-
-def read(path):
-    reader = vtk.vtkXMLUnstructuredGridReader()
-    reader.SetFileName(path)
-    reader.Update()
-    if reader.GetErrorCode():
-        raise SystemExit(f"render_phases.py: {path} is no VTK unstructured grid")
-    return reader.GetOutput()
 
 
 def phases_behind(grid, axis, largest):
@@ -53,7 +44,10 @@ def main():
     parser.add_argument("--axis", type=int, choices=range(3), default=2, help="0 for x, 1 for y, 2 for z")
     parser.add_argument("--eye", type=float, nargs=3, default=[0.4, -1, 1.2], help="direction to the camera")
     arguments = parser.parse_args()
-    grid = read(arguments.mesh)
+    try:
+        grid = render.read_grid(arguments.mesh)
+    except render.Failure as error:
+        raise SystemExit(f"render_phases.py: {error}") from None
     labels = grid.GetCellData().GetArray("label")
     if labels is None or labels.GetRange()[1] < 1:
         raise SystemExit(f"render_phases.py: {arguments.mesh} has no positive labels")
@@ -74,28 +68,15 @@ def main():
     actor.GetProperty().SetInterpolationToFlat()
     actor.GetProperty().SetAmbient(0.25)
     actor.GetProperty().SetDiffuse(0.75)
-    renderer = vtk.vtkRenderer()
-    renderer.SetBackground(1, 1, 1)
-    renderer.AddActor(actor)
-    camera = renderer.GetActiveCamera()
+    camera = vtk.vtkCamera()
     camera.SetFocalPoint(0, 0, 0)
     camera.SetPosition(*arguments.eye)
     camera.SetViewUp(0, 0, 1) if arguments.axis != 2 else camera.SetViewUp(0, 1, 0)
-    renderer.ResetCamera()
+    renderer = vtk.vtkRenderer()
+    renderer.SetActiveCamera(camera)
+    renderer.ResetCamera(actor.GetBounds())
     camera.Zoom(1.35)
-    window = vtk.vtkRenderWindow()
-    window.OffScreenRenderingOn()
-    window.SetMultiSamples(8)
-    window.SetSize(*SIZE)
-    window.AddRenderer(renderer)
-    window.Render()
-    image = vtk.vtkWindowToImageFilter()
-    image.SetInput(window)
-    image.ReadFrontBufferOff()
-    writer = vtk.vtkPNGWriter()
-    writer.SetFileName(arguments.picture)
-    writer.SetInputConnection(image.GetOutputPort())
-    writer.Write()
+    render.write(render.render(actor, camera), arguments.picture)
 
 
 if __name__ == "__main__":

@@ -4,9 +4,9 @@
 
 #include "convert_file.h"
 
-#include "check_image.h"
 #include "errors.h"
 #include "files.h"
+#include "inr_image.h"
 #include "label_image.h"
 #include "labelled_tetrahedra.h"
 #include "native_file.h"
@@ -20,8 +20,6 @@
 #include <CGAL/Deformable_simplicial_complexes/IO/labelled_surface_3.h>
 #include <CGAL/Deformable_simplicial_complexes/extract_interface_3.h>
 #include <CGAL/Deformable_simplicial_complexes/sample_labels.h>
-
-#include <CGAL/Image_3.h>
 
 #include <algorithm>
 #include <array>
@@ -42,18 +40,12 @@ bool is_one_of(const std::string& format, std::initializer_list<const char*> for
 
 /// Reads the grid and the labels of an image (.inr).
 Grid read_image(const std::string& path, std::vector<int>& labels) {
-  check_image(path);
-  CGAL::Image_3 image;
-  if (!image.read(path))
-    throw Input_error("cannot read '" + path + "' as a voxel image; check its format");
-  const Grid grid = {{image.xdim(), image.ydim(), image.zdim()},
-                     {image.vx(), image.vy(), image.vz()},
-                     {image.tx(), image.ty(), image.tz()}};
+  const CGAL::Image_3 image = read_inr(path);
   for (std::size_t z = 0; z < image.zdim(); ++z)
     for (std::size_t y = 0; y < image.ydim(); ++y)
       for (std::size_t x = 0; x < image.xdim(); ++x)
         labels.push_back(int(image.value(x, y, z)));
-  return grid;
+  return grid_of(image);
 }
 
 void require_format(const std::string& input, const std::string& content, const std::string& output,

@@ -4,14 +4,9 @@
 
 #include "gray_image.h"
 
-#include "check_image.h"
-#include "errors.h"
 #include "files.h"
+#include "inr_image.h"
 #include "translations.h"
-
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-
-#include <CGAL/Image_3.h>
 
 #include <cmath>
 #include <cstdint>
@@ -49,16 +44,11 @@ Read_image read_gray_image(const std::string& path, bool has_channels) {
   const std::string format = extension(path);
   const bool is_native = format == "inr" || (format == "gz" && !is_foreign(path));
   const std::string file = is_native ? path : translate_image(path, has_channels);
-  check_image(file, most_channels);
-  CGAL::Image_3 image;
-  if (!image.read(file))
-    throw Input_error("cannot read '" + path + "' as an image; check its format");
+  const CGAL::Image_3 image = read_inr(file, most_channels);
   const std::size_t channels = image.image()->vdim;
   const std::vector<float> values = values_of(image, channels);
   Read_image result;
-  result.image.grid = {{image.xdim(), image.ydim(), image.zdim()},
-                       {image.vx(), image.vy(), image.vz()},
-                       {image.tx(), image.ty(), image.tz()}};
+  result.image.grid = grid_of(image);
   result.image.channels.resize(channels);
   for (std::size_t k = 0; k < channels; ++k)
     for (std::size_t i = k; i < values.size(); i += channels)

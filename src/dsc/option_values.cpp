@@ -111,6 +111,16 @@ std::vector<double> parse_point(const std::string& text) {
   return {p.begin(), p.end()};
 }
 
+std::vector<double> parse_list(std::string text, const std::string& option) {
+  std::vector<double> result = {take_number(text, option)};
+  while (!text.empty() && text[0] == ',') {
+    text.erase(0, 1);
+    result.push_back(take_number(text, option));
+  }
+  require_end(text, option, "0.1,0.5");
+  return result;
+}
+
 double parse_angle(const std::string& text) { return parse_number(text, "--angle", "7.2"); }
 
 double parse_threshold(const std::string& text) {

@@ -39,6 +39,9 @@ std::array<double, 2> parse_pair(const std::string& text, const std::string& opt
 /// Parses two or three numbers.
 std::vector<double> parse_point(const std::string& text);
 
+/// Parses one or more numbers between commas.
+std::vector<double> parse_list(std::string text, const std::string& option);
+
 /// Parses a quality in (0, 1].
 double parse_threshold(const std::string& text);
 

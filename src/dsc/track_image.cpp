@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "check_image.h"
 #include "domain_box.h"
 #include "errors.h"
+#include "inr_image.h"
 #include "start_complex.h"
 #include "tracked_complex_3.h"
 
@@ -19,10 +19,7 @@ namespace dsc {
 
 std::unique_ptr<Tracked_complex> track_image(const std::string& path, double edge,
                                              const std::optional<std::array<double, 6>>& domain) {
-  check_image(path);
-  CGAL::Image_3 image;
-  if (!image.read(path))
-    throw Input_error("cannot read '" + path + "' as a voxel image; check its format");
+  const CGAL::Image_3 image = read_inr(path);
   try {
     auto result = std::make_unique<Tracked_complex_3>(
         DSC::make_complex_from_labelled_image_3<Tracked_complex_3::Complex>(image, edge,

@@ -247,8 +247,12 @@ public:
   void set_normalization(const Normalization& n) { m_normalization = n; }
   /// Returns the position of v in user coordinates. \pre v is finite
   Approximate_point user_position(Vertex_handle v) const {
+    return in_user_coordinates(position(v));
+  }
+  /// Returns a point of the complex in user coordinates.
+  Approximate_point in_user_coordinates(const Approximate_point& p) const {
     return CGAL::ORIGIN +
-           (m_normalization.translation + m_normalization.scale * (position(v) - CGAL::ORIGIN));
+           (m_normalization.translation + m_normalization.scale * (p - CGAL::ORIGIN));
   }
 
   /// @}

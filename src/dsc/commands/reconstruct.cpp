@@ -10,13 +10,12 @@
 #include "option_values.h"
 #include "progress_line.h"
 #include "report_json.h"
+#include "step_folder.h"
 #include "threads_option.h"
 #include "tracked_complex_3.h"
 #include "translations.h"
 #include "unused.h"
 
-#include <CGAL/Deformable_simplicial_complexes/IO/PVD_series.h>
-#include <CGAL/Deformable_simplicial_complexes/IO/VTU_3.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/labelled_surface_3.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/point_set_3.h>
 #include <CGAL/Deformable_simplicial_complexes/extract_interface_3.h>
@@ -30,7 +29,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -58,50 +56,11 @@ struct Reconstruct_options
   bool quiet = false;
 };
 
-namespace fs = std::filesystem;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 using CGAL::IO::Point_and_normal_3;
 using Complex = Tracked_complex_3::Complex;
 using Reconstruction_report =
     CGAL::Deformable_simplicial_complexes::Reconstruction_report_3<Complex>;
-
-/// An output folder with a file for each step of a reconstruction.
-class Step_folder
-{
-public:
-  /// Creates the folder if necessary.
-  /// \throws Input_error if the folder cannot be created, or contains other steps
-  explicit Step_folder(const std::string& path)
-      : m_path(path), m_volume(file("volume.pvd")), m_interface(file("interface.pvd")) {
-    std::error_code error;
-    fs::create_directories(path, error);
-    if (error || !fs::is_directory(path, error))
-      throw Input_error(
-          "cannot create the folder '" + path +
-          "'; check that no file has this name and that the parent folder is writable");
-    if (fs::exists(m_volume.path(), error))
-      throw Input_error("the folder '" + path +
-                        "' contains the steps of another run; choose another folder");
-    require_writable(m_volume.path());
-  }
-
-  void write(const Complex& complex, std::size_t step) {
-    char name[40];
-    std::snprintf(name, sizeof name, "_%06zu.vtu", step);
-    const std::string volume = file(std::string("volume") + name),
-                      interface = file(std::string("interface") + name);
-    CGAL::IO::write_VTU(volume, complex);
-    CGAL::IO::write_interface_VTU(interface, complex);
-    m_volume.append(double(step), volume);
-    m_interface.append(double(step), interface);
-  }
-
-private:
-  std::string file(const std::string& name) const { return (fs::path(m_path) / name).string(); }
-
-  std::string m_path;
-  CGAL::IO::PVD_series m_volume, m_interface;
-};
 
 Json json_of(const Reconstruction_report& report, const Complex& complex) {
   Json facets = Json::array();
@@ -253,7 +212,7 @@ int execute(const Reconstruct_options& options) {
   Progress_line progress(options.steps, options.quiet);
   const auto observe = [&](const Complex& complex, std::size_t step) {
     if (folder)
-      folder->write(complex, step);
+      folder->write(complex, step, double(step));
     progress.show(unsigned(step));
     return true;
   };

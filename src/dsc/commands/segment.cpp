@@ -19,7 +19,6 @@
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/text/number_of_word.h>
 #include <CGAL/Deformable_simplicial_complexes/sample_labels.h>
 #include <CGAL/Image_segmentation/compiled_2.h>
 #include <CGAL/Image_segmentation/compiled_3.h>
@@ -57,20 +56,6 @@ struct Segment_options
 
 template <int d> using Tracked = std::conditional_t<d == 2, Tracked_complex_2, Tracked_complex_3>;
 
-/// Parses numbers between commas.
-std::vector<double> parse_numbers(const std::string& text, const std::string& option) {
-  std::vector<double> result;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const auto number = DSC::internal::number_of_word<double>(text.substr(begin, end - begin));
-    if (!number || !std::isfinite(*number))
-      throw Usage_error(option + " expects numbers between commas, like 0.1,0.5; write them so");
-    result.push_back(*number);
-    begin = end + 1;
-  }
-  return result;
-}
-
 /// Returns the options of the library.
 template <int d>
 DSC::Segmentation_options<d> options_of(const Segment_options& options, std::size_t channels) {
@@ -80,7 +65,7 @@ DSC::Segmentation_options<d> options_of(const Segment_options& options, std::siz
   if (!options.intensities.empty()) {
     if (channels != 1)
       throw Usage_error("--intensities applies to an image with one channel; use --phases");
-    for (const double x : parse_numbers(options.intensities, "--intensities"))
+    for (const double x : parse_list(options.intensities, "--intensities"))
       result.intensities.push_back({x});
     if (options.phases > 0 && options.phases != result.intensities.size())
       throw Usage_error("--phases and the number of --intensities differ; leave out --phases");

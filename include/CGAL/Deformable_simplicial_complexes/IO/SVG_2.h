@@ -89,28 +89,24 @@ void write_svg(const std::string& path, const Complex& dsc, const IO::SVG_option
   using Point = typename Complex::Approximate_point_2;
   if (dsc.number_of_cells() == 0)
     throw Error("there is nothing to draw: the complex is empty");
-  const auto& normalization = dsc.normalization();
-  const auto in_user_coordinates = [&](const Point& p) {
-    return ORIGIN + (normalization.translation + normalization.scale * (p - ORIGIN));
-  };
   std::array<double, 2> periods = dsc.domain().template periods<2>();
   Bbox_2 all;
   if constexpr (Complex::Domain::has_outside)
     for (const auto v : dsc.vertices())
       all += dsc.user_position(v).bbox();
   else
-    all = in_user_coordinates(Point(0, 0)).bbox() +
-          in_user_coordinates(Point(periods[0], periods[1])).bbox();
+    all = dsc.in_user_coordinates(Point(0, 0)).bbox() +
+          dsc.in_user_coordinates(Point(periods[0], periods[1])).bbox();
   for (double& period : periods)
-    period *= normalization.scale;
+    period *= dsc.normalization().scale;
   const Svg_canvas canvas(options.window, all, options.width, periods);
 
   std::map<decltype(key_of(dsc.cells().front())), Svg_region> regions;
   std::string edges, interface_;
   for (const auto c : dsc.cells()) {
-    const std::array<Point, 3> corners = {in_user_coordinates(dsc.corner(c, 0)),
-                                          in_user_coordinates(dsc.corner(c, 1)),
-                                          in_user_coordinates(dsc.corner(c, 2))};
+    const std::array<Point, 3> corners = {dsc.in_user_coordinates(dsc.corner(c, 0)),
+                                          dsc.in_user_coordinates(dsc.corner(c, 1)),
+                                          dsc.in_user_coordinates(dsc.corner(c, 2))};
     const auto key = key_of(c);
     const auto [region, is_new] = regions.try_emplace(key);
     if (is_new)

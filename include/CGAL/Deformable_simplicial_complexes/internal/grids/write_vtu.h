@@ -80,9 +80,8 @@ void write_cells_vtu(const std::string& path, const Complex& dsc,
     boundary_classes.push_back(v->boundary_class());
     interface_flags.push_back(dsc.is_interface(v));
   }
-  const auto& normalization = dsc.normalization();
   for (auto& p : points)
-    p = ORIGIN + (normalization.translation + normalization.scale * (p - ORIGIN));
+    p = dsc.in_user_coordinates(p);
 
   Vtu_document document(points.size(), labels.size());
   document.begin("PointData");

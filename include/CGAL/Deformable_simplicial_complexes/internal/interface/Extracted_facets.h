@@ -11,8 +11,6 @@
 
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Vertex_numbering.h>
 
-#include <CGAL/Origin.h>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -62,9 +60,8 @@ template <class Complex> struct Extracted_facets
       points.push_back(complex.position(v));
     if constexpr (!Complex::Domain::has_outside)
       unwrap(complex);
-    const auto& normalization = complex.normalization();
     for (Point& p : points)
-      p = ORIGIN + (normalization.translation + normalization.scale * (p - ORIGIN));
+      p = complex.in_user_coordinates(p);
   }
 
 private:

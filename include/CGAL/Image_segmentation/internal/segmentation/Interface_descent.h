@@ -134,10 +134,8 @@ private:
   std::array<Vector, d> forces_of_image(const std::array<Point, d>& corners, int behind,
                                         int in_front) const {
     std::array<typename Image_moments<d>::Place, d> places;
-    const auto& normalization = m_complex.normalization();
     for (int i = 0; i < d; ++i)
-      places[i] = m_costs.moments().place(
-          ORIGIN + (normalization.translation + normalization.scale * (corners[i] - ORIGIN)));
+      places[i] = m_costs.moments().place(m_complex.in_user_coordinates(corners[i]));
     std::array<double, d> pressures = {};
     m_costs.moments().for_each_piece(
         places, [&](const std::array<double, d>& weights, double share, std::size_t pixel) {

@@ -22,8 +22,6 @@
 #include <CGAL/Image_segmentation/internal/segmentation/Cell_costs.h>
 #include <CGAL/Image_segmentation/internal/segmentation/Interface_descent.h>
 
-#include <CGAL/Origin.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -266,9 +264,7 @@ private:
   // because the complex of a user can be much larger.
   double edge_at(const typename Complex::Approximate_point& p) const {
     static constexpr double gradation = .5;
-    const auto& normalization = m_complex.normalization();
-    const auto place = m_costs.moments().place(
-        ORIGIN + (normalization.translation + normalization.scale * (p - ORIGIN)));
+    const auto place = m_costs.moments().place(m_complex.in_user_coordinates(p));
     double distance = 0; // from the image, in sides of a pixel
     for (int axis = 0; axis < d; ++axis)
       distance = (std::max)(distance,
