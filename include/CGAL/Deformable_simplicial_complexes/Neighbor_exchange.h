@@ -25,7 +25,8 @@ the two phases at its ends become neighbors.
 template <class Complex> struct Neighbor_exchange
 {
   std::array<typename Complex::Label, 2> parted; ///< labels on both sides of the old wall
-  /// labels on both sides of the new wall; there is none if they are equal
+  /// labels on both sides of the new wall; there is none if they are equal, for example where a
+  /// phase reaches a side of the domain
   std::array<typename Complex::Label, 2> joined;
   typename Complex::Approximate_point where; ///< midpoint of the old wall
 };

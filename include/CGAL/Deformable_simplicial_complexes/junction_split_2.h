@@ -19,6 +19,8 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -29,7 +31,9 @@ namespace internal {
 Sectors around a vertex: maximal runs of triangles of one label, counterclockwise. In the split, one
 sector is connected with a new vertex, and its two neighbors become adjacent along the edge between
 the two vertices. The polygon around the vertex stays. Its sides in the two neighboring sectors are
-divided between the two vertices so that the worst quality is best.
+divided between the two vertices so that the worst quality is best. At a side of a box, the outside
+is a sector, too. It is not connected with a new vertex. If it is a neighbor, the new vertex is on
+the side.
 */
 template <class Complex> class Junction_sectors
 {
@@ -40,7 +44,7 @@ public:
   using Vector = typename Complex::Approximate_vector;
   using Index = typename Cavity<Complex>::Index;
 
-  // Collects the sectors around v. \pre v is not on the boundary of the domain
+  // Collects the sectors around v. \pre v is inside the domain or on one side of a box
   Junction_sectors(const Complex& complex, Vertex_handle v, const Interface_energy& energy)
       : m_complex(complex), m_energy(energy), m_center(v) {
     const Cell_handle first = v->cell();
@@ -52,27 +56,25 @@ public:
     } while (c != first);
     const std::size_t n = m_sides.size();
     for (std::size_t k = 0; k < n; ++k)
-      if (label(k) != label((k + n - 1) % n))
+      if (phase(k) != phase((k + n - 1) % n))
         m_begins.push_back(k);
   }
 
   std::size_t number() const { return m_begins.size(); }
 
-  // Returns the sector with the strongest pull away from the center, beyond the tension of the wall
-  // that the pull would create between its two neighbors; `number()` if no pull is stronger than
-  // that. The two neighbors of the sector have different labels.
-  std::size_t strongest() const {
-    double strongest_pull = 0;
-    std::size_t result = number();
-    for (std::size_t s = 0; s < number(); ++s) {
-      if (label_before(s) == sector_label(s + 1))
-        continue;
-      const double pull = length(this->pull(s)) - wall_tension(s);
-      if (pull > strongest_pull) {
-        strongest_pull = pull;
-        result = s;
-      }
-    }
+  // Returns the sectors with a pull away from the center that is stronger than the tension of the
+  // wall that the pull would create between the two neighbors, the strongest one first. The two
+  // neighbors of a sector have different labels.
+  std::vector<std::size_t> pulled() const {
+    std::vector<std::pair<double, std::size_t>> sectors;
+    for (std::size_t s = 0; s < number(); ++s)
+      if (sector_phase(s) && before(s) != after(s))
+        if (const double excess = length(pull(s)) - tension(before(s), after(s)); excess > 0)
+          sectors.emplace_back(-excess, s);
+    std::sort(sectors.begin(), sectors.end());
+    std::vector<std::size_t> result;
+    for (const auto& [excess, s] : sectors)
+      result.push_back(s);
     return result;
   }
 
@@ -81,19 +83,21 @@ public:
   // and all triangles are positively oriented and keep their quality.
   bool plan(std::size_t s, double part, Cavity<Complex>& cavity) const {
     const Vector pull = this->pull(s), left = to_corner(begin(s + 1)), right = to_corner(begin(s));
-    const double shorter = std::sqrt((std::min)(left.squared_length(), right.squared_length()));
-    const Vector displacement = pull * (part * shorter / std::sqrt(pull.squared_length()));
-    if (!(wall_tension(s) * length(displacement) +
-              left_tension(s) * (length(left - displacement) - length(left)) +
-              right_tension(s) * (length(right - displacement) - length(right)) <
+    const double shorter = (std::min)(length(left), length(right));
+    const Vector displacement = pull * (part * shorter / length(pull));
+    const Phase own = sector_phase(s);
+    if (!(tension(before(s), after(s)) * length(displacement) +
+              tension(own, after(s)) * (length(left - displacement) - length(left)) +
+              tension(before(s), own) * (length(right - displacement) - length(right)) <
           0))
       return false;
     cavity.begin(Proposal_kind::insertion);
     for (const Side& side : m_sides)
       cavity.remove(side.cell);
     const Index old_one = cavity.add(m_center),
-                new_one = cavity.add(m_complex.exact(m_complex.position(m_center) + displacement),
-                                     Boundary_class::inside);
+                new_one =
+                    cavity.add(m_complex.exact(m_complex.position(m_center) + displacement),
+                               is_at_side(s) ? m_center->boundary_class() : Boundary_class::inside);
     divide(cavity, s + number() - 1, old_one, new_one);
     create(cavity, s, new_one);
     divide(cavity, s + 1, new_one, old_one);
@@ -110,32 +114,39 @@ private:
     Cell_handle cell;
   };
 
+  using Phase = std::optional<Label>; // empty for the outside of the domain
+
   static double length(const Vector& v) { return std::sqrt(v.squared_length()); }
-  Label label(std::size_t k) const { return m_sides[k].cell->label(); }
+  Phase phase(std::size_t k) const {
+    const Cell_handle c = m_sides[k].cell;
+    return m_complex.is_infinite(c) ? Phase() : Phase(c->label());
+  }
+  double tension(const Phase& p, const Phase& q) const {
+    return p && q ? m_energy.tension(*p, *q) : 0;
+  }
 
   // Sectors and sides are numbered cyclically: any number is valid.
   const Side& side(std::size_t k) const { return m_sides[k % m_sides.size()]; }
   std::size_t begin(std::size_t s) const {
     return m_begins[s % number()] + s / number() * m_sides.size();
   }
-  Label sector_label(std::size_t s) const { return side(begin(s)).cell->label(); }
+  Phase sector_phase(std::size_t s) const { return phase(begin(s) % m_sides.size()); }
+  Phase before(std::size_t s) const { return sector_phase(s + number() - 1); }
+  Phase after(std::size_t s) const { return sector_phase(s + 1); }
+  bool is_at_side(std::size_t s) const { return !before(s) || !after(s); }
   Vector to_corner(std::size_t k) const { return m_complex.displacement(m_center, side(k).from); }
 
-  Label label_before(std::size_t s) const { return sector_label(s + number() - 1); }
-  double wall_tension(std::size_t s) const {
-    return m_energy.tension(label_before(s), sector_label(s + 1));
-  }
-  double left_tension(std::size_t s) const {
-    return m_energy.tension(sector_label(s), sector_label(s + 1));
-  }
-  double right_tension(std::size_t s) const {
-    return m_energy.tension(label_before(s), sector_label(s));
-  }
-
-  // Returns the force of the two interface edges that bound a sector.
+  // Returns the force of the two interface edges that bound a sector, along the side if the sector
+  // is at a side.
   Vector pull(std::size_t s) const {
     const Vector right = to_corner(begin(s)), left = to_corner(begin(s + 1));
-    return right * (right_tension(s) / length(right)) + left * (left_tension(s) / length(left));
+    const Phase own = sector_phase(s);
+    const Vector result = right * (tension(before(s), own) / length(right)) +
+                          left * (tension(own, after(s)) / length(left));
+    if (!is_at_side(s))
+      return result;
+    const Vector along = !before(s) ? right : left;
+    return along * ((result * along) / along.squared_length());
   }
 
   typename Cavity<Complex>::Indices triangle(Cavity<Complex>& cavity, std::size_t k,
@@ -186,33 +197,36 @@ private:
 Proposes to split a vertex where the phases of more than three sectors meet. One sector is connected
 with a new vertex, and its two neighbors get a wall between the two vertices. If all walls have the
 same tension, such a vertex is unstable: the walls of one of the sectors enclose less than 120
-degrees and pull the sector away. Linear in the star of v, but quadratic in the size of the two
-sectors that become neighbors.
+degrees and pull the sector away. A vertex on a side of a box is split if more than one wall ends
+there: a sector leaves the side, or two walls part along the side. Linear in the star of v, but
+quadratic in the size of the two sectors that become neighbors.
 
 \param complex the complex; it is not changed
 \param v a finite vertex
 \param cavity filled with the proposal if there is one; its last vertex is the new one
 \param energy the energy of the interface; energy densities have no effect. The default is the
        length.
-\return whether the proposal is valid: v is inside the domain, more than three sectors meet at v,
-        and the new neighbors have different labels. The split decreases the energy, all new
-        triangles are positively oriented, and `complex.keeps_quality()` holds.
+\return whether the proposal is valid: v is not at a corner of the domain, more than three sectors
+        meet at v, where the outside counts as one, and the new neighbors have different labels. The
+        split decreases the energy, all new triangles are positively oriented, and
+        `complex.keeps_quality()` holds.
 \throws Error if a tension is out of its range
 */
 template <class Complex>
 bool propose_junction_split(const Complex& complex, typename Complex::Vertex_handle v,
                             Deformable_simplicial_complexes::Cavity<Complex>& cavity,
                             const Interface_energy& energy = {}) {
-  static constexpr std::size_t stable = 3; // number of sectors
-  if (v->interface_degree() <= stable || complex.is_boundary(v))
+  static constexpr std::size_t stable = 3, at_side = 2; // numbers of sectors and walls
+  const auto sides = v->boundary_class();
+  if ((sides & Boundary_class::fixed) != 0 || Boundary_class::fixes_all(sides, 2) ||
+      (sides == Boundary_class::inside ? v->interface_degree() <= stable
+                                       : v->interface_degree() < at_side))
     return false;
   const internal::Junction_sectors<Complex> sectors(complex, v, energy);
-  const std::size_t s = sectors.strongest();
-  if (s == sectors.number())
-    return false;
-  for (const double part : {.5, .25, .125}) // fractions of an edge, as short as exchanged walls
-    if (sectors.plan(s, part, cavity))
-      return true;
+  for (const std::size_t s : sectors.pulled())
+    for (const double part : {.5, .25, .125}) // fractions of an edge, as short as exchanged walls
+      if (sectors.plan(s, part, cavity))
+        return true;
   return false;
 }
 

@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/Neighbor_exchange.h>
@@ -21,6 +22,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -34,6 +36,9 @@ phases meet. A is on the left of the wall, B on its right, C at a, and D at b.
 After the exchange, a is the junction of A, C and D, and b that of B, C and D. The polygon around
 the two vertices stays. Its sides in A are connected with a, and those in B with b. Its sides in C
 and D are divided between a and b so that the worst quality is best.
+
+If the wall ends at a side of a box, b is the end at this side, and D is the outside. After the
+exchange, both vertices are on the side.
 */
 template <class Complex> class Wall_surroundings
 {
@@ -44,28 +49,33 @@ public:
   using Point = typename Complex::Approximate_point;
   using Index = typename Cavity<Complex>::Index;
 
-  // Constructs the cells around the edge opposite to the vertex i of a cell in A.
+  // Constructs the cells around the edge opposite to the vertex i of a finite cell.
   Wall_surroundings(const Complex& complex, Cell_handle cell, int i)
       : m_complex(complex), m_a(cell->vertex((i + 1) % 3)), m_b(cell->vertex((i + 2) % 3)),
-        m_cell(cell), m_other(cell->neighbor(i)) {}
+        m_cell(cell), m_other(cell->neighbor(i)) {
+    if (complex.is_boundary(m_a)) {
+      std::swap(m_a, m_b);
+      std::swap(m_cell, m_other);
+    }
+  }
 
   // Collects the polygon. Returns whether the phases are as described above.
   bool collect() {
-    if (m_complex.is_boundary(m_a) || m_complex.is_boundary(m_b))
+    if (m_complex.is_boundary(m_a) || !is_free_or_on_one_side(m_b->boundary_class()))
       return false;
     walk(m_a, m_cell, m_other);
     walk(m_b, m_other, m_cell);
-    const Label left = m_cell->label(), right = m_other->label();
+    const Phase left = phase(m_cell), right = phase(m_other);
     std::size_t k = skip(0, left);
     m_ends[0] = k;
     if (k == m_sides.size())
       return false;
-    m_beyond[0] = label(k);
+    m_beyond[0] = phase(m_sides[k].cell);
     m_ends[1] = skip(k, m_beyond[0]);
     m_ends[2] = skip(m_ends[1], right);
     if (m_ends[2] == m_sides.size())
       return false;
-    m_beyond[1] = label(m_ends[2]);
+    m_beyond[1] = phase(m_sides[m_ends[2]].cell);
     m_ends[3] = skip(m_ends[2], m_beyond[1]);
     const bool has_three_phases_at_each = m_beyond[0] != right && m_beyond[1] != left &&
                                           m_ends[1] < m_sides_of_a + 1 &&
@@ -76,8 +86,12 @@ public:
            b_has_sides;
   }
 
-  Label beyond(int end) const { return m_beyond[end]; }
-  Point middle() const { return m_complex.position(m_a) + m_complex.displacement(m_a, m_b) / 2; }
+  // Describes the exchange.
+  Neighbor_exchange<Complex> exchange() const {
+    return {{m_cell->label(), m_other->label()},
+            {*m_beyond[0], m_beyond[1] ? *m_beyond[1] : *m_beyond[0]},
+            m_complex.domain().canonical(middle())};
+  }
 
   // Returns the length of the wall divided by the mean length of the four other interface edges at
   // its ends.
@@ -99,11 +113,15 @@ public:
       cavity.remove(side.cell);
     cavity.remove(m_cell);
     cavity.remove(m_other);
-    const auto wall = m_complex.displacement(m_a, m_b);
-    const Point m = middle();
-    const decltype(wall) across(-wall.y() * part / 2, wall.x() * part / 2);
-    const Point to_a = m + across, to_b = m - across;
-    const Index a = cavity.add(m_a, m_complex.exact(to_a)),
+    const Point from_a = m_complex.position(m_a), from_b = m_complex.position(m_b);
+    const double old_wall = length_of(m_complex.displacement(m_a, m_b));
+    const Vector half = across() * (part * old_wall / 2);
+    const Point center = m_complex.is_boundary(m_b) ? from_b : middle();
+    const Point to_a = center + half, to_b = center - half;
+    // The inner end of a wall that ends at a side is replaced by a vertex on this side.
+    const Index a = m_complex.is_boundary(m_b)
+                        ? cavity.add(m_complex.exact(to_a), m_b->boundary_class())
+                        : cavity.add(m_a, m_complex.exact(to_a)),
                 b = cavity.add(m_b, m_complex.exact(to_b));
     for (std::size_t k = m_ends[3]; k < m_sides.size(); ++k)
       create(cavity, k, a);
@@ -119,23 +137,25 @@ public:
     const auto length = [&](const Point& p, std::size_t k) {
       return std::sqrt((m_complex.position_near(p, corner(k)) - p).squared_length());
     };
-    const Point from_a = m_complex.position(m_a), from_b = m_complex.position(m_b);
-    const Label left = m_cell->label(), right = m_other->label();
-    const double old_wall = std::sqrt(wall.squared_length());
-    double result = -energy.tension(left, right) * old_wall;
-    if (m_beyond[0] != m_beyond[1])
-      result += energy.tension(m_beyond[0], m_beyond[1]) * part * old_wall;
-    const std::array<Label, 4> one = {left, m_beyond[0], right, m_beyond[1]},
+    const auto tension = [&](const Phase& p, const Phase& q) {
+      return p && q && *p != *q ? energy.tension(*p, *q) : 0;
+    };
+    const Phase left = phase(m_cell), right = phase(m_other);
+    double result = (tension(m_beyond[0], m_beyond[1]) * part - tension(left, right)) * old_wall;
+    const std::array<Phase, 4> one = {left, m_beyond[0], right, m_beyond[1]},
                                other = {m_beyond[0], right, m_beyond[1], left};
     for (std::size_t end = 0; end < 4; ++end) {
       const Point &from = end < 2 ? from_a : from_b, &to = end % 3 == 0 ? to_a : to_b;
-      result += energy.tension(one[end], other[end]) *
-                (length(to, m_ends[end]) - length(from, m_ends[end]));
+      result +=
+          tension(one[end], other[end]) * (length(to, m_ends[end]) - length(from, m_ends[end]));
     }
     return result;
   }
 
 private:
+  using Vector = typename Complex::Approximate_vector;
+  using Phase = std::optional<Label>; // empty for the outside of the domain
+
   // Side of the polygon, counterclockwise, with its inner cell.
   struct Side
   {
@@ -156,9 +176,31 @@ private:
     return c->neighbor((c->index(v) + 1) % 3);
   }
 
-  Label label(std::size_t k) const { return m_sides[k].cell->label(); }
-  std::size_t skip(std::size_t k, Label label) const {
-    while (k < m_sides.size() && this->label(k) == label)
+  static bool is_free_or_on_one_side(Boundary_class::Bits sides) {
+    return (sides & Boundary_class::fixed) == 0 &&
+           !(Boundary_class::fixes(sides, 0) && Boundary_class::fixes(sides, 1));
+  }
+  static double length_of(const Vector& v) { return std::sqrt(v.squared_length()); }
+
+  Point middle() const { return m_complex.position(m_a) + m_complex.displacement(m_a, m_b) / 2; }
+
+  // Returns the unit vector from b to a after the exchange: to the left of the wall, or along the
+  // side at which the wall ends.
+  Vector across() const {
+    const Vector wall = m_complex.displacement(m_a, m_b);
+    const auto sides = m_b->boundary_class();
+    if (Boundary_class::fixes(sides, 0))
+      return Vector(0, wall.x() < 0 ? -1 : 1);
+    if (Boundary_class::fixes(sides, 1))
+      return Vector(wall.y() < 0 ? 1 : -1, 0);
+    return Vector(-wall.y(), wall.x()) / length_of(wall);
+  }
+
+  Phase phase(Cell_handle c) const {
+    return m_complex.is_infinite(c) ? Phase() : Phase(c->label());
+  }
+  std::size_t skip(std::size_t k, const Phase& phase) const {
+    while (k < m_sides.size() && this->phase(m_sides[k].cell) == phase)
       ++k;
     return k;
   }
@@ -200,7 +242,7 @@ private:
   std::vector<Side> m_sides; // from the corner of A opposite to the wall
   std::size_t m_sides_of_a = 0;
   std::array<std::size_t, 4> m_ends; // ends of the sides in A, C, B and D
-  std::array<Label, 2> m_beyond;     // labels of C and D
+  std::array<Phase, 2> m_beyond;     // C and D
 };
 
 } // namespace internal
@@ -210,8 +252,9 @@ private:
 
 Proposes to exchange neighbors (T1 event). The phases on both sides of a short wall are separated,
 and the two phases at its ends become neighbors. The wall is one edge of the interface between two
-vertices where three phases meet. It is replaced by a wall perpendicular to it. Linear in the stars
-of the two vertices, but quadratic in the phases at the ends.
+vertices where three phases meet. It is replaced by a wall perpendicular to it. A wall may also end
+at a side of a box. Then the phase at its other end reaches this side. Linear in the stars of the
+two vertices, but quadratic in the phases at the ends.
 
 \param complex the complex; it is not changed
 \param cell, i the edge opposite to the vertex i of a finite triangle
@@ -237,9 +280,7 @@ propose_neighbor_exchange(const Complex& complex, typename Complex::Cell_handle 
     return std::nullopt;
   for (double part : {1., .5, .25})
     if (const auto growth = surroundings.plan(part, energy, cavity); growth && *growth < 0)
-      return Neighbor_exchange<Complex>{{cell->label(), cell->neighbor(i)->label()},
-                                        {surroundings.beyond(0), surroundings.beyond(1)},
-                                        complex.domain().canonical(surroundings.middle())};
+      return surroundings.exchange();
   return std::nullopt;
 }
 

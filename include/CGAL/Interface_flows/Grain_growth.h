@@ -10,6 +10,7 @@
 
 #include <CGAL/license/Interface_flows.h>
 
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
@@ -17,6 +18,7 @@
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/remove_components.h>
+#include <CGAL/Deformable_simplicial_complexes/shared_measures.h>
 #include <CGAL/Interface_flows/Mean_curvature_flow.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 
@@ -94,7 +96,10 @@ struct Grain_growth_options
 The growth of grains: all labels of a complex are grains, whose interfaces move by an
 `Interface_energy`. Edges become longer as grains grow. A grain that would vanish within a step is
 removed as a whole, see `remove_components()`, because a grain of a few edges cannot shrink at its
-true rate.
+true rate. At the sides of a box, interfaces end at right angles, as if the box had mirror images.
+
+Labels whose interfaces all have the mobility 0 are particles: they keep their place, and grain
+boundaries slide along them.
 
 \tparam Complex a deformable simplicial complex
 */
@@ -151,6 +156,7 @@ public:
     Report report;
     report.dt = time_step();
     if (!m_complex.interface_vertices().empty()) {
+      release_corners();
       adapt();
       report.removed = remove_vanishing(report.dt);
       Advection_options<Complex> options;
@@ -164,6 +170,41 @@ public:
 
 private:
   static constexpr double straight_angle = 180; // no edge is sharp
+
+  // A vertex in a corner of a box cannot move, so it would hold an interface that ends there. All
+  // cells around it get one of their labels, the one of least energy.
+  void release_corners() {
+    for (auto v : m_complex.interface_vertices()) {
+      const auto sides = v->boundary_class();
+      if ((sides & Boundary_class::fixed) != 0 ||
+          !Boundary_class::fixes_all(sides, Complex::dimension))
+        continue;
+      std::vector<typename Complex::Cell_handle> star;
+      m_complex.star(v, star);
+      std::map<double, Label> labels; // by energy
+      for (Label label : labels_around(m_complex, v))
+        labels.emplace(energy_of_star(v, star, label), label);
+      for (auto c : star)
+        if (!m_complex.is_infinite(c) && c->label() != labels.begin()->second)
+          m_complex.relabel(c, labels.begin()->second);
+    }
+  }
+
+  // Returns the energy of the cells around v, and of their outer facets, if all had a label.
+  double energy_of_star(typename Complex::Vertex_handle v,
+                        const std::vector<typename Complex::Cell_handle>& star, Label label) const {
+    std::map<Label, double> areas;
+    double measure = 0;
+    for (auto c : star) {
+      if (m_complex.is_infinite(c))
+        continue;
+      measure += m_complex.measure(c);
+      const int i = c->index(v);
+      if (!m_complex.is_infinite(c->neighbor(i)))
+        areas[c->neighbor(i)->label()] += m_complex.measure(typename Complex::Facet(c, i));
+    }
+    return m_flow.energy().of_boundary(label, areas) + m_flow.energy().density(label) * measure;
+  }
 
   // Splits and collapses edges of the interface and of cells, and splits unstable junctions.
   void adapt() {

@@ -10,7 +10,6 @@
 
 #include <CGAL/license/Interface_flows.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/Volume_changer.h>
@@ -69,25 +68,20 @@ public:
   void operator()(const Interface_snapshot<Complex>& interface_,
                   const std::vector<typename Complex::Approximate_point>& positions, double /*t*/,
                   std::vector<typename Complex::Approximate_vector>& velocities) const {
-    const internal::Interface_forces<Complex> forces(interface_, positions, m_energy);
-    velocities.clear();
-    for (std::size_t v = 0; v < positions.size(); ++v) {
-      std::array<double, Complex::dimension> coordinates = {};
-      if (forces.share(v) > 0 && !forces.is_pinned(v)) {
+    using Forces = internal::Interface_forces<Complex>;
+    const Forces forces(interface_, positions, m_energy);
+    velocities.assign(positions.size(), NULL_VECTOR);
+    for (std::size_t v = 0; v < positions.size(); ++v)
+      if (forces.share(v) > 0) {
         auto mass = forces.mass(v);
         auto force = forces.force(v);
-        for (int axis = 0; axis < Complex::dimension; ++axis)
-          if (Boundary_class::fixes(interface_.vertices[v]->boundary_class(), axis)) {
-            mass.row(axis).setZero();
-            mass.col(axis).setZero();
-            mass(axis, axis) = 1;
-            force(axis) = 0;
-          }
-        const auto velocity = mass.ldlt().solve(force).eval();
-        std::copy(velocity.data(), velocity.data() + velocity.size(), coordinates.begin());
+        if (const auto* constraint = forces.constraint(v)) {
+          mass = (*constraint * mass * *constraint).eval();
+          mass += mass.Identity() - *constraint;
+          force = (*constraint * force).eval();
+        }
+        velocities[v] = Forces::vector(mass.ldlt().solve(force).eval());
       }
-      velocities.push_back(vector_of<Complex>(coordinates));
-    }
   }
 
 private:
@@ -162,26 +156,24 @@ public:
   }
 
 private:
-  // Corrects the destinations so that the volumes of all labels are those at the positions. Pinned
-  // vertices stay.
+  // Corrects the destinations so that the volumes of all labels are those at the positions, within
+  // the constraints of vertices.
   template <class Complex>
   void restore_volumes(const Interface_snapshot<Complex>& interface_,
                        const std::vector<typename Complex::Approximate_point>& positions,
                        std::vector<typename Complex::Approximate_point>& destinations) const {
+    using Forces = internal::Interface_forces<Complex>;
     const Volume_changer<Complex> changer(interface_);
     const auto amounts = changer.changes(destinations, positions);
-    const internal::Interface_forces<Complex> forces(interface_, positions, m_energy);
-    bool is_pinned = false;
-    for (std::size_t v = 0; v < positions.size(); ++v)
-      is_pinned = is_pinned || forces.is_pinned(v);
-    if (!is_pinned) {
+    const Forces forces(interface_, positions, m_energy);
+    if (!forces.has_obstacles()) {
       changer.change_by(amounts, destinations);
       return;
     }
     auto directions = changer.gradients(amounts, destinations);
-    for (std::size_t v = 0; v < positions.size(); ++v)
-      if (forces.is_pinned(v))
-        directions[v].clear();
+    for (const auto& [v, constraint] : forces.constraints())
+      for (auto& [label, direction] : directions[v])
+        direction = Forces::vector((constraint * Forces::vector(direction)).eval());
     changer.change_by(amounts, directions, destinations);
   }
 
@@ -200,9 +192,7 @@ private:
     for (std::size_t v = 0; v < positions.size(); ++v)
       right.segment<d>(System::row(v, 0)) = dt * forces.force(v);
     const auto displacement = [](const Eigen::VectorXd& x, std::size_t v) {
-      std::array<double, d> result;
-      std::copy_n(x.data() + System::row(v, 0), d, result.begin());
-      return vector_of<Complex>(result);
+      return System::Forces::vector(x.segment<d>(System::row(v, 0)).eval());
     };
     const Eigen::VectorXd motion = system.solve(right);
     std::vector<typename Complex::Approximate_point> result;

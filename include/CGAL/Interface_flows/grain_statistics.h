@@ -10,6 +10,7 @@
 
 #include <CGAL/license/Interface_flows.h>
 
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/junctions.h>
 #include <CGAL/Deformable_simplicial_complexes/shared_measures.h>
 
@@ -37,48 +38,60 @@ struct Grain_statistics
   /// The number of vertices at which three labels or more meet, in the plane: the number of sides
   /// of a grain inside the domain. In space, 0.
   std::size_t corners = 0;
-  /// The length of the lines at which three labels or more meet, in space. In the plane, 0.
+  /// The number of right angles at its corners on the boundary of a box, in the plane: between its
+  /// interface and a side, or between two sides. In space, 0.
+  std::size_t right_angles = 0;
+  /// The length of the lines at which three labels or more meet, in space. In the plane, 0. Lines on
+  /// sides of the domain do not count.
   double triple_lines = 0;
   /// The mean width in space, \f$\frac{1}{2\pi}\sum l\,(\pi-\theta)\f$ over the edges of its
-  /// boundary, with the length l and the inner dihedral angle \f$\theta\f$. It is 4 r for a ball,
+  /// interface, with the length l and the inner dihedral angle \f$\theta\f$. It is 4 r for a ball,
   /// for the definition of R. D. MacPherson and D. J. Srolovitz, *The von Neumann relation
   /// generalized to coarsening of three-dimensional microstructures*, Nature 446, 2007. In the
-  /// plane, 0.
+  /// plane, 0. Edges on sides of the domain do not count.
   double mean_width = 0;
 
-  /// Returns the rate of growth with unit tension and mobility, for a grain that does not touch the
-  /// boundary of the domain and whose interfaces meet at angles of 120 degrees: \f$\frac{\pi}{3}
-  /// (n-6)\f$ in the plane (J. von Neumann, W. W. Mullins), and
-  /// \f$-2\pi(L-\frac{1}{6}M)\f$ in space, with the mean width L and the length M of triple lines.
+  /// Returns the rate of growth with unit tension and mobility, for a grain whose interfaces meet
+  /// at angles of 120 degrees: \f$\frac{\pi}{3}(n-6)\f$ in the plane (J. von Neumann,
+  /// W. W. Mullins), and \f$-2\pi(L-\frac{1}{6}M)\f$ in space, with the mean width L and the length
+  /// M of triple lines. At the sides of a box, interfaces end at right angles. Then the mirror
+  /// images of a grain complete it, and each right angle in the plane adds \f$\frac{\pi}{2}\f$.
   /// \param dimension the dimension of the complex, 2 or 3
   double growth(int dimension) const {
-    return dimension == 2 ? CGAL_PI / 3 * (double(corners) - 6)
+    return dimension == 2 ? CGAL_PI / 3 * (double(corners) + 1.5 * double(right_angles) - 6)
                           : -2 * CGAL_PI * (mean_width - triple_lines / 6);
   }
 };
 
 namespace internal {
 
-// Adds the corners of each label: vertices with three labels or more around them.
+// Adds the corners of each label: vertices with three labels or more around them, ends of the
+// interface on the boundary of the domain, and corners of a box.
 template <class Complex>
 void add_corners(const Complex& complex, std::map<int, Grain_statistics>& grains) {
-  for (auto v : complex.interface_vertices()) {
+  static constexpr std::size_t junction = 3;
+  for (auto v : complex.finite_vertices()) {
+    const bool is_corner = Boundary_class::fixes_all(v->boundary_class(), 2);
+    if (!v->is_interface() && !is_corner)
+      continue;
     const auto labels = labels_around(complex, v);
-    static constexpr std::size_t junction = 3;
-    for (int label : labels)
+    for (int label : labels) {
       grains[label].corners += labels.size() >= junction;
+      grains[label].right_angles += labels.size() < junction && complex.is_boundary(v);
+    }
   }
 }
 
-// Adds the mean width and the triple lines of each label. Edges with one label are skipped, also on
-// the boundary of the domain.
+// Adds the mean width and the triple lines of each label. Edges with one label are skipped, and
+// edges on the boundary of the domain.
 template <class Complex>
 void add_edges(const Complex& complex, std::map<int, Grain_statistics>& grains) {
   visit_interface_edges(complex, [&](const auto& ends, const auto& angles) {
     static constexpr std::size_t junction = 3;
     const double length = std::sqrt(complex.displacement(ends[0], ends[1]).squared_length());
+    const bool is_on_side = (ends[0]->boundary_class() & ends[1]->boundary_class()) != 0;
     for (const auto& [label, angle] : angles)
-      if (angles.size() > 1) {
+      if (angles.size() > 1 && !is_on_side) {
         grains[label].mean_width += length * (CGAL_PI - angle) / (2 * CGAL_PI);
         grains[label].triple_lines += angles.size() >= junction ? length : 0;
       }

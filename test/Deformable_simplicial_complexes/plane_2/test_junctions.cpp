@@ -75,6 +75,41 @@ TEST(Junction_split_2, makes_two_junctions_of_three_phases) {
     EXPECT_FALSE(DSC::propose_junction_split(dsc, v, cavity));
 }
 
+// Two walls end at one vertex of a side. If the angle between them is small, they join, and the
+// sector between them leaves the side. Otherwise, they part along the side.
+TEST(Junction_split_2, separates_walls_at_a_side) {
+  for (const double x : {.2, 1.}) {
+    std::vector<Complex::Point_2> points = {{0, 0}, {1, 0}, {x, 1}, {-x, 1}, {-1, 0}};
+    std::vector<std::array<std::size_t, 3>> triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}};
+    std::vector<int> labels = {1, 3, 2};
+    if (x < 1) { // the corners of the box
+      points.insert(points.end(), {{1, 1}, {-1, 1}});
+      triangles.insert(triangles.end(), {{1, 5, 2}, {3, 6, 4}});
+      labels.insert(labels.end(), {1, 2});
+    }
+    Complex dsc = DSC::make_deformable_simplicial_complex_2<Complex>(points, triangles, labels,
+                                                                     parameters::improve(false));
+    const auto find = [&dsc](unsigned walls) {
+      std::vector<Vertex_handle> result;
+      for (Vertex_handle v : dsc.interface_vertices())
+        if (v->interface_degree() == walls && dsc.position(v).y() == 0)
+          result.push_back(v);
+      return result;
+    };
+    ASSERT_EQ(find(2).size(), 1u);
+    DSC::Cavity<Complex> cavity(dsc);
+    const double before = length(dsc);
+    ASSERT_TRUE(DSC::propose_junction_split(dsc, find(2).front(), cavity));
+    dsc.replace(cavity);
+    EXPECT_TRUE(dsc.is_valid(true));
+    EXPECT_LT(length(dsc), before);
+    EXPECT_EQ(find(2).size(), 0u);
+    EXPECT_EQ(find(1).size(), x < 1 ? 1u : 2u);
+    for (Vertex_handle v : dsc.interface_vertices())
+      EXPECT_FALSE(DSC::propose_junction_split(dsc, v, cavity));
+  }
+}
+
 TEST(Junction_split_2, does_not_join_parts_of_a_phase) {
   const Complex dsc = square(12, two_labels);
   CGAL::Deformable_simplicial_complexes::Cavity<Complex> cavity(dsc);

@@ -133,8 +133,9 @@ auto CGAL_DSC_CLASS::checked_barycenters(const std::vector<Approximate_point>& p
   }
   const auto unused = std::find(is_used.begin(), is_used.end(), false);
   if (unused != is_used.end())
-    throw Invalid_cells_error("a point belongs to no tetrahedron; remove it", {},
-                              {size_type(unused - is_used.begin())});
+    throw Invalid_cells_error(dimension == 2 ? "a point belongs to no triangle; remove it"
+                                             : "a point belongs to no tetrahedron; remove it",
+                              {}, {size_type(unused - is_used.begin())});
   return barycenters;
 }
 

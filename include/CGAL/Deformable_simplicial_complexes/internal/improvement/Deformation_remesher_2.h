@@ -83,7 +83,8 @@ public:
           continue;
         const int i = (c->index(v) + 2) % 3; // the edge from `v` with the cell on its left
         const Vertex_handle w = c->vertex((i + 2) % 3);
-        if (w->interface_degree() >= junction && exchange_neighbors(c, i, log))
+        if ((w->interface_degree() >= junction || m_complex.is_boundary(w)) &&
+            exchange_neighbors(c, i, log))
           break;
       }
     }

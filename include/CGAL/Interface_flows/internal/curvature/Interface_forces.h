@@ -8,6 +8,7 @@
 #ifndef CGAL_INTERFACE_FLOWS_INTERNAL_CURVATURE_INTERFACE_FORCES_H
 #define CGAL_INTERFACE_FLOWS_INTERNAL_CURVATURE_INTERFACE_FORCES_H
 
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Facet_tension.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <map>
 #include <vector>
 
 namespace CGAL {
@@ -33,7 +35,12 @@ is this share times the identity. At a junction of more labels, for example a li
 120 degrees, a facet contributes to the mass along its normal only. A motion within the plane of a
 facet changes the size of the facet only, so the facet does not resist it (J. W. Barrett, H. Garcke,
 R. Nürnberg, *On the parametric finite element approximation of evolving hypersurfaces in R^3*,
-Journal of Computational Physics 227, 2008). The vertices of facets with the mobility 0 are pinned.
+Journal of Computational Physics 227, 2008).
+
+Constraints: vertices on sides of the domain stay on them. Facets with the mobility 0 do not move
+along their normals. A vertex with such facets only is pinned. Other vertices of such facets slide
+along them, for example where a grain boundary ends at a particle. At a corner or a sharp edge of
+the particle, they have no direction or one direction left.
 */
 template <class Complex> class Interface_forces
 {
@@ -54,22 +61,43 @@ public:
 
   Interface_forces(const Interface_snapshot<Complex>& interface_,
                    const std::vector<Point>& positions, const Interface_energy& energy)
-      : m_are_junctions(vertices_on_junctions(interface_)), m_are_pinned(positions.size(), false),
-        m_shares(positions.size(), 0), m_masses(positions.size(), Matrix::Zero()),
-        m_forces(positions.size(), Vector::Zero()) {
+      : m_are_junctions(vertices_on_junctions(interface_)), m_shares(positions.size(), 0),
+        m_masses(positions.size(), Matrix::Zero()), m_forces(positions.size(), Vector::Zero()) {
+    Obstacles obstacles;
     for (const auto& facet : interface_.facets()) {
       std::array<Point, d> corners;
       for (int i = 0; i < d; ++i)
         corners[i] =
             interface_.domain.near(positions[facet.vertices[0]], positions[facet.vertices[i]]);
       add_forces(facet, corners, energy);
-      add_masses(facet, corners, energy.mobility(facet.behind, facet.in_front));
+      const double mobility = energy.mobility(facet.behind, facet.in_front);
+      if (mobility > 0)
+        add_masses(facet, corners, mobility);
+      else
+        add_obstacle(facet, corners, obstacles);
     }
+    m_has_obstacles = !obstacles.empty();
+    for (std::size_t v = 0; v < positions.size(); ++v)
+      if (const auto sides = interface_.vertices[v]->boundary_class();
+          sides != Boundary_class::inside)
+        m_constraints.emplace(v, within(sides));
+    for (const auto& [v, normals] : obstacles)
+      m_constraints.insert_or_assign(v,
+                                     along(normals, v, interface_.vertices[v]->boundary_class()));
     for (std::size_t v = 0; v < positions.size(); ++v)
       if (!is_junction(v))
         m_masses[v] = m_shares[v] * Matrix::Identity();
       else if (m_shares[v] > 0)
         complete(m_masses[v], m_shares[v]);
+  }
+
+  static Vector vector(const typename Complex::Approximate_vector& v) {
+    return Vector(coordinates_of<d>(v).data());
+  }
+  static typename Complex::Approximate_vector vector(const Vector& v) {
+    std::array<double, d> coordinates;
+    std::copy_n(v.data(), d, coordinates.begin());
+    return vector_of<Complex>(coordinates);
   }
 
   const std::vector<Pull>& pulls() const { return m_pulls; }
@@ -80,16 +108,21 @@ public:
   double share(std::size_t v) const { return m_shares[v]; }
   // Returns whether more than two labels meet at a vertex. Its mass matrix then couples the axes.
   bool is_junction(std::size_t v) const { return m_are_junctions[v]; }
-  // Returns whether a vertex does not move, because a facet has the mobility 0.
-  bool is_pinned(std::size_t v) const { return m_are_pinned[v]; }
+  // Returns the orthogonal projection to the directions in which a vertex may move; a null pointer
+  // if it may move in all directions.
+  const Matrix* constraint(std::size_t v) const {
+    const auto found = m_constraints.find(v);
+    return found == m_constraints.end() ? nullptr : &found->second;
+  }
+  // Returns the projections of all vertices that may not move in all directions.
+  const std::map<std::size_t, Matrix>& constraints() const { return m_constraints; }
+  // Returns whether there are facets with the mobility 0.
+  bool has_obstacles() const { return m_has_obstacles; }
 
 private:
   using Facet = typename Interface_vertices<Complex>::Facet;
   using Corners = std::array<Point, d>;
-
-  template <class V> static Vector vector(const V& v) {
-    return Vector(coordinates_of<d>(v).data());
-  }
+  using Obstacles = std::map<std::size_t, std::vector<Vector>>; // area vectors by vertex
 
   void add_forces(const Facet& facet, const Corners& corners, const Interface_energy& energy) {
     const auto& v = facet.vertices;
@@ -112,11 +145,6 @@ private:
 
   void add_masses(const Facet& facet, const Corners& corners, double mobility) {
     const auto& v = facet.vertices;
-    if (mobility == 0) {
-      for (std::size_t i : v)
-        m_are_pinned[i] = true;
-      return;
-    }
     const Facet_tension<d> parts(corners);
     const Vector normal = vector(Complex::Space::facet_normal(corners)).normalized();
     for (int i = 0; i < d; ++i) {
@@ -125,6 +153,53 @@ private:
       if (is_junction(v[i]))
         m_masses[v[i]] += share * normal * normal.transpose();
     }
+  }
+
+  // Adds the area vector of a facet with the mobility 0 to its vertices.
+  static void add_obstacle(const Facet& facet, const Corners& corners, Obstacles& obstacles) {
+    const Vector area = vector(Complex::Space::facet_normal(corners));
+    for (std::size_t v : facet.vertices)
+      obstacles[v].push_back(area);
+  }
+
+  // Returns the projection to the sides of the domain.
+  static Matrix within(Boundary_class::Bits sides) {
+    Matrix result = Matrix::Identity();
+    for (int axis = 0; axis < d; ++axis)
+      if (Boundary_class::fixes(sides, axis))
+        result(axis, axis) = 0;
+    return result;
+  }
+
+  // Returns the projection to the directions in which a vertex may move along facets with given
+  // area vectors, and along sides of the domain.
+  Matrix along(const std::vector<Vector>& areas, std::size_t v, Boundary_class::Bits sides) const {
+    if (!(m_shares[v] > 0))
+      return Matrix::Zero();
+    const Matrix side = within(sides);
+    Matrix tensor = Matrix::Zero();
+    for (const Vector& area : areas)
+      if (const double norm = area.norm(); norm > 0)
+        tensor += side * area * area.transpose() * side / norm;
+    // Facets whose normals differ by less than 60 degrees are parts of one smooth surface.
+    static constexpr double smooth =
+        1. / 3; // tan(60 / 2)^2, ratio of the eigenvalues of two facets
+    const Eigen::SelfAdjointEigenSolver<Matrix> solver(tensor);
+    const Vector values = solver.eigenvalues();
+    Matrix result = side;
+    for (int i = 0; i < d; ++i)
+      if (values[i] > smooth * values[d - 1]) {
+        Vector normal = side * solver.eigenvectors().col(i);
+        if (i == d - 1 && !(values[d - 2] > smooth * values[d - 1])) {
+          // The gradient of the volume on one side: the motion keeps this volume.
+          Vector sum = Vector::Zero();
+          for (const Vector& area : areas)
+            sum += area.dot(normal) < 0 ? -area : area;
+          normal = (side * sum).normalized();
+        }
+        result -= normal * normal.transpose();
+      }
+    return result;
   }
 
   // Replaces eigenvalues that are near 0 by the share. They belong to directions in the planes of
@@ -139,11 +214,13 @@ private:
     mass = solver.eigenvectors() * values.asDiagonal() * solver.eigenvectors().transpose();
   }
 
-  std::vector<char> m_are_junctions, m_are_pinned;
+  std::vector<char> m_are_junctions;
   std::vector<Pull> m_pulls;
   std::vector<double> m_shares;
   std::vector<Matrix> m_masses;
   std::vector<Vector> m_forces;
+  std::map<std::size_t, Matrix> m_constraints;
+  bool m_has_obstacles = false;
 };
 
 } // namespace internal
