@@ -57,11 +57,12 @@ public:
     m_interface.append(time, interface);
   }
 
-private:
+  /// Returns the path of a file in the folder.
   std::string file(const std::string& name) const {
     return (std::filesystem::path(m_path) / name).string();
   }
 
+private:
   std::string m_path;
   CGAL::IO::PVD_series m_volume, m_interface;
 };

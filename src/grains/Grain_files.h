@@ -6,26 +6,24 @@
 #define DSC_GRAIN_FILES_H
 
 #include "Grain_run.h"
+#include "grain_checkpoint.h"
 
 #include "step_folder.h"
 
 #include <CGAL/Deformable_simplicial_complexes/Mesh_arrays.h>
 #include <CGAL/Interface_flows/Grain_orientations.h>
 
-#include <CGAL/number_utils.h>
-
 #include <optional>
 
 namespace dsc {
 
-inline constexpr double degree = CGAL_PI / 180;
-
-/// Writes the states of a run, with the misorientations of the facets of the interface.
+/// Writes the states of a run, with the misorientations of the facets of the interface, and a
+/// checkpoint of the last one.
 class Grain_files
 {
 public:
   /// \throws Input_error if nothing can be written in the folder, or if it contains a run
-  explicit Grain_files(const Grain_run& run) {
+  explicit Grain_files(const Grain_run& run) : m_run(run) {
     if (!run.output.empty())
       m_folder.emplace(run.output);
   }
@@ -46,9 +44,11 @@ public:
                                       facet.first->neighbor(facet.second)->label()) /
           degree);
     m_folder->write(complex, state.step, state.time, arrays);
+    write_grains(m_folder->file("checkpoint.dsc"), m_run, complex, state);
   }
 
 private:
+  const Grain_run& m_run;
   std::optional<Step_folder> m_folder; // none if nothing is written
   std::optional<unsigned> m_last;      // step of the last state
 };

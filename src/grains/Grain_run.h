@@ -5,6 +5,8 @@
 #ifndef DSC_GRAIN_RUN_H
 #define DSC_GRAIN_RUN_H
 
+#include "Grain_energy.h"
+
 #include <CGAL/Interface_flows/grain_statistics.h>
 
 #include <cstddef>
@@ -16,24 +18,30 @@
 
 namespace dsc {
 
-/// The growth of grains on a torus with periods of 1.
+/// The growth of grains on a torus with periods of 1, or in a box with sides of 1.
 struct Grain_run
 {
-  using Of_angle = std::function<double(double)>; ///< of a misorientation in degrees
+  int dimension = 2;
+  bool is_periodic = true;  ///< whether the domain is the torus
+  std::size_t number = 100; ///< of grains at the beginning
+  Grain_energy energy;
+  double edges = 10;      ///< in the diameter of a mean grain
+  double step = .1;       ///< time step in squares of an edge
+  std::uint32_t seed = 1; ///< number of the random sequence
 
-  std::size_t number = 100;   ///< of grains at the beginning
-  Of_angle tension, mobility; ///< of grain boundaries; 1 for all if empty
-  double fastest = 1;         ///< greatest product of a tension and a mobility
-  double until = .5;          ///< fraction of grains that ends the run, in (0, 1)
-  unsigned steps = 0;         ///< greatest number of steps; no bound if 0
-  double edges = 10;          ///< in the diameter of a mean grain
-  double step = .1;           ///< time step in squares of an edge
-  std::uint32_t seed = 1;     ///< number of the random sequence
+  double until = .5;  ///< fraction of grains that ends the run, in (0, 1)
+  unsigned steps = 0; ///< greatest number of steps of this run; no bound if 0
   unsigned threads = 1;
   unsigned every = 10; ///< number of steps from one file to the next
-  std::string output;  ///< folder for ParaView files; empty for none
+  std::string resume;  ///< checkpoint to continue from; empty for new grains
+  std::string output;  ///< folder for ParaView files and a checkpoint; empty for none
   std::string picture; ///< file, in the plane; empty for none
 };
+
+/// Reads the grains of a checkpoint into a run: the members from `dimension` to `seed`.
+/// \throws Input_error if the checkpoint contains no grains
+/// \throws File_error if the file is no checkpoint
+void read_grains(const std::string& checkpoint, Grain_run& run);
 
 /// The state after a step of the growth of grains.
 struct Grain_state
@@ -65,6 +73,9 @@ struct Grain_result
 /// Lets grains grow, and calls a function with the state at the beginning and after each step.
 /// \throws Input_error if the output folder contains a run, or nothing can be written there
 /// \throws std::runtime_error if a file cannot be written, or the flow cannot be computed
+Grain_result grow_grains(const Grain_run& run, const std::function<void(const Grain_state&)>& on);
+
+/// The same for the two dimensions.
 Grain_result grow_grains_2(const Grain_run& run, const std::function<void(const Grain_state&)>& on);
 Grain_result grow_grains_3(const Grain_run& run, const std::function<void(const Grain_state&)>& on);
 

@@ -4,8 +4,9 @@
 
 #include "grain_run_impl.h"
 
+#include <CGAL/Bbox_2.h>
 #include <CGAL/Deformable_simplicial_complex_2.h>
-#include <CGAL/Deformable_simplicial_complexes/IO/SVG_2.h>
+#include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
 #include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
 
 namespace dsc {
@@ -14,17 +15,23 @@ Grain_result grow_grains_2(const Grain_run& run,
                            const std::function<void(const Grain_state&)>& on) {
   using namespace CGAL::Deformable_simplicial_complexes;
   using Domain = Torus_domain<2>;
-  using Complex =
+  using Box_complex = CGAL::Deformable_simplicial_complex_2<>;
+  using Torus_complex =
       CGAL::Deformable_simplicial_complex_2<CGAL::Deformable_simplicial_complex_traits_2<>,
                                             CGAL::Default, Domain>;
-  Grain_files files(run);
-  Complex complex = voronoi_grains<Complex>(run, [](double edge, const auto& labels) {
-    return make_deformable_simplicial_complex_2<Complex>(Domain(), edge, labels);
-  });
-  const Grain_result result = grow_grains(run, files, complex, on);
-  if (!run.picture.empty())
-    CGAL::IO::write_SVG(run.picture, complex);
-  return result;
+  if (run.is_periodic)
+    return grow_grains<Torus_complex>(
+        run, Domain(),
+        [](const Domain& domain, double edge, const auto& labels) {
+          return make_deformable_simplicial_complex_2<Torus_complex>(domain, edge, labels);
+        },
+        on);
+  return grow_grains<Box_complex>(
+      run, CGAL::Bbox_2(0, 0, 1, 1),
+      [](const CGAL::Bbox_2& box, double edge, const auto& labels) {
+        return make_deformable_simplicial_complex_2<Box_complex>(box, edge, labels);
+      },
+      on);
 }
 
 } // namespace dsc

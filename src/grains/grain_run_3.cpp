@@ -4,7 +4,9 @@
 
 #include "grain_run_impl.h"
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
 #include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
 
 namespace dsc {
@@ -13,14 +15,23 @@ Grain_result grow_grains_3(const Grain_run& run,
                            const std::function<void(const Grain_state&)>& on) {
   using namespace CGAL::Deformable_simplicial_complexes;
   using Domain = Torus_domain<3>;
-  using Complex =
+  using Box_complex = CGAL::Deformable_simplicial_complex_3<>;
+  using Torus_complex =
       CGAL::Deformable_simplicial_complex_3<CGAL::Deformable_simplicial_complex_traits_3<>,
                                             CGAL::Default, Volume_length_ratio_3, Domain>;
-  Grain_files files(run);
-  Complex complex = voronoi_grains<Complex>(run, [](double edge, const auto& labels) {
-    return make_deformable_simplicial_complex_3<Complex>(Domain(), edge, labels);
-  });
-  return grow_grains(run, files, complex, on);
+  if (run.is_periodic)
+    return grow_grains<Torus_complex>(
+        run, Domain(),
+        [](const Domain& domain, double edge, const auto& labels) {
+          return make_deformable_simplicial_complex_3<Torus_complex>(domain, edge, labels);
+        },
+        on);
+  return grow_grains<Box_complex>(
+      run, CGAL::Bbox_3(0, 0, 0, 1, 1, 1),
+      [](const CGAL::Bbox_3& box, double edge, const auto& labels) {
+        return make_deformable_simplicial_complex_3<Box_complex>(box, edge, labels);
+      },
+      on);
 }
 
 } // namespace dsc

@@ -9,8 +9,8 @@
 #include "Grain_run.h"
 #include "Growth_law.h"
 
+#include <CGAL/Deformable_simplicial_complexes/IO/SVG_2.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
-#include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
 #include <CGAL/Deformable_simplicial_complexes/remove_components.h>
 #include <CGAL/Deformable_simplicial_complexes/shared_measures.h>
 #include <CGAL/Interface_flows/Grain_growth.h>
@@ -24,24 +24,6 @@
 #include <functional>
 
 namespace dsc {
-
-/// Returns the energy of a run. It refers to the orientations.
-template <int d>
-CGAL::Deformable_simplicial_complexes::Interface_energy
-energy_of(const Grain_run& run,
-          const CGAL::Deformable_simplicial_complexes::Grain_orientations<d>& orientations) {
-  CGAL::Deformable_simplicial_complexes::Interface_energy result;
-  const auto of_pair = [&orientations](const Grain_run::Of_angle& function) {
-    return [&orientations, function](int a, int b) {
-      return function(orientations.misorientation(a, b) / degree);
-    };
-  };
-  if (run.tension)
-    result.set_tension(of_pair(run.tension));
-  if (run.mobility)
-    result.set_mobility(of_pair(run.mobility));
-  return result;
-}
 
 /// Adds the misorientations and the measures of the grain boundaries to a result.
 template <class Complex>
@@ -58,24 +40,23 @@ void measure_boundaries(
   }
 }
 
-/// Lets grains grow, see `grow_grains_2()`.
-/// \tparam Complex a complex on a torus
+/// Lets grains grow, see `grow_grains()`.
+/// \param state the state at the beginning
 template <class Complex>
 Grain_result grow_grains(const Grain_run& run, Grain_files& files, Complex& complex,
-                         const std::function<void(const Grain_state&)>& on) {
+                         Grain_state state, const std::function<void(const Grain_state&)>& on) {
   using namespace CGAL::Deformable_simplicial_complexes;
   static constexpr int d = Complex::dimension;
   const Grain_orientations<d> orientations(run.number, run.seed);
-  const Interface_energy energy = energy_of(run, orientations);
-  const bool is_isotropic = !run.tension && !run.mobility;
-  keep_largest_components(complex, energy);
+  const Interface_energy energy = run.energy.of(orientations);
+  const bool is_isotropic = run.energy.kind == Grain_energy::Kind::isotropic;
   Grain_growth_options options;
   options.edges_of_grain = run.edges;
   options.step = run.step;
-  options.fastest = run.fastest;
+  options.fastest = run.energy.fastest();
   options.number_of_threads = run.threads;
-  Grain_growth<Complex> growth(complex, energy, options);
-  Grain_state state;
+  Grain_growth<Complex> growth(complex, energy, options, state.time);
+  const unsigned first = state.step;
   const auto tell = [&] {
     state.time = growth.time();
     state.energy = energy(complex);
@@ -102,7 +83,7 @@ Grain_result grow_grains(const Grain_run& run, Grain_files& files, Complex& comp
   bool moves = true;
   const auto goal = std::size_t(std::ceil(run.until * double(run.number) - rounding));
   while (state.grains > std::max(goal, std::size_t(1)) && moves &&
-         (run.steps == 0 || state.step < run.steps)) {
+         (run.steps == 0 || state.step - first < run.steps)) {
     const bool compares = is_isotropic && state.grains >= (std::min)(fewest, run.number) &&
                           state.step * run.step > settled && state.step % interval == 0;
     if (compares)
@@ -127,15 +108,30 @@ Grain_result grow_grains(const Grain_run& run, Grain_files& files, Complex& comp
   return result;
 }
 
-/// Returns a Voronoi diagram on a torus with periods of 1, with the edges of a run.
-/// \param make `make(edge, labels)` makes the complex
-template <class Complex, class Make>
-Complex voronoi_grains(const Grain_run& run, const Make& make) {
+/// Returns the result of a run whose complexes `make(domain, edge, labels)` makes.
+template <class Complex, class Domain, class Make>
+Grain_result grow_grains(const Grain_run& run, const Domain& domain, const Make& make,
+                         const std::function<void(const Grain_state&)>& on) {
   using namespace CGAL::Deformable_simplicial_complexes;
-  std::array<double, Complex::dimension> sides;
-  sides.fill(1);
-  const Voronoi_labels<Complex> labels(run.number, sides, true, run.seed);
-  return make(std::pow(double(run.number), -1. / Complex::dimension) / run.edges, labels);
+  static constexpr int d = Complex::dimension;
+  Grain_files files(run);
+  Complex complex;
+  Grain_state state;
+  if (!run.resume.empty()) {
+    state = restore_grains(run.resume, complex);
+  } else {
+    std::array<double, d> sides;
+    sides.fill(1);
+    const Voronoi_labels<Complex> labels(run.number, sides, run.is_periodic, run.seed);
+    complex = make(domain, std::pow(double(run.number), -1. / d) / run.edges, labels);
+    const Grain_orientations<d> orientations(run.number, run.seed);
+    keep_largest_components(complex, run.energy.of(orientations));
+  }
+  const Grain_result result = grow_grains(run, files, complex, state, on);
+  if constexpr (d == 2)
+    if (!run.picture.empty())
+      CGAL::IO::write_SVG(run.picture, complex);
+  return result;
 }
 
 } // namespace dsc

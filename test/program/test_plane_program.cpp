@@ -167,10 +167,12 @@ TEST_F(Planar_program, resumes_to_the_same_bits) {
 TEST_F(Planar_program, lets_grains_grow) {
   for (const std::string arguments :
        {"--number 1", "--dimension 4", "--energy iron", "--until 1", "--edges 1", "--step -1",
-        "--dimension 3 --picture a.svg", "--picture a.png", "--every 2", "--largest-angle x"})
+        "--dimension 3 --picture a.svg", "--picture a.png", "--every 2", "--largest-angle x",
+        "--domain ball", "--resume a.dsc --seed 2"})
     expect_error("grains " + arguments, 2);
-  const std::string small = "grains --number 12 --edges 6 --step .3 --steps 30 ";
-  expect_success(small + "--quiet --report a.json --picture a.svg --output grains --every 15");
+  const std::string begin = "grains --number 12 --edges 6 --step .3 --quiet --steps ",
+                    small = begin + "30 ";
+  expect_success(small + "--report a.json --picture a.svg --output grains --every 15");
   const Json isotropic = report("a.json");
   ASSERT_EQ(isotropic.at("steps").size(), 31u);
   EXPECT_EQ(isotropic.at("steps")[0].at("grains"), 12);
@@ -195,12 +197,25 @@ TEST_F(Planar_program, lets_grains_grow) {
   EXPECT_NE(contents(path("a.svg")).find("<svg"), std::string::npos);
   expect_error(small + "--output grains", 1); // contains a run
   // The same bits again; other grains with another seed
-  expect_success(small + "--quiet --report b.json --threads 2");
+  expect_success(small + "--report b.json --threads 2");
   EXPECT_EQ(report("b.json").at("steps"), isotropic.at("steps"));
-  expect_success(small + "--quiet --report b.json --seed 2");
+  expect_success(small + "--report b.json --seed 2");
   EXPECT_NE(report("b.json").at("steps"), isotropic.at("steps"));
+  // The same bits from a checkpoint
+  expect_success(begin + "15 --output half");
+  expect_error("grains --resume half/checkpoint.dsc --output half", 1);
+  expect_error("grains --resume a.json", 1);
+  expect_success("grains --resume half/checkpoint.dsc --steps 15 --report b.json --output whole "
+                 "--quiet");
+  const Json resumed = report("b.json").at("steps");
+  ASSERT_EQ(resumed.size(), 16u);
+  EXPECT_EQ(resumed.back(), isotropic.at("steps").back());
+  EXPECT_EQ(contents(path("whole/checkpoint.dsc")), contents(path("grains/checkpoint.dsc")));
+  // A box, whose laws count right angles at its sides
+  expect_success(small + "--domain box --report b.json --picture b.svg");
+  EXPECT_NEAR(report("b.json").at("law").at("slope").get<double>(), 1, .1);
   // Energies by misorientation
-  expect_success(small + "--quiet --report b.json --energy read-shockley");
+  expect_success(small + "--report b.json --energy read-shockley");
   const Json steps = report("b.json").at("steps");
   for (std::size_t k = 1; k < steps.size(); ++k)
     EXPECT_LT(steps[k].at("energy").get<double>(), steps[k - 1].at("energy").get<double>()) << k;
@@ -209,7 +224,7 @@ TEST_F(Planar_program, lets_grains_grow) {
     EXPECT_LE(boundary.at("misorientation").get<double>(), 45 + 1e-9);
   // A table of energies, and the distributions. Twice the tension gives twice the energy.
   std::ofstream(path("energy.txt")) << "0 2 # angle, tension\n\n45 2 .5\n";
-  expect_success(small + "--quiet --report c.json --energy energy.txt --plot plot.svg");
+  expect_success(small + "--report c.json --energy energy.txt --plot plot.svg");
   EXPECT_NEAR(report("c.json").at("steps")[0].at("energy").get<double>(),
               2 * isotropic.at("steps")[0].at("energy").get<double>(), 1e-9);
   EXPECT_NE(contents(path("plot.svg")).find("misorientation"), std::string::npos);

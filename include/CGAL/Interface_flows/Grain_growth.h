@@ -117,14 +117,16 @@ public:
     Deformation_report<Complex> deformation; ///< the report of the motion
   };
 
-  /// Constructs the growth of the grains of a complex, at the time 0.
+  /// Constructs the growth of the grains of a complex.
   /// \param complex the complex, which must outlive the object
   /// \param energy the energy; copied
   /// \param options the options
+  /// \param time the present time, for example of a complex that was restored from a checkpoint.
+  ///        The growth has no other state.
   /// \throws Error if an option is out of its range
   explicit Grain_growth(Complex& complex, const Interface_energy& energy = {},
-                        const Grain_growth_options& options = {})
-      : m_complex(complex), m_flow(energy), m_velocity(energy), m_options(options) {
+                        const Grain_growth_options& options = {}, double time = 0)
+      : m_complex(complex), m_flow(energy), m_velocity(energy), m_options(options), m_time(time) {
     options.check();
   }
 
@@ -248,7 +250,7 @@ private:
   Mean_curvature_flow m_flow;
   Mean_curvature_velocity m_velocity;
   Grain_growth_options m_options;
-  double m_time = 0;
+  double m_time;
 };
 
 } // namespace Deformable_simplicial_complexes

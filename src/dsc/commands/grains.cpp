@@ -7,15 +7,13 @@
 #include "commands/commands.h"
 #include "errors.h"
 #include "files.h"
+#include "grain_checkpoint.h"
 #include "histograms.h"
 #include "interrupt.h"
 #include "option_values.h"
 #include "report_json.h"
 #include "threads_option.h"
 
-#include <CGAL/Interface_flows/Grain_orientations.h>
-
-#include <CGAL/number_utils.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -31,21 +29,17 @@ namespace {
 struct Grains_options
 {
   Grain_run run;
-  int dimension = 2;
-  std::string energy = "isotropic", largest_angle = "15", until = ".5", edges = "10",
+  std::string domain = "torus", energy = "isotropic", largest_angle = "15", until = ".5",
+              edges = "10",
               step = ".1";  ///< as written
   std::string report, plot; ///< files; empty for none
   bool quiet = false;
 };
 
-Json parameters(const Grains_options& options) {
-  const Grain_run& run = options.run;
-  Json result = {
-      {"command", "grains"},      {"number", run.number}, {"dimension", options.dimension},
-      {"energy", options.energy}, {"until", run.until},   {"edges", run.edges},
-      {"step", run.step},         {"seed", run.seed}};
-  if (options.energy == "read-shockley")
-    result["largest_angle"] = parse_positive(options.largest_angle, "--largest-angle");
+Json parameters(const Grain_run& run) {
+  Json result = to_json(run);
+  result["command"] = "grains";
+  result["until"] = run.until;
   return result;
 }
 
@@ -105,77 +99,70 @@ void plot(const std::string& path, const Grain_result& result, int dimension) {
 
 int execute(const Grains_options& options) {
   const Grain_run& run = options.run;
-  require_place("--picture", run.picture, {options.energy});
-  require_place("--report", options.report, {run.picture, options.energy});
-  require_place("--plot", options.plot, {run.picture, options.report, options.energy});
+  require_place("--picture", run.picture, {options.energy, run.resume});
+  require_place("--report", options.report, {run.picture, options.energy, run.resume});
+  require_place("--plot", options.plot, {run.picture, options.report, options.energy, run.resume});
   Json states = Json::array();
   Grain_state last;
   const Interruptible interruptible(options.quiet);
-  const Grain_result result =
-      (options.dimension == 2 ? grow_grains_2 : grow_grains_3)(run, [&](const Grain_state& state) {
-        last = state;
-        states.push_back(json_of(state));
-      });
+  const Grain_result result = grow_grains(run, [&](const Grain_state& state) {
+    last = state;
+    states.push_back(json_of(state));
+  });
   if (!options.report.empty()) {
-    Json json = {{"parameters", parameters(options)}, {"steps", states}};
+    Json json = {{"parameters", parameters(run)}, {"steps", states}};
     if (result.slope != 0)
       json["law"] = {{"slope", result.slope}, {"correlation", result.correlation}};
     for (const auto& [sides, rate] : result.rates)
       json["law"]["rates"].push_back(
           {{"sides", sides}, {"rate", rate.sum / double(rate.number)}, {"number", rate.number}});
     for (const auto& grain : result.grains)
-      json["grains"].push_back(json_of(grain, options.dimension));
+      json["grains"].push_back(json_of(grain, run.dimension));
     for (std::size_t k = 0; k < result.areas.size(); ++k)
       json["boundaries"].push_back(
           {{"misorientation", result.misorientations[k]}, {"measure", result.areas[k]}});
     write_json(options.report, json);
   }
   if (!options.plot.empty())
-    plot(options.plot, result, options.dimension);
+    plot(options.plot, result, run.dimension);
   if (options.quiet)
     return 0;
   std::printf("dsc: %zu of %zu grains are left after %u %s, at the time %.6g\n", last.grains,
               run.number, last.step, noun(last.step, "step", "steps"), last.time);
   if (result.slope != 0)
     std::printf("dsc: they grow at %.4f of the rate of %s, correlation %.4f\n", result.slope,
-                options.dimension == 2 ? "von Neumann and Mullins" : "MacPherson and Srolovitz",
+                run.dimension == 2 ? "von Neumann and Mullins" : "MacPherson and Srolovitz",
                 result.correlation);
   return 0;
 }
 
 /// Reads the energy: a name or a table.
-void read_energy(Grains_options& options, bool given_largest_angle) {
-  static constexpr double degree = CGAL_PI / 180;
-  Grain_run& run = options.run;
-  const double largest = parse_positive(options.largest_angle, "--largest-angle");
+Grain_energy read_energy(const Grains_options& options, bool given_largest_angle) {
+  Grain_energy result;
+  result.largest_angle = parse_positive(options.largest_angle, "--largest-angle");
   if (given_largest_angle && options.energy != "read-shockley")
     throw Usage_error("--largest-angle applies only to --energy read-shockley; leave it out");
   if (options.energy == "isotropic")
-    return;
+    return result;
   if (options.energy == "read-shockley") {
-    run.tension = [largest](double angle) {
-      return CGAL::Deformable_simplicial_complexes::read_shockley_energy(angle * degree,
-                                                                         largest * degree);
-    };
-    return;
+    result.kind = Grain_energy::Kind::read_shockley;
+    return result;
   }
   if (extension(options.energy).empty())
     throw Usage_error("--energy expects isotropic, read-shockley, or a file with a table such as "
                       "energy.txt; the value was '" +
                       options.energy + "'");
-  const auto table = std::make_shared<const Angle_table>(read_angle_table(options.energy));
-  run.tension = [table](double angle) { return table->tension(angle); };
-  run.mobility = [table](double angle) { return table->mobility(angle); };
-  run.fastest = 0;
-  for (const auto& row : table->rows)
-    run.fastest = std::max(run.fastest, row.tension * row.mobility);
+  result.kind = Grain_energy::Kind::table;
+  result.table = read_angle_table(options.energy);
+  return result;
 }
 
-/// Reads the numbers that are given as text.
+/// Reads the options of new grains.
 /// \throws Usage_error
-void read(Grains_options& options, bool given_largest_angle) {
+void read_new_grains(Grains_options& options, bool given_largest_angle) {
   Grain_run& run = options.run;
-  read_energy(options, given_largest_angle);
+  run.is_periodic = options.domain == "torus";
+  run.energy = read_energy(options, given_largest_angle);
   run.edges = parse_positive(options.edges, "--edges");
   run.step = parse_positive(options.step, "--step");
   static constexpr double fewest_edges = 3, most_edges = 1000, longest_step = 10;
@@ -183,6 +170,16 @@ void read(Grains_options& options, bool given_largest_angle) {
     throw Usage_error("--edges is out of range; use 3 to 1000");
   if (!(run.step <= longest_step))
     throw Usage_error("--step is out of range; use more than 0 and at most 10");
+}
+
+/// Reads the options that are given as text.
+/// \throws Usage_error
+void read(Grains_options& options, bool given_largest_angle) {
+  Grain_run& run = options.run;
+  if (run.resume.empty())
+    read_new_grains(options, given_largest_angle);
+  else
+    read_grains(run.resume, run);
   run.until = parse_positive(options.until, "--until");
   if (!(run.until < 1))
     throw Usage_error("--until must be less than 1; write it like 0.5");
@@ -191,7 +188,7 @@ void read(Grains_options& options, bool given_largest_angle) {
   if (run.picture.empty())
     return;
   require_extension(run.picture, {"svg"});
-  if (options.dimension == 3)
+  if (run.dimension == 3)
     throw Usage_error("--picture applies only to --dimension 2; use --output");
 }
 
@@ -201,11 +198,21 @@ void add_grains(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<Grains_options>();
   Grain_run& run = options->run;
   CLI::App* command = app.add_subcommand("grains", description_of_grains);
+  CLI::Option* resume = command->add_option(
+      "--resume", run.resume,
+      "Continue the run of a checkpoint; the result is bitwise identical. Write to another folder");
   command->add_option("--number", run.number, "Number of grains at the beginning")
       ->check(CLI::Range(std::size_t(2), std::size_t(1000000)))
       ->capture_default_str();
-  command->add_option("--dimension", options->dimension, "2 or 3; the domain is a torus of size 1")
+  command->add_option("--dimension", run.dimension, "2 or 3")
       ->check(CLI::Range(2, 3))
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--domain", options->domain,
+          "torus, which is periodic, or box, where grain boundaries end at right angles; of "
+          "size 1")
+      ->check(CLI::IsMember({"torus", "box"}))
       ->capture_default_str();
   command
       ->add_option("--energy", options->energy,
@@ -229,8 +236,8 @@ void add_grains(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->add_option("--seed", run.seed, "Number of the random sequence")->capture_default_str();
   add_threads_option(*command, run.threads);
-  CLI::Option* output = command->add_option("--output", run.output,
-                                            "Folder for ParaView files; created if necessary");
+  CLI::Option* output = command->add_option(
+      "--output", run.output, "Folder for ParaView files and a checkpoint; created if necessary");
   command->add_option("--every", run.every, "Write every N-th step")
       ->check(CLI::Range(1u, 2147483647u))
       ->needs(output)
@@ -242,6 +249,9 @@ void add_grains(CLI::App& app, int& exit_code) {
       "--report", options->report,
       "JSON file with all steps, and with sizes and neighbors of grains at the end");
   command->add_flag("--quiet", options->quiet, "Print only errors");
+  for (const char* name : {"--number", "--dimension", "--domain", "--energy", "--largest-angle",
+                           "--edges", "--step", "--seed"})
+    resume->excludes(command->get_option(name));
   command->callback([command, options, &exit_code] {
     read(*options, command->count("--largest-angle") > 0);
     exit_code = execute(*options);

@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DSC_GRAIN_ENERGY_H
+#define DSC_GRAIN_ENERGY_H
+
+#include "angle_table.h"
+#include "report_json.h"
+
+#include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
+#include <CGAL/Interface_flows/Grain_orientations.h>
+
+#include <CGAL/number_utils.h>
+
+#include <string>
+
+namespace dsc {
+
+inline constexpr double degree = CGAL_PI / 180;
+
+/// The energy of grain boundaries by their misorientation.
+struct Grain_energy
+{
+  enum class Kind { isotropic, read_shockley, table };
+
+  Kind kind = Kind::isotropic;
+  double largest_angle = 15; ///< in degrees, for Read and Shockley
+  Angle_table table;
+
+  /// Returns the greatest product of a tension and a mobility.
+  double fastest() const;
+
+  /// Returns the energy of grains with given orientations. It refers to the orientations.
+  template <int d>
+  CGAL::Deformable_simplicial_complexes::Interface_energy
+  of(const CGAL::Deformable_simplicial_complexes::Grain_orientations<d>& orientations) const {
+    CGAL::Deformable_simplicial_complexes::Interface_energy result;
+    if (kind == Kind::isotropic)
+      return result;
+    const auto angle = [&orientations](int a, int b) {
+      return orientations.misorientation(a, b) / degree;
+    };
+    result.set_tension(
+        [energy = *this, angle](int a, int b) { return energy.tension(angle(a, b)); });
+    if (kind == Kind::table)
+      result.set_mobility(
+          [energy = *this, angle](int a, int b) { return energy.table.mobility(angle(a, b)); });
+    return result;
+  }
+
+private:
+  double tension(double angle) const;
+};
+
+/// Returns an energy as JSON, for reports and checkpoints.
+Json to_json(const Grain_energy& energy);
+
+/// Returns the energy of `to_json()`.
+/// \throws Json::exception if it is none
+Grain_energy energy_of_json(const Json& json);
+
+} // namespace dsc
+
+#endif // DSC_GRAIN_ENERGY_H

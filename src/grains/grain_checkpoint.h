@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DSC_GRAIN_CHECKPOINT_H
+#define DSC_GRAIN_CHECKPOINT_H
+
+#include "Grain_run.h"
+
+#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_2.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_3.h>
+
+#include <string>
+
+namespace dsc {
+
+/// Returns the grains of a run as JSON, for reports and checkpoints: the members from `dimension`
+/// to `seed`.
+Json to_json(const Grain_run& run);
+
+template <int dimension> auto read_checkpoint_of(const std::string& path) {
+  if constexpr (dimension == 2)
+    return CGAL::IO::read_checkpoint_2(path);
+  else
+    return CGAL::IO::read_checkpoint(path);
+}
+
+/// Writes a checkpoint of a run.
+template <class Complex>
+void write_grains(const std::string& path, const Grain_run& run, const Complex& complex,
+                  const Grain_state& state) {
+  CGAL::IO::write_checkpoint(
+      path, complex.state(),
+      Json{{"grains", to_json(run)}, {"time", state.time}, {"step", state.step}}.dump());
+}
+
+/// Restores the complex of a checkpoint. Returns its time and step.
+template <class Complex> Grain_state restore_grains(const std::string& path, Complex& complex) {
+  const auto checkpoint = read_checkpoint_of<Complex::dimension>(path);
+  complex.restore(checkpoint.state);
+  const Json json = Json::parse(checkpoint.metadata);
+  Grain_state result;
+  result.time = json.at("time");
+  result.step = json.at("step");
+  return result;
+}
+
+} // namespace dsc
+
+#endif // DSC_GRAIN_CHECKPOINT_H
