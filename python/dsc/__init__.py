@@ -14,7 +14,9 @@ from ._complex import (
     Complex,
     Complex2,
     Complex3,
+    Density,
     LabelFunction,
+    OfPair,
     Progress,
     Scheme,
     Topology,
@@ -45,8 +47,9 @@ from ._fluid import (
     Source,
     Tension,
 )
+from ._grains import GrainGrowth, GrainStep, Orientations, Voronoi
 from ._progress import ProgressLine
-from ._report import Cells, Changes, Interface, LabelChange, Report, TopologyEvent
+from ._report import Cells, Changes, Grain, Interface, LabelChange, Report, TopologyEvent
 from ._segmentation import Boundary, Phase, Segmentation, segment
 from ._solids import Body, Motion
 from ._surfaces import CutLocus, Reconstruction, cut_locus, reconstruct
@@ -64,6 +67,7 @@ __all__ = [
     "Complex2",
     "Complex3",
     "CutLocus",
+    "Density",
     "Error",
     "Field",
     "FileError",
@@ -72,6 +76,9 @@ __all__ = [
     "FluidReport",
     "FluidStepError",
     "Gas",
+    "Grain",
+    "GrainGrowth",
+    "GrainStep",
     "Interface",
     "Interrupted",
     "InvalidCellsError",
@@ -82,6 +89,8 @@ __all__ = [
     "LabelFunction",
     "Liquid",
     "Motion",
+    "OfPair",
+    "Orientations",
     "Phase",
     "Progress",
     "ProgressLine",
@@ -101,6 +110,7 @@ __all__ = [
     "Torus3",
     "Values",
     "Velocity",
+    "Voronoi",
     "cut_locus",
     "reconstruct",
     "segment",

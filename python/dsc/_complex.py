@@ -15,7 +15,7 @@ import numpy.typing as npt
 from . import _dsc
 from ._film import Film
 from ._images import PlacedImage
-from ._report import Cells, Changes, Interface, LabelChange, Points, Report, TopologyEvent
+from ._report import Cells, Changes, Grain, Interface, LabelChange, Points, Report, TopologyEvent
 from ._values import Values
 
 Progress = Union[Callable[[str], Union[bool, None]], bool]
@@ -33,6 +33,12 @@ Topology = Union[
 ]
 """Changes of topology: all, none, those between pairs of labels, or those that a function of the label,
 the new label and the place permits."""
+
+OfPair = Callable[[int, int], float]
+"""Number for each pair of labels, the smaller one first; it depends on the labels only."""
+
+Density = Union[Callable[[int], float], Mapping[int, float]]
+"""Number for each label; 0 for labels that a dictionary lacks."""
 
 Scheme = Literal["euler", "rk2", "rk4", "adaptive"]
 
@@ -84,6 +90,22 @@ def _report(result: dict[str, Any]) -> Report:
     result["labels"] = [LabelChange(**change) for change in result["labels"]]
     result["events"] = [TopologyEvent(**event) for event in result["events"]]
     return Report(**result)
+
+
+def _energy(
+    tension: float | OfPair | None, mobility: float | OfPair | None, density: Density | None
+) -> dict[str, Any]:
+    for name, value in (("tension", tension), ("mobility", mobility)):
+        if value is not None and not callable(value):
+            _number(value, name)
+    if isinstance(density, Mapping):
+        values = {_integer(label, "a label"): _number(x, "a density") for label, x in density.items()}
+        return {"tension": tension, "mobility": mobility, "density": lambda label: values.get(label, 0.0)}
+    return {
+        "tension": tension,
+        "mobility": mobility,
+        "density": None if density is None else _callable(density, "density"),
+    }
 
 
 def _labels(labels: Iterable[int] | None, number: int) -> list[int]:
@@ -430,6 +452,9 @@ class Complex:
         self,
         dt: float,
         *,
+        tension: float | OfPair | None = None,
+        mobility: float | OfPair | None = None,
+        density: Density | None = None,
         keep_volumes: bool = False,
         adapt: bool = False,
         topology: Topology | None = None,
@@ -439,14 +464,40 @@ class Complex:
     ) -> Report:
         """Moves the interface by its mean curvature (in the plane, its curvature) for a time step.
 
+        The interface between the labels a and b moves with the velocity mobility * (tension * curvature
+        + difference of the densities). A label with a lower density grows.
+
         dt: at least 0, about the square of an edge
+        tension: energy per area, in the plane per length: a positive number, or a function of two labels;
+            default 1
+        mobility: at least 0: a number, or a function of two labels; default 1. An interface of mobility 0
+            does not move, and others slide along it.
+        density: energy per volume, in the plane per area: a function of a label, or a dictionary;
+            default 0
         keep_volumes: whether the volume of each label stays the same
         Other parameters are those of `advect()`.
         """
-        options = _given(adapt=adapt, topology=topology, threads=threads, **deformation)
+        options = _given(
+            **_energy(tension, mobility, density),
+            adapt=adapt,
+            topology=topology,
+            threads=threads,
+            **deformation,
+        )
         return _report(
             self._compiled.mean_curvature(_number(dt, "dt"), bool(keep_volumes), options, progress)
         )
+
+    def grains(self) -> list[Grain]:
+        """Measures of all labels, by increasing label: sizes, neighbors, mean widths."""
+        return [Grain(**grain) for grain in self._compiled.grains()]
+
+    def keep_largest_components(self, *, progress: Progress | None = None) -> list[int]:
+        """Gives all components of each label except the largest one to their neighbors.
+
+        Returns the labels of the components that were removed.
+        """
+        return list(self._compiled.keep_largest_components(progress))
 
     def deform(
         self,

@@ -115,3 +115,27 @@ class Report(Changes):
     """Changes of each label."""
     events: list[TopologyEvent]
     """Changes of components."""
+
+
+@dataclass(frozen=True)
+class Grain:
+    """Measures of a label, such as a grain of a polycrystal."""
+
+    label: int
+    """The label."""
+    measure: float
+    """Volume, in the plane area."""
+    boundary: float
+    """Area of the interface, in the plane length."""
+    neighbors: int
+    """Number of labels with a common interface."""
+    corners: int
+    """Number of vertices where three labels or more meet (plane only)."""
+    right_angles: int
+    """Number of right angles at the boundary of a box (plane only)."""
+    triple_lines: float
+    """Length of the lines where three labels or more meet (space only)."""
+    mean_width: float
+    """Mean width of MacPherson and Srolovitz: 4 r for a ball (space only)."""
+    growth: float
+    """Rate of growth by the law of von Neumann and Mullins, in space of MacPherson and Srolovitz."""

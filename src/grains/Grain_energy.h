@@ -32,20 +32,26 @@ struct Grain_energy
   double fastest() const;
 
   /// Returns the energy of grains with given orientations. It refers to the orientations.
+  /// \param has_particles whether the label 0 is that of particles, whose interfaces have the
+  /// tension 1 and do not move
   template <int d>
   CGAL::Deformable_simplicial_complexes::Interface_energy
-  of(const CGAL::Deformable_simplicial_complexes::Grain_orientations<d>& orientations) const {
+  of(const CGAL::Deformable_simplicial_complexes::Grain_orientations<d>& orientations,
+     bool has_particles) const {
     CGAL::Deformable_simplicial_complexes::Interface_energy result;
-    if (kind == Kind::isotropic)
-      return result;
     const auto angle = [&orientations](int a, int b) {
       return orientations.misorientation(a, b) / degree;
     };
-    result.set_tension(
-        [energy = *this, angle](int a, int b) { return energy.tension(angle(a, b)); });
-    if (kind == Kind::table)
-      result.set_mobility(
-          [energy = *this, angle](int a, int b) { return energy.table.mobility(angle(a, b)); });
+    if (kind != Kind::isotropic)
+      result.set_tension([energy = *this, angle, has_particles](int a, int b) {
+        return has_particles && a == 0 ? 1 : energy.tension(angle(a, b));
+      });
+    if (kind == Kind::table || has_particles)
+      result.set_mobility([energy = *this, angle, has_particles](int a, int b) {
+        if (has_particles && a == 0)
+          return 0.;
+        return energy.kind == Kind::table ? energy.table.mobility(angle(a, b)) : 1.;
+      });
     return result;
   }
 

@@ -16,10 +16,14 @@ void read_grains(const std::string& checkpoint, Grain_run& run) {
   const std::string metadata = run.dimension == 2 ? read_checkpoint_of<2>(checkpoint).metadata
                                                   : read_checkpoint_of<3>(checkpoint).metadata;
   try {
-    const Json json = Json::parse(metadata).at("grains");
+    const Json saved = Json::parse(metadata), json = saved.at("grains");
+    if (!saved.at("time").is_number() || !saved.at("step").is_number_unsigned())
+      throw Input_error(checkpoint + " is damaged; give another checkpoint of dsc grains");
     run.is_periodic = json.at("domain") == "torus";
     run.number = json.at("number");
     run.energy = energy_of_json(json.at("energy"));
+    run.particles = json.at("particles");
+    run.particle_radius = json.at("particle_radius");
     run.edges = json.at("edges");
     run.step = json.at("step");
     run.seed = json.at("seed");
@@ -34,6 +38,8 @@ Json to_json(const Grain_run& run) {
           {"domain", run.is_periodic ? "torus" : "box"},
           {"number", run.number},
           {"energy", to_json(run.energy)},
+          {"particles", run.particles},
+          {"particle_radius", run.particle_radius},
           {"edges", run.edges},
           {"step", run.step},
           {"seed", run.seed}};

@@ -25,9 +25,11 @@ struct Grain_run
   bool is_periodic = true;  ///< whether the domain is the torus
   std::size_t number = 100; ///< of grains at the beginning
   Grain_energy energy;
-  double edges = 10;      ///< in the diameter of a mean grain
-  double step = .1;       ///< time step in squares of an edge
-  std::uint32_t seed = 1; ///< number of the random sequence
+  std::size_t particles = 0;   ///< number of particles, which hold grain boundaries
+  double particle_radius = .2; ///< in diameters of a mean grain at the beginning
+  double edges = 10;           ///< in the diameter of a mean grain
+  double step = .1;            ///< time step in squares of an edge
+  std::uint32_t seed = 1;      ///< number of the random sequence
 
   double until = .5;  ///< fraction of grains that ends the run, in (0, 1)
   unsigned steps = 0; ///< greatest number of steps of this run; no bound if 0

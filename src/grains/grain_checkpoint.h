@@ -34,14 +34,20 @@ void write_grains(const std::string& path, const Grain_run& run, const Complex& 
       Json{{"grains", to_json(run)}, {"time", state.time}, {"step", state.step}}.dump());
 }
 
-/// Restores the complex of a checkpoint. Returns its time and step.
-template <class Complex> Grain_state restore_grains(const std::string& path, Complex& complex) {
-  const auto checkpoint = read_checkpoint_of<Complex::dimension>(path);
-  complex.restore(checkpoint.state);
+/// The complex and the state of a checkpoint.
+template <int d> struct Saved_grains
+{
+  CGAL::Deformable_simplicial_complexes::State<d> complex;
+  Grain_state state;
+};
+
+/// Reads a checkpoint that `read_grains()` accepts.
+template <int d> Saved_grains<d> read_saved_grains(const std::string& path) {
+  const auto checkpoint = read_checkpoint_of<d>(path);
   const Json json = Json::parse(checkpoint.metadata);
-  Grain_state result;
-  result.time = json.at("time");
-  result.step = json.at("step");
+  Saved_grains<d> result{checkpoint.state, {}};
+  result.state.time = json.at("time");
+  result.state.step = json.at("step");
   return result;
 }
 

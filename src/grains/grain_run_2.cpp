@@ -21,15 +21,16 @@ Grain_result grow_grains_2(const Grain_run& run,
                                             CGAL::Default, Domain>;
   if (run.is_periodic)
     return grow_grains<Torus_complex>(
-        run, Domain(),
-        [](const Domain& domain, double edge, const auto& labels) {
-          return make_deformable_simplicial_complex_2<Torus_complex>(domain, edge, labels);
+        run,
+        [](double edge, const auto& labels) {
+          return make_deformable_simplicial_complex_2<Torus_complex>(Domain(), edge, labels);
         },
         on);
   return grow_grains<Box_complex>(
-      run, CGAL::Bbox_2(0, 0, 1, 1),
-      [](const CGAL::Bbox_2& box, double edge, const auto& labels) {
-        return make_deformable_simplicial_complex_2<Box_complex>(box, edge, labels);
+      run,
+      [](double edge, const auto& labels) {
+        return make_deformable_simplicial_complex_2<Box_complex>(CGAL::Bbox_2(0, 0, 1, 1), edge,
+                                                                 labels);
       },
       on);
 }

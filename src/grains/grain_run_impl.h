@@ -8,6 +8,7 @@
 #include "Grain_files.h"
 #include "Grain_run.h"
 #include "Growth_law.h"
+#include "Particles.h"
 
 #include <CGAL/Deformable_simplicial_complexes/IO/SVG_2.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
@@ -40,27 +41,38 @@ void measure_boundaries(
   }
 }
 
+/// Returns the options of the growth of a run.
+template <int d>
+CGAL::Deformable_simplicial_complexes::Grain_growth_options growth_options(const Grain_run& run) {
+  CGAL::Deformable_simplicial_complexes::Grain_growth_options result;
+  result.edges_of_grain = run.edges;
+  result.step = run.step;
+  result.fastest = run.energy.fastest();
+  result.number_of_threads = run.threads;
+  static constexpr double edges_of_radius = 2; // of a particle
+  if (run.particles > 0)
+    result.longest_edge = Particles<d>(run).radius() / edges_of_radius;
+  return result;
+}
+
 /// Lets grains grow, see `grow_grains()`.
 /// \param state the state at the beginning
 template <class Complex>
-Grain_result grow_grains(const Grain_run& run, Grain_files& files, Complex& complex,
-                         Grain_state state, const std::function<void(const Grain_state&)>& on) {
+Grain_result
+grow_grains(const Grain_run& run, Grain_files& files, const Complex& complex,
+            CGAL::Deformable_simplicial_complexes::Grain_growth<Complex>& growth,
+            const CGAL::Deformable_simplicial_complexes::Grain_orientations<Complex::dimension>&
+                orientations,
+            Grain_state state, const std::function<void(const Grain_state&)>& on) {
   using namespace CGAL::Deformable_simplicial_complexes;
   static constexpr int d = Complex::dimension;
-  const Grain_orientations<d> orientations(run.number, run.seed);
-  const Interface_energy energy = run.energy.of(orientations);
-  const bool is_isotropic = run.energy.kind == Grain_energy::Kind::isotropic;
-  Grain_growth_options options;
-  options.edges_of_grain = run.edges;
-  options.step = run.step;
-  options.fastest = run.energy.fastest();
-  options.number_of_threads = run.threads;
-  Grain_growth<Complex> growth(complex, energy, options, state.time);
+  const Interface_energy& energy = growth.energy();
+  const bool has_law = run.energy.kind == Grain_energy::Kind::isotropic && run.particles == 0;
   const unsigned first = state.step;
   const auto tell = [&] {
     state.time = growth.time();
     state.energy = energy(complex);
-    state.grains = complex.labels().size();
+    state.grains = complex.labels().size() - (run.particles > 0);
     state.cells = complex.number_of_cells();
     if (state.step % run.every == 0)
       files.write(complex, state, orientations);
@@ -84,7 +96,7 @@ Grain_result grow_grains(const Grain_run& run, Grain_files& files, Complex& comp
   const auto goal = std::size_t(std::ceil(run.until * double(run.number) - rounding));
   while (state.grains > std::max(goal, std::size_t(1)) && moves &&
          (run.steps == 0 || state.step - first < run.steps)) {
-    const bool compares = is_isotropic && state.grains >= (std::min)(fewest, run.number) &&
+    const bool compares = has_law && state.grains >= (std::min)(fewest, run.number) &&
                           state.step * run.step > settled && state.step % interval == 0;
     if (compares)
       law.begin(complex);
@@ -102,32 +114,55 @@ Grain_result grow_grains(const Grain_run& run, Grain_files& files, Complex& comp
   }
   files.write(complex, state, orientations);
   Grain_result result;
-  result.grains = grain_statistics(complex);
+  for (const auto& grain : grain_statistics(complex))
+    if (grain.label > 0) // not the particles
+      result.grains.push_back(grain);
   law.write(result);
   measure_boundaries(complex, orientations, result);
   return result;
 }
 
-/// Returns the result of a run whose complexes `make(domain, edge, labels)` makes.
-template <class Complex, class Domain, class Make>
-Grain_result grow_grains(const Grain_run& run, const Domain& domain, const Make& make,
+/// Returns the grains at the beginning of a run, in a complex that `make(edge, labels)` makes.
+template <class Complex, class Make>
+Complex first_grains(const Grain_run& run,
+                     const CGAL::Deformable_simplicial_complexes::Interface_energy& energy,
+                     const Make& make) {
+  using namespace CGAL::Deformable_simplicial_complexes;
+  static constexpr int d = Complex::dimension;
+  std::array<double, d> sides;
+  sides.fill(1);
+  const Voronoi_labels<Complex> grains(run.number, sides, run.is_periodic, run.seed);
+  const Particles<d> particles(run);
+  const auto labels = [&](const typename Complex::Approximate_point& p) {
+    return particles.contain(p) ? 0 : grains(p);
+  };
+  Complex result = make(std::pow(double(run.number), -1. / d) / run.edges, labels);
+  keep_largest_components(result, energy, nullptr, [](int label) { return label > 0; });
+  return result;
+}
+
+/// Returns the result of a run.
+template <class Complex, class Make>
+Grain_result grow_grains(const Grain_run& run, const Make& make,
                          const std::function<void(const Grain_state&)>& on) {
   using namespace CGAL::Deformable_simplicial_complexes;
   static constexpr int d = Complex::dimension;
   Grain_files files(run);
+  const Grain_orientations<d> orientations(run.number, run.seed);
+  const Interface_energy energy = run.energy.of(orientations, run.particles > 0);
   Complex complex;
+  // The growth keeps the particles of the beginning, also if the run is resumed.
+  if (run.resume.empty() || run.particles > 0)
+    complex = first_grains<Complex>(run, energy, make);
   Grain_state state;
+  Grain_growth<Complex> growth(complex, energy, growth_options<d>(run));
   if (!run.resume.empty()) {
-    state = restore_grains(run.resume, complex);
-  } else {
-    std::array<double, d> sides;
-    sides.fill(1);
-    const Voronoi_labels<Complex> labels(run.number, sides, run.is_periodic, run.seed);
-    complex = make(domain, std::pow(double(run.number), -1. / d) / run.edges, labels);
-    const Grain_orientations<d> orientations(run.number, run.seed);
-    keep_largest_components(complex, run.energy.of(orientations));
+    const auto saved = read_saved_grains<d>(run.resume);
+    complex.restore(saved.complex);
+    state = saved.state;
+    growth.set_time(state.time);
   }
-  const Grain_result result = grow_grains(run, files, complex, state, on);
+  const Grain_result result = grow_grains(run, files, complex, growth, orientations, state, on);
   if constexpr (d == 2)
     if (!run.picture.empty())
       CGAL::IO::write_SVG(run.picture, complex);

@@ -127,6 +127,8 @@ public:
   Named_values<typename Complex::Vertex_handle> vertex_values;
   Named_values<typename Complex::Cell_handle> cell_values;
 
+  bool has_values() const { return !vertex_values.is_empty() || !cell_values.is_empty(); }
+
   /// Returns a copy with the values, as a long function.
   std::unique_ptr<Complex_object> copy() const {
     return this->read_long(py::none(), [this](const Complex& complex) {

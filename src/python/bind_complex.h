@@ -6,6 +6,7 @@
 #define DSC_PYTHON_BIND_COMPLEX_H
 
 #include "Complex_object.h"
+#include "Growth_object.h"
 #include "Vertex_images.h"
 #include "callbacks.h"
 #include "options.h"
@@ -18,6 +19,7 @@
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
+#include <CGAL/Deformable_simplicial_complexes/remove_components.h>
 #include <CGAL/Deformable_simplicial_complexes/restore_volumes.h>
 #include <CGAL/Deformable_simplicial_complexes/sample_labels.h>
 #include <CGAL/Deformable_simplicial_complexes/topology_control.h>
@@ -25,8 +27,10 @@
 #include <CGAL/Interface_flows/Normal_offset.h>
 #include <CGAL/Interface_flows/advect_adaptively.h>
 #include <CGAL/Interface_flows/advect_interface.h>
+#include <CGAL/Interface_flows/grain_statistics.h>
 
 #include <array>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <string>
@@ -137,14 +141,14 @@ public:
   static py::dict advect(Object& object, const py::function& velocity, double t, double dt,
                          const py::dict& options, const py::object& progress) {
     return move(
-        object, false, options, progress, dt,
+        object, false, Options(options), progress, dt,
         [&](const Space<Complex>& space) { return Velocity_function<Complex>(velocity, space); },
         t);
   }
 
   static py::dict offset(Object& object, double distance, const py::dict& options,
                          const py::object& progress) {
-    return move(object, false, options, progress, 1., [&](const Space<Complex>& space) {
+    return move(object, false, Options(options), progress, 1., [&](const Space<Complex>& space) {
       return DSC::Normal_offset{distance / space.scale()};
     });
   }
@@ -153,8 +157,40 @@ public:
                                  const py::dict& options, const py::object& progress) {
     // The flow shrinks areas at a constant rate, so that time has the unit of an area.
     const double scale = Space<Complex>(object.read()).scale();
-    return move(object, true, options, progress, dt / (scale * scale),
-                [&](const Space<Complex>&) { return DSC::Mean_curvature_flow(keeps_volumes); });
+    Options rest(options);
+    const DSC::Interface_energy energy = read_energy(rest, scale);
+    return move(object, true, rest, progress, dt / (scale * scale), [&](const Space<Complex>&) {
+      return DSC::Mean_curvature_flow(energy, keeps_volumes);
+    });
+  }
+
+  /// Returns the measures of all labels.
+  static py::list grains(const Object& object) {
+    const Complex& complex = object.read();
+    const double scale = Space<Complex>(complex).scale();
+    py::list result;
+    for (const auto& grain : DSC::grain_statistics(complex)) {
+      py::dict entry;
+      entry["label"] = grain.label;
+      entry["measure"] = grain.measure * std::pow(scale, d);
+      entry["boundary"] = grain.boundary * std::pow(scale, d - 1);
+      entry["neighbors"] = grain.neighbors;
+      entry["corners"] = grain.corners;
+      entry["right_angles"] = grain.right_angles;
+      entry["triple_lines"] = grain.triple_lines * scale;
+      entry["mean_width"] = grain.mean_width * scale;
+      entry["growth"] = grain.growth(d) * (d == 2 ? 1 : scale);
+      result.append(entry);
+    }
+    return result;
+  }
+
+  /// Removes all components of each label but the largest one. Returns the labels of those removed.
+  static std::vector<int> keep_largest_components(Object& object, const py::object& progress) {
+    return object.change(progress, [&](Complex& complex) {
+      Value_visitor<Complex> visitor(complex, object);
+      return DSC::keep_largest_components(complex, {}, object.has_values() ? &visitor : nullptr);
+    });
   }
 
   static py::dict deform(Object& object, const Array<double>& destinations, const py::dict& options,
@@ -264,7 +300,7 @@ private:
                      const Change& change) {
     return object.change(progress, [&](Complex& complex) {
       Value_visitor<Complex> visitor(complex, object);
-      if (!object.vertex_values.is_empty() || !object.cell_values.is_empty())
+      if (object.has_values())
         options.visitor = &visitor;
       return change(complex);
     });
@@ -272,13 +308,11 @@ private:
 
   /// Moves the interface for one time step. With the option `adapt`, also adapts it.
   template <class Flow_in>
-  static py::dict move(Object& object, bool contracts, const py::dict& options,
-                       const py::object& progress, double dt, const Flow_in& flow_in,
-                       double t = 0) {
+  static py::dict move(Object& object, bool contracts, Options rest, const py::object& progress,
+                       double dt, const Flow_in& flow_in, double t = 0) {
     const Complex& complex = object.read();
     const Space<Complex> space(complex);
     const auto flow = flow_in(space);
-    Options rest(options);
     bool adapts = false;
     rest.read("adapt", adapts);
     DSC::Adaptive_advection_options<Complex> adaptive(contracts);
@@ -350,6 +384,12 @@ template <class Complex>
 py::class_<Complex_object<Complex>> bind_complex(py::module_& module, const char* name) {
   using Functions = Complex_functions<Complex>;
   using Object = Complex_object<Complex>;
+  using Growth = Growth_object<Complex>;
+  py::class_<Growth>(module, ("GrainGrowth" + std::string(name)).c_str())
+      .def(py::init<Object&, const py::dict&>(), py::keep_alive<1, 2>())
+      .def("time", &Growth::time)
+      .def("set_time", &Growth::set_time)
+      .def("advance", &Growth::advance);
   return py::class_<Object>(module, name)
       .def_static("from_bytes", &Functions::from_bytes)
       .def("to_bytes", &Functions::to_bytes)
@@ -398,6 +438,8 @@ py::class_<Complex_object<Complex>> bind_complex(py::module_& module, const char
       .def("advect", &Functions::advect)
       .def("offset", &Functions::offset)
       .def("mean_curvature", &Functions::mean_curvature)
+      .def("grains", &Functions::grains)
+      .def("keep_largest_components", &Functions::keep_largest_components)
       .def("deform", &Functions::deform)
       .def("restore_volumes", &Functions::restore_volumes)
       .def("improve", &Functions::improve)

@@ -13,9 +13,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -93,6 +95,39 @@ public:
 
 private:
   Shared_function m_function;
+};
+
+/// Number for each key, a label or several labels, that a Python function gives. Each key is asked
+/// once. Copies share the numbers.
+template <class... Labels> class Function_of_labels
+{
+public:
+  Function_of_labels(py::function function, std::string name, double factor = 1)
+      : m_function(std::move(function)), m_name(std::move(name)), m_factor(factor),
+        m_numbers(std::make_shared<std::map<std::tuple<Labels...>, double>>()) {}
+
+  double operator()(Labels... labels) const {
+    const py::gil_scoped_acquire lock;
+    const auto [place, is_new] = m_numbers->try_emplace({labels...}, 0.);
+    if (!is_new)
+      return place->second;
+    try {
+      place->second = m_factor * m_function(labels...).template cast<double>();
+    } catch (const py::cast_error&) {
+      m_numbers->erase(place);
+      throw py::type_error("the function " + m_name + " must return a number");
+    } catch (...) {
+      m_numbers->erase(place);
+      throw;
+    }
+    return place->second;
+  }
+
+private:
+  Shared_function m_function;
+  std::string m_name;
+  double m_factor;
+  std::shared_ptr<std::map<std::tuple<Labels...>, double>> m_numbers;
 };
 
 /// Region that a Python function gives: `function(points)` returns whether the points are in the

@@ -16,6 +16,7 @@ PYBIND11_MODULE(_dsc, module) {
   dsc_python::bind_image_3(module);
   dsc_python::bind_reconstruction_3(module);
   dsc_python::bind_cut_loci(module);
+  dsc_python::bind_grains(module);
   dsc_python::bind_segmentation(module);
   dsc_python::bind_film(module);
   dsc_python::bind_fluids(module);

@@ -18,6 +18,7 @@ void bind_torus_3(pybind11::module_& module);
 void bind_image_3(pybind11::module_& module);
 void bind_reconstruction_3(pybind11::module_& module);
 void bind_cut_loci(pybind11::module_& module);
+void bind_grains(pybind11::module_& module);
 void bind_segmentation(pybind11::module_& module);
 void bind_film(pybind11::module_& module);
 void bind_fluids(pybind11::module_& module);

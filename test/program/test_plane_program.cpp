@@ -214,6 +214,18 @@ TEST_F(Planar_program, lets_grains_grow) {
   // A box, whose laws count right angles at its sides
   expect_success(small + "--domain box --report b.json --picture b.svg");
   EXPECT_NEAR(report("b.json").at("law").at("slope").get<double>(), 1, .1);
+  // Particles stop the growth.
+  expect_success("grains --number 30 --edges 6 --particles 40 --until .1 --report b.json --quiet "
+                 "--output pinned --every 100000");
+  const Json pinned = report("b.json");
+  EXPECT_GT(pinned.at("grains").size(), 5u);
+  EXPECT_FALSE(pinned.contains("law"));
+  double in_grains = 0;
+  for (const Json& grain : pinned.at("grains"))
+    in_grains += grain.at("area").get<double>();
+  EXPECT_NEAR(1 - in_grains, 40 * std::acos(-1.) * .04 / 30, .01);
+  expect_error("grains --particles 1000", 1); // no room
+  expect_error("grains --particle-radius .3", 2);
   // Energies by misorientation
   expect_success(small + "--report b.json --energy read-shockley");
   const Json steps = report("b.json").at("steps");

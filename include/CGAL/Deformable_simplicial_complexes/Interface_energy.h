@@ -108,6 +108,8 @@ public:
 
   /// Returns whether `set_tension()` was called; otherwise all tensions are 1.
   bool has_tensions() const { return bool(m_tension); }
+  /// Returns whether `set_mobility()` was called; otherwise all mobilities are 1.
+  bool has_mobilities() const { return bool(m_mobility); }
   /// Returns whether `set_density()` was called; otherwise all densities are 0.
   bool has_densities() const { return bool(m_density); }
 

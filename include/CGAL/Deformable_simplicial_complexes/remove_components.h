@@ -53,7 +53,7 @@ std::map<std::uint32_t, Component_cells<Complex>> components_of(Complex& complex
 
 // Returns the neighbor whose label decreases the energy most if the component gets it; the label of
 // the component if it has no neighbors. Neighbors in cells for which `is_left_out(c)` is true count
-// only if there are no others.
+// only if there are no others. Neighbors across an interface of mobility 0 do not count.
 template <class Complex, class Is_left_out>
 typename Complex::Label
 best_neighbor(const Complex& complex, const Component_cells<Complex>& component,
@@ -67,7 +67,8 @@ best_neighbor(const Complex& complex, const Component_cells<Complex>& component,
           complex.is_interface(facet)) {
         const auto neighbor = c->neighbor(i);
         areas[neighbor->label()] += complex.measure(facet);
-        (is_left_out(neighbor) ? all : candidates).insert(neighbor->label());
+        if (energy.mobility(component.label, neighbor->label()) > 0)
+          (is_left_out(neighbor) ? all : candidates).insert(neighbor->label());
       }
   double least = std::numeric_limits<double>::infinity();
   Label result = component.label;
@@ -116,8 +117,8 @@ void append(const Component_cells<Complex>& from, Component_cells<Complex>& to) 
 
 Removes connected components as a whole: all cells of a component get the label of one of its
 neighbors. It is the neighbor for which the energy is least afterwards. Components that are also
-removed are chosen only if there is no other neighbor. A component that is alone in the domain
-stays. The mesh does not change. Linear in the number of cells, times the logarithm of the number of
+removed are chosen only if there is no other neighbor. An interface of mobility 0 does not move, so
+the neighbor behind it gets no cells. A component without neighbors stays. The mesh does not change. Linear in the number of cells, times the logarithm of the number of
 components.
 
 \param complex the complex
@@ -127,7 +128,7 @@ components.
 \param energy the energy. The default is the measure of the interface
 \param visitor visitor of the changes, such as a `Visitor_adaptor`; none if null
 \return the labels of the components that were removed, in the order of the numbers of components
-\throws Error if a tension or a density is out of its range. After this exception, or one of the
+\throws Error if a tension, a mobility or a density is out of its range. After this exception, or one of the
         visitor, some components may have been removed, and the complex is valid.
 */
 template <class Complex, class Selects>

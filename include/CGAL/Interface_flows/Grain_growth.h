@@ -10,6 +10,7 @@
 
 #include <CGAL/license/Interface_flows.h>
 
+#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
@@ -21,13 +22,16 @@
 #include <CGAL/Deformable_simplicial_complexes/shared_measures.h>
 #include <CGAL/Interface_flows/Mean_curvature_flow.h>
 #include <CGAL/Interface_flows/advect_interface.h>
+#include <CGAL/Interface_flows/internal/curvature/Particle_surfaces.h>
 
 #include <CGAL/Origin.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
@@ -78,13 +82,16 @@ struct Grain_growth_options
   double step = .1;
   /// The product of tension and mobility of the fastest interface, positive.
   double fastest = 1;
+  /// The greatest length of edges, such as half the radius of particles. Without it, edges become
+  /// longer than particles as grains grow.
+  double longest_edge = (std::numeric_limits<double>::max)();
   /// Number of threads if linked with TBB. The result does not depend on it.
   unsigned number_of_threads = 1;
 
   /// Throws an exception unless all values are in their ranges.
   /// \throws Error if a value is not positive or not finite
   void check() const {
-    for (const double x : {edges_of_grain, step, fastest})
+    for (const double x : {edges_of_grain, step, fastest, longest_edge})
       if (!(x > 0) || !std::isfinite(x))
         throw Error("an option of grain growth is out of range: use positive, finite numbers");
   }
@@ -98,8 +105,8 @@ The growth of grains: all labels of a complex are grains, whose interfaces move 
 removed as a whole, see `remove_components()`, because a grain of a few edges cannot shrink at its
 true rate. At the sides of a box, interfaces end at right angles, as if the box had mirror images.
 
-Labels whose interfaces all have the mobility 0 are particles: they keep their place, and grain
-boundaries slide along them.
+Labels whose interfaces all have the mobility 0 when the growth is constructed are particles. They
+keep their place, and grain boundaries slide along them.
 
 \tparam Complex a deformable simplicial complex
 */
@@ -121,27 +128,34 @@ public:
   /// \param complex the complex, which must outlive the object
   /// \param energy the energy; copied
   /// \param options the options
-  /// \param time the present time, for example of a complex that was restored from a checkpoint.
-  ///        The growth has no other state.
-  /// \throws Error if an option is out of its range
+  /// \throws Error if an option or a mobility is out of its range
   explicit Grain_growth(Complex& complex, const Interface_energy& energy = {},
-                        const Grain_growth_options& options = {}, double time = 0)
-      : m_complex(complex), m_flow(energy), m_velocity(energy), m_options(options), m_time(time) {
+                        const Grain_growth_options& options = {})
+      : m_complex(complex), m_flow(energy), m_velocity(energy), m_particles(complex, energy),
+        m_options(options) {
     options.check();
   }
 
-  /// Returns the present time.
+  /// Returns the energy.
+  const Interface_energy& energy() const { return m_flow.energy(); }
+
+  /// Returns the present time, at first 0.
   double time() const { return m_time; }
 
+  /// Sets the present time. A growth has no other state: if its complex is restored to a
+  /// `Complex::State` and its time is set, it continues with bitwise equal results.
+  void set_time(double time) { m_time = time; }
+
   /// Returns the target length of edges: the diameter of a mean grain divided by
-  /// `Grain_growth_options::edges_of_grain`.
+  /// `Grain_growth_options::edges_of_grain`, or `Grain_growth_options::longest_edge` if it is less.
   double edge() const {
     double measure = 0;
     const auto labels = m_complex.labels();
     for (Label label : labels)
       measure += m_complex.measure(label);
-    return std::pow(measure / double(labels.size()), 1. / Complex::dimension) /
-           m_options.edges_of_grain;
+    return (std::min)(m_options.longest_edge,
+                      std::pow(measure / double(labels.size()), 1. / Complex::dimension) /
+                          m_options.edges_of_grain);
   }
 
   /// Returns the length of the next time step.
@@ -151,19 +165,22 @@ public:
   }
 
   /// Performs a time step. Only advances the time if there is no interface.
+  /// \param visitor visitor of the changes of the mesh, such as a `Visitor_adaptor`; none if null
   /// \throws Error if a function of the energy returns a value out of its range, or if a system
   ///         cannot be solved. The complex is then valid, and the time is unchanged, but the mesh
   ///         may have changed, and grains may have been removed.
-  Report advance() {
+  Report advance(Any_visitor<Complex>* visitor = nullptr) {
     Report report;
     report.dt = time_step();
     if (!m_complex.interface_vertices().empty()) {
-      release_corners();
-      adapt();
-      report.removed = remove_vanishing(report.dt);
+      release_corners(visitor);
+      adapt(visitor);
+      report.removed = remove_vanishing(report.dt, visitor);
       Advection_options<Complex> options;
+      options.deformation.visitor = visitor;
       options.deformation.number_of_threads = m_options.number_of_threads;
-      report.deformation = advect_interface(m_complex, m_flow, m_time, report.dt, options);
+      const internal::Flow_along_particles<Mean_curvature_flow, Complex> flow(m_flow, m_particles);
+      report.deformation = advect_interface(m_complex, flow, m_time, report.dt, options);
     }
     m_time += report.dt;
     report.time = m_time;
@@ -175,7 +192,7 @@ private:
 
   // A vertex in a corner of a box cannot move, so it would hold an interface that ends there. All
   // cells around it get one of their labels, the one of least energy.
-  void release_corners() {
+  void release_corners(Any_visitor<Complex>* visitor) {
     for (auto v : m_complex.interface_vertices()) {
       const auto sides = v->boundary_class();
       if ((sides & Boundary_class::fixed) != 0 ||
@@ -186,9 +203,14 @@ private:
       std::map<double, Label> labels; // by energy
       for (Label label : labels_around(m_complex, v))
         labels.emplace(energy_of_star(v, star, label), label);
-      for (auto c : star)
-        if (!m_complex.is_infinite(c) && c->label() != labels.begin()->second)
-          m_complex.relabel(c, labels.begin()->second);
+      for (auto c : star) {
+        const Label before = c->label();
+        if (m_complex.is_infinite(c) || before == labels.begin()->second)
+          continue;
+        m_complex.relabel(c, labels.begin()->second);
+        if (visitor)
+          visitor->after_relabel(c, before);
+      }
     }
   }
 
@@ -209,7 +231,7 @@ private:
   }
 
   // Splits and collapses edges of the interface and of cells, and splits unstable junctions.
-  void adapt() {
+  void adapt(Any_visitor<Complex>* visitor) {
     static constexpr double split = 1.4, collapse = .5; // halves of split edges are long enough
     Interface_improvement_options<Complex> options;
     options.sizing_field = [h = edge()](const auto&) { return h; };
@@ -220,37 +242,44 @@ private:
     options.feature_angle = straight_angle;
     options.split_junctions = true;
     options.interface_energy = m_flow.energy();
+    options.visitor = visitor;
     improve_interface(m_complex, options);
     Detail_options<Complex> detail;
     detail.sizing_field = options.sizing_field;
+    detail.visitor = visitor;
     control_detail(m_complex, detail);
   }
 
-  // Removes the grains that would vanish within dt at their present rates.
-  std::vector<Label> remove_vanishing(double dt) {
+  // Removes the grains that would vanish within dt at their present rates. Larger grains than a few
+  // edges shrink by themselves. Where edges are very short, such as at particles, the rates of the
+  // explicit flow may be too high.
+  std::vector<Label> remove_vanishing(double dt, Any_visitor<Complex>* visitor) {
     const Interface_snapshot<Complex> interface_(m_complex);
     const auto positions = interface_.positions(m_complex);
     std::vector<typename Complex::Approximate_vector> velocities;
     m_velocity(interface_, positions, m_time, velocities);
     const auto rates = rates_of_change(interface_, positions, velocities);
+    static constexpr double largest = 2; // diameter in edges
+    const double largest_measure = std::pow(largest * edge(), Complex::dimension);
     const auto vanishes = [&](Label label, double measure) {
       const auto rate = rates.find(label);
-      return rate != rates.end() && measure + dt * rate->second <= 0 &&
-             m_complex.number_of_components(label) == 1;
+      return rate != rates.end() && measure <= largest_measure &&
+             measure + dt * rate->second <= 0 && m_complex.number_of_components(label) == 1;
     };
     for (const auto& [label, rate] : rates) // a pass over all cells only if necessary
       if (vanishes(label, m_complex.measure(label)))
         return remove_components(
             m_complex, [&](Label l, std::uint32_t, double measure) { return vanishes(l, measure); },
-            m_flow.energy());
+            m_flow.energy(), visitor);
     return {};
   }
 
   Complex& m_complex;
   Mean_curvature_flow m_flow;
   Mean_curvature_velocity m_velocity;
+  internal::Particle_surfaces<Complex> m_particles;
   Grain_growth_options m_options;
-  double m_time;
+  double m_time = 0;
 };
 
 } // namespace Deformable_simplicial_complexes

@@ -29,8 +29,8 @@ namespace {
 struct Grains_options
 {
   Grain_run run;
-  std::string domain = "torus", energy = "isotropic", largest_angle = "15", until = ".5",
-              edges = "10",
+  std::string domain = "torus", energy = "isotropic", largest_angle = "15", particle_radius = ".2",
+              until = ".5", edges = "10",
               step = ".1";  ///< as written
   std::string report, plot; ///< files; empty for none
   bool quiet = false;
@@ -163,6 +163,7 @@ void read_new_grains(Grains_options& options, bool given_largest_angle) {
   Grain_run& run = options.run;
   run.is_periodic = options.domain == "torus";
   run.energy = read_energy(options, given_largest_angle);
+  run.particle_radius = parse_positive(options.particle_radius, "--particle-radius");
   run.edges = parse_positive(options.edges, "--edges");
   run.step = parse_positive(options.step, "--step");
   static constexpr double fewest_edges = 3, most_edges = 1000, longest_step = 10;
@@ -225,6 +226,17 @@ void add_grains(CLI::App& app, int& exit_code) {
                    "Angle in degrees below which the energy read-shockley depends on the "
                    "misorientation")
       ->capture_default_str();
+  CLI::Option* particles =
+      command
+          ->add_option("--particles", run.particles,
+                       "Number of round particles that stay in place and hold grain boundaries")
+          ->check(CLI::Range(std::size_t(0), std::size_t(100000)))
+          ->capture_default_str();
+  command
+      ->add_option("--particle-radius", options->particle_radius,
+                   "Radius of particles, in diameters of a grain at the beginning")
+      ->needs(particles)
+      ->capture_default_str();
   command->add_option("--until", options->until, "End when this fraction of the grains is left")
       ->capture_default_str();
   command->add_option("--steps", run.steps, "Maximum number of steps (default: no bound)")
@@ -250,7 +262,7 @@ void add_grains(CLI::App& app, int& exit_code) {
       "JSON file with all steps, and with sizes and neighbors of grains at the end");
   command->add_flag("--quiet", options->quiet, "Print only errors");
   for (const char* name : {"--number", "--dimension", "--domain", "--energy", "--largest-angle",
-                           "--edges", "--step", "--seed"})
+                           "--particles", "--particle-radius", "--edges", "--step", "--seed"})
     resume->excludes(command->get_option(name));
   command->callback([command, options, &exit_code] {
     read(*options, command->count("--largest-angle") > 0);

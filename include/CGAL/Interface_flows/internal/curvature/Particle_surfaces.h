@@ -1,0 +1,158 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Interface_flows, written for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTERFACE_FLOWS_INTERNAL_CURVATURE_PARTICLE_SURFACES_H
+#define CGAL_INTERFACE_FLOWS_INTERNAL_CURVATURE_PARTICLE_SURFACES_H
+
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/coordinates.h>
+#include <CGAL/Interface_flows/internal/curvature/closest_point.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The surfaces of the particles of a complex: labels whose interfaces all have the mobility 0. The
+// vertices where grain boundaries end slide along them. Without the surfaces, small changes of the
+// shape of particles in each step would add up.
+template <class Complex> class Particle_surfaces
+{
+public:
+  using Label = typename Complex::Label;
+  using Point = typename Complex::Approximate_point;
+  using Points = std::vector<Point>;
+
+  Particle_surfaces(const Complex& complex, const Interface_energy& energy) {
+    if (!energy.has_mobilities())
+      return;
+    const Interface_snapshot<Complex> interface_(complex);
+    std::set<Label> others;
+    for (const auto& facet : interface_.facets()) {
+      const bool moves = energy.mobility(facet.behind, facet.in_front) > 0;
+      for (const Label label : {facet.behind, facet.in_front})
+        (moves ? others : m_particles).insert(label);
+    }
+    for (const Label label : others)
+      m_particles.erase(label);
+    const Points positions = interface_.positions(complex);
+    for (const auto& facet : interface_.facets())
+      if (is_of_particle(facet))
+        add(interface_.domain, facet.vertices, positions);
+  }
+
+  // Moves the destinations of vertices of particles to the nearest points of the surfaces. Vertices
+  // on sides of the domain stay on them.
+  void project(const Interface_snapshot<Complex>& interface_, Points& destinations) const {
+    if (m_facets.empty())
+      return;
+    std::vector<char> is_on_particle(destinations.size(), false);
+    for (const auto& facet : interface_.facets())
+      for (std::size_t v : facet.vertices)
+        is_on_particle[v] = is_on_particle[v] || is_of_particle(facet);
+    for (std::size_t v = 0; v < destinations.size(); ++v) {
+      if (!is_on_particle[v])
+        continue;
+      const Point nearest = closest(interface_.domain, destinations[v]);
+      auto coordinates = coordinates_of<d>(nearest);
+      for (int axis = 0; axis < d; ++axis)
+        if (Boundary_class::fixes(interface_.vertices[v]->boundary_class(), axis))
+          coordinates[axis] = destinations[v][axis];
+      destinations[v] = point_at<Complex>(coordinates);
+    }
+  }
+
+private:
+  static constexpr int d = Complex::dimension;
+
+  // A facet in a ball around its first corner.
+  struct Facet
+  {
+    std::array<Point, d> corners;
+    double radius;
+  };
+
+  template <class Snapshot_facet> bool is_of_particle(const Snapshot_facet& facet) const {
+    return m_particles.count(facet.behind) > 0 || m_particles.count(facet.in_front) > 0;
+  }
+
+  void add(const typename Complex::Domain& domain, const std::array<std::size_t, d>& vertices,
+           const Points& positions) {
+    Facet facet;
+    facet.radius = 0;
+    for (int i = 0; i < d; ++i) {
+      facet.corners[i] = domain.near(positions[vertices[0]], positions[vertices[i]]);
+      facet.radius = (std::max)(facet.radius,
+                                std::sqrt((facet.corners[i] - facet.corners[0]).squared_length()));
+    }
+    m_facets.push_back(facet);
+  }
+
+  // Returns the point of the surfaces that is closest to p.
+  Point closest(const typename Complex::Domain& domain, const Point& p) const {
+    Point result = p;
+    double distance = std::numeric_limits<double>::infinity();
+    for (const Facet& facet : m_facets) {
+      const Point first = domain.near(p, facet.corners[0]);
+      if (std::sqrt((first - p).squared_length()) - facet.radius >= distance)
+        continue;
+      std::array<Point, d> corners;
+      for (int i = 0; i < d; ++i)
+        corners[i] = first + (facet.corners[i] - facet.corners[0]);
+      const Point q = closest_point<Complex>(p, corners);
+      if (const double other = std::sqrt((q - p).squared_length()); other < distance) {
+        distance = other;
+        result = q;
+      }
+    }
+    return result;
+  }
+
+  std::set<Label> m_particles;
+  std::vector<Facet> m_facets;
+};
+
+// The flow of an energy, with vertices of particles on the surfaces of the particles. Model of
+// `InterfaceStep`.
+template <class Flow, class Complex> class Flow_along_particles
+{
+public:
+  static constexpr bool contracts_interface = Flow::contracts_interface;
+
+  Flow_along_particles(const Flow& flow, const Particle_surfaces<Complex>& surfaces)
+      : m_flow(flow), m_surfaces(surfaces) {}
+
+  const Interface_energy& energy() const { return m_flow.energy(); }
+  bool preserves_volumes() const { return m_flow.preserves_volumes(); }
+
+  void operator()(const Interface_snapshot<Complex>& interface_,
+                  const std::vector<typename Complex::Approximate_point>& positions, double t,
+                  double dt, std::vector<typename Complex::Approximate_point>& destinations) const {
+    m_flow(interface_, positions, t, dt, destinations);
+    m_surfaces.project(interface_, destinations);
+  }
+
+private:
+  const Flow& m_flow;
+  const Particle_surfaces<Complex>& m_surfaces;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INTERFACE_FLOWS_INTERNAL_CURVATURE_PARTICLE_SURFACES_H

@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DSC_PYTHON_GROWTH_OBJECT_H
+#define DSC_PYTHON_GROWTH_OBJECT_H
+
+#include "Complex_object.h"
+#include "energy_options.h"
+#include "reports.h"
+
+#include <CGAL/Interface_flows/Grain_growth.h>
+
+#include <optional>
+
+namespace dsc_python {
+
+/// The growth of the grains of a complex, for Python. Times have the unit of an area of the user.
+template <class Complex> class Growth_object
+{
+public:
+  Growth_object(Complex_object<Complex>& object, const py::dict& options) : m_object(object) {
+    const double scale = Space<Complex>(object.read()).scale();
+    Options rest(options);
+    const auto energy = read_energy(rest, scale);
+    DSC::Grain_growth_options growth;
+    rest.read("edges", growth.edges_of_grain);
+    rest.read("step", growth.step);
+    rest.read("fastest", growth.fastest);
+    rest.read("threads", growth.number_of_threads);
+    if (const py::object longest = rest.take("longest_edge"); !longest.is_none())
+      growth.longest_edge = number_of(longest, "longest_edge") / scale;
+    rest.require_all_read();
+    object.change(py::none(), [&](Complex& complex) { m_growth.emplace(complex, energy, growth); });
+  }
+
+  double time() const { return m_growth->time() * unit(); }
+  void set_time(double time) { m_growth->set_time(time / unit()); }
+
+  py::dict advance(const py::object& progress) {
+    const auto report = m_object.change(progress, [&](Complex& complex) {
+      Value_visitor<Complex> visitor(complex, m_object);
+      return m_growth->advance(m_object.has_values() ? &visitor : nullptr);
+    });
+    py::dict result;
+    result["time"] = report.time * unit();
+    result["dt"] = report.dt * unit();
+    result["removed"] = report.removed;
+    result["report"] = report_to_dict(report.deformation, m_object.read());
+    return result;
+  }
+
+private:
+  double unit() const {
+    const double scale = Space<Complex>(m_object.read()).scale();
+    return scale * scale;
+  }
+
+  Complex_object<Complex>& m_object;
+  std::optional<DSC::Grain_growth<Complex>> m_growth;
+};
+
+} // namespace dsc_python
+
+#endif // DSC_PYTHON_GROWTH_OBJECT_H
