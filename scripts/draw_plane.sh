@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Draws the pictures of planar complexes, of flows in the plane and of cut loci for the manual: doc/PACKAGE/fig/plane_NAME.png.
 # Needs the targets dsc, dsc-fluid, dsc-cut-locus, dsc-grains, example_planar_foam, example_cut_locus and
-# example_rising_bubble_2 in BUILD_DIR. Takes six minutes.
+# example_rising_bubble_2 in BUILD_DIR. Takes ten minutes.
 # Usage: scripts/draw_plane.sh [BUILD_DIR]
 set -euo pipefail
 source=$(realpath "$(dirname "$0")/..")
@@ -62,6 +62,8 @@ picture grains.svg grains
   --plot grain_distributions.svg
 picture textured_grains.svg textured_grains
 picture grain_distributions.svg grain_distributions 900
+"$build/dsc" grains --number 100 --particles 60 --until .1 --picture pinned.svg
+picture pinned.svg pinned_grains
 for case in 1 2; do
   "$bubble" $case .03 .01 2.2 "bubble_$case.svg"
   picture "bubble_$case.svg" "bubble_$case"

@@ -81,3 +81,7 @@ flow improved_elephant 2 rotate refined_elephant.off --triangles 6000 --axis 0,0
 flow reconstruct_kitten 4 reconstruct kitten.xyz -o kitten.off
 flow reconstruct_block 4 reconstruct drilled_block.xyz -o drilled_block.off
 flow reconstruct_gear 3 reconstruct gear.xyz -o gear.off
+
+run grains grains --number 150 --dimension 3 --domain box --edges 6 --until .4 --every 100000
+"${display[@]}" "$python" "$source/scripts/render_grains.py" grains/volume_000[1-9]*.vtu \
+  "$doc/Interface_flows/fig/grains_in_space.png"

@@ -132,11 +132,24 @@ Complex first_grains(const Grain_run& run,
   std::array<double, d> sides;
   sides.fill(1);
   const Voronoi_labels<Complex> grains(run.number, sides, run.is_periodic, run.seed);
+  const double edge = std::pow(double(run.number), -1. / d) / run.edges;
+  if (run.particles == 0) {
+    Complex result = make(edge, grains);
+    keep_largest_components(result, energy);
+    return result;
+  }
+  // The particles first: where grains meet at them, they would not become round.
+  using Point = typename Complex::Approximate_point;
   const Particles<d> particles(run);
-  const auto labels = [&](const typename Complex::Approximate_point& p) {
-    return particles.contain(p) ? 0 : grains(p);
-  };
-  Complex result = make(std::pow(double(run.number), -1. / d) / run.edges, labels);
+  Complex result = make(edge, [&](const Point& p) { return particles.contain(p) ? 0 : 1; });
+  for (auto c : result.cells())
+    if (c->label() != 0) {
+      const Point first = result.position(c->vertex(0));
+      auto middle = first;
+      for (int i = 1; i <= d; ++i)
+        middle = middle + (result.position_near(first, c->vertex(i)) - first) / (d + 1);
+      result.relabel(c, grains(result.domain().canonical(middle)));
+    }
   keep_largest_components(result, energy, nullptr, [](int label) { return label > 0; });
   return result;
 }

@@ -1,0 +1,100 @@
+#!/usr/bin/python3
+# Copyright (c) 2026 The deformable simplicial complex authors
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Renders the labels of a mesh (.vtu), such as the grains of a polycrystal, moved apart.
+
+Needs VTK 9 for Python (Debian: python3-vtk9). Without a display, run the script with xvfb-run.
+"""
+
+import argparse
+import colorsys
+
+import render
+import vtk
+
+
+def color(label):
+    """Returns the color of a label. The hues of successive labels are far apart."""
+    golden = 0.618034
+    return colorsys.hls_to_rgb(golden * label % 1, (0.68, 0.78, 0.6)[label % 3], 0.5)
+
+
+def surface_of(grid, label):
+    """Returns the surface of the cells with a label."""
+    cells = vtk.vtkThreshold()
+    cells.SetInputData(grid)
+    cells.SetInputArrayToProcess(0, 0, 0, vtk.vtkDataObject.FIELD_ASSOCIATION_CELLS, "label")
+    cells.SetLowerThreshold(label)
+    cells.SetUpperThreshold(label)
+    cells.SetThresholdFunction(vtk.vtkThreshold.THRESHOLD_BETWEEN)
+    surface = vtk.vtkDataSetSurfaceFilter()
+    surface.SetInputConnection(cells.GetOutputPort())
+    surface.Update()
+    return surface.GetOutput()
+
+
+def moved_apart(grid, labels, distance):
+    """Returns the surfaces of all labels, away from the center of the mesh."""
+    result = vtk.vtkAppendPolyData()
+    center = grid.GetCenter()
+    for label in labels:
+        surface = surface_of(grid, label)
+        middle = vtk.vtkCenterOfMass()
+        middle.SetInputData(surface)
+        middle.Update()
+        motion = vtk.vtkTransform()
+        motion.Translate(*(distance * (a - b) for a, b in zip(middle.GetCenter(), center)))
+        moved = vtk.vtkTransformPolyDataFilter()
+        moved.SetTransform(motion)
+        moved.SetInputData(surface)
+        moved.Update()
+        result.AddInputData(moved.GetOutput())
+    result.Update()
+    return result.GetOutput()
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("mesh", metavar="MESH.vtu")
+    parser.add_argument("picture", metavar="PICTURE.png")
+    parser.add_argument("--distance", type=float, default=0.45, help="motion, in distances from the center")
+    parser.add_argument("--eye", type=float, nargs=3, default=[0.5, -1, 0.6], help="direction to the camera")
+    arguments = parser.parse_args()
+    try:
+        grid = render.read_grid(arguments.mesh)
+    except render.Failure as error:
+        raise SystemExit(f"render_grains.py: {error}") from None
+    array = grid.GetCellData().GetArray("label")
+    if array is None:
+        raise SystemExit(f"render_grains.py: {arguments.mesh} has no labels")
+    labels = sorted({int(array.GetValue(i)) for i in range(array.GetNumberOfTuples())})
+    table = vtk.vtkLookupTable()
+    table.SetNumberOfTableValues(labels[-1] + 1)
+    table.SetTableRange(0, labels[-1])
+    for label in range(labels[-1] + 1):  # a table with gaps would be drawn transparent
+        table.SetTableValue(label, *color(label), 1)
+    mapper = vtk.vtkPolyDataMapper()
+    mapper.SetInputData(moved_apart(grid, labels, arguments.distance))
+    mapper.SetScalarModeToUseCellFieldData()
+    mapper.SelectColorArray("label")
+    mapper.SetLookupTable(table)
+    mapper.UseLookupTableScalarRangeOn()
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetInterpolationToFlat()
+    actor.GetProperty().SetAmbient(0.2)
+    actor.GetProperty().SetDiffuse(0.8)
+    camera = vtk.vtkCamera()
+    camera.SetFocalPoint(0, 0, 0)
+    camera.SetPosition(*arguments.eye)
+    camera.SetViewUp(0, 0, 1)
+    renderer = vtk.vtkRenderer()
+    renderer.SetActiveCamera(camera)
+    renderer.ResetCamera(actor.GetBounds())
+    camera.Zoom(1.15)
+    render.write(render.render(actor, camera), arguments.picture)
+
+
+if __name__ == "__main__":
+    main()
