@@ -23,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 
 namespace dsc {
 
@@ -41,6 +42,13 @@ void measure_boundaries(
   }
 }
 
+/// Returns the greatest length of edges in a run: particles need some edges.
+template <int d> double longest_edge(const Grain_run& run) {
+  static constexpr double edges_of_radius = 2;
+  return run.particles > 0 ? Particles<d>(run).radius() / edges_of_radius
+                           : (std::numeric_limits<double>::max)();
+}
+
 /// Returns the options of the growth of a run.
 template <int d>
 CGAL::Deformable_simplicial_complexes::Grain_growth_options growth_options(const Grain_run& run) {
@@ -48,10 +56,8 @@ CGAL::Deformable_simplicial_complexes::Grain_growth_options growth_options(const
   result.edges_of_grain = run.edges;
   result.step = run.step;
   result.fastest = run.energy.fastest();
+  result.longest_edge = longest_edge<d>(run);
   result.number_of_threads = run.threads;
-  static constexpr double edges_of_radius = 2; // of a particle
-  if (run.particles > 0)
-    result.longest_edge = Particles<d>(run).radius() / edges_of_radius;
   return result;
 }
 
@@ -132,7 +138,8 @@ Complex first_grains(const Grain_run& run,
   std::array<double, d> sides;
   sides.fill(1);
   const Voronoi_labels<Complex> grains(run.number, sides, run.is_periodic, run.seed);
-  const double edge = std::pow(double(run.number), -1. / d) / run.edges;
+  const double edge =
+      std::min(longest_edge<d>(run), std::pow(double(run.number), -1. / d) / run.edges);
   if (run.particles == 0) {
     Complex result = make(edge, grains);
     keep_largest_components(result, energy);
