@@ -41,14 +41,15 @@ struct Grain_statistics
   /// The number of right angles at its corners on the boundary of a box, in the plane: between its
   /// interface and a side, or between two sides. In space, 0.
   std::size_t right_angles = 0;
-  /// The length of the lines at which three labels or more meet, in space. In the plane, 0. Lines on
-  /// sides of the domain do not count.
+  /// The length of the lines at which three labels or more meet, in space. In the plane, 0. Lines
+  /// on sides of the domain do not count.
   double triple_lines = 0;
   /// The mean width in space, \f$\frac{1}{2\pi}\sum l\,(\pi-\theta)\f$ over the edges of its
   /// interface, with the length l and the inner dihedral angle \f$\theta\f$. It is 4 r for a ball,
   /// for the definition of R. D. MacPherson and D. J. Srolovitz, *The von Neumann relation
   /// generalized to coarsening of three-dimensional microstructures*, Nature 446, 2007. In the
-  /// plane, 0. Edges on sides of the domain do not count.
+  /// plane, 0. At edges on sides of the domain, a right angle replaces \f$\pi\f$, so that the mean
+  /// width is half of that of the grain with its mirror image.
   double mean_width = 0;
 
   /// Returns the rate of growth with unit tension and mobility, for a grain whose interfaces meet
@@ -82,19 +83,20 @@ void add_corners(const Complex& complex, std::map<int, Grain_statistics>& grains
   }
 }
 
-// Adds the mean width and the triple lines of each label. Edges with one label are skipped, and
-// edges on the boundary of the domain.
+// Adds the mean width and the triple lines of each label. Edges with one label are skipped.
 template <class Complex>
 void add_edges(const Complex& complex, std::map<int, Grain_statistics>& grains) {
   visit_interface_edges(complex, [&](const auto& ends, const auto& angles) {
+    if (angles.size() == 1)
+      return;
     static constexpr std::size_t junction = 3;
     const double length = std::sqrt(complex.displacement(ends[0], ends[1]).squared_length());
     const bool is_on_side = (ends[0]->boundary_class() & ends[1]->boundary_class()) != 0;
-    for (const auto& [label, angle] : angles)
-      if (angles.size() > 1 && !is_on_side) {
-        grains[label].mean_width += length * (CGAL_PI - angle) / (2 * CGAL_PI);
-        grains[label].triple_lines += angles.size() >= junction ? length : 0;
-      }
+    const double straight = is_on_side ? CGAL_PI / 2 : CGAL_PI;
+    for (const auto& [label, angle] : angles) {
+      grains[label].mean_width += length * (straight - angle) / (2 * CGAL_PI);
+      grains[label].triple_lines += angles.size() >= junction && !is_on_side ? length : 0;
+    }
   });
 }
 

@@ -1,6 +1,8 @@
 // Labels that decrease an energy of cells, and bisection of selected cells.
 #include "planar_regions.h"
 
+#include <CGAL/Deformable_simplicial_complexes/Cell_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/refine_cells.h>
 #include <CGAL/Deformable_simplicial_complexes/relabel_by_energy.h>
 
@@ -9,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <vector>
 
 namespace test_energies_of_cells {
@@ -173,6 +176,41 @@ TEST(Refine_cells, does_nothing_if_nothing_is_selected) {
   EXPECT_EQ(complex.version(), version);
   Complex empty;
   EXPECT_EQ(dsc::refine_cells(empty, [](Complex::Cell_handle) { return true; }), 0u);
+}
+
+// Cells that are new, have another label, or have a corner at another place.
+TEST(Cell_snapshot, finds_changed_cells) {
+  Complex complex = squares(8, [](std::size_t i, std::size_t) { return i < 4 ? 1 : 0; });
+  const dsc::Cell_snapshot<Complex> before(complex);
+  EXPECT_TRUE(before.changed_cells(complex).empty());
+  const auto first = complex.cells().front();
+  complex.relabel(first, 3);
+  EXPECT_EQ(before.changed_cells(complex), std::vector<Complex::Cell_handle>{first});
+  complex.relabel(first, 1);
+  EXPECT_TRUE(before.changed_cells(complex).empty());
+
+  // A motion of the interface and new cells. Measures of all other cells are the same.
+  std::map<std::size_t, double> areas;
+  for (auto c : complex.cells())
+    areas.emplace(c->time_stamp(), complex.measure(c));
+  const auto n = complex.number_of_cells();
+  dsc::refine_cells(complex, [&](Complex::Cell_handle c) { return c == first; });
+  ASSERT_GT(complex.number_of_cells(), n);
+  dsc::deform_interface(complex, [&](Complex::Vertex_handle v) {
+    const auto p = complex.position(v);
+    return Complex::Point_2(p.x() + (p.y() > 6 ? .1 : 0), p.y());
+  });
+  const auto changed = before.changed_cells(complex);
+  std::size_t same = 0;
+  for (auto c : complex.cells())
+    if (std::find(changed.begin(), changed.end(), c) == changed.end()) {
+      EXPECT_EQ(areas.at(c->time_stamp()), complex.measure(c));
+      ++same;
+    }
+  EXPECT_GT(same, 20u);
+  EXPECT_GT(changed.size(), 4u);
+  EXPECT_TRUE(std::is_sorted(changed.begin(), changed.end(),
+                             [](auto a, auto b) { return a->time_stamp() < b->time_stamp(); }));
 }
 
 } // namespace test_energies_of_cells

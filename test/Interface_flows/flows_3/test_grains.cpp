@@ -1,14 +1,19 @@
 // Measures of grains in space, and their growth.
 #include "mesh_helpers.h"
 
+#include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/shared_measures.h>
 #include <CGAL/Interface_flows/Grain_growth.h>
 #include <CGAL/Interface_flows/grain_statistics.h>
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/number_utils.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 namespace test_grains {
 
@@ -51,6 +56,65 @@ TEST(Grain_growth, ball_shrinks_at_its_rate) {
     time += growth.advance().dt;
   const double mean = (before.growth(3) + ball().growth(3)) / 2;
   EXPECT_NEAR((ball().measure - before.measure) / time / mean, 1, .06);
+  EXPECT_TRUE(complex.is_valid());
+}
+
+// An eighth of a ball around a corner of a box shrinks at an eighth of the rate of the ball.
+TEST(Grain_growth, ball_in_a_corner_shrinks_at_its_rate) {
+  static constexpr double r = .6;
+  Complex complex = DSC::make_deformable_simplicial_complex_3<Complex>(
+      CGAL::Bbox_3(0, 0, 0, 1, 1, 1), 1. / 8, [](const Complex::Approximate_point& p) {
+        return std::hypot(p.x(), p.y(), p.z()) < r ? 1 : 0;
+      });
+  const auto ball = [&complex] { return DSC::grain_statistics(complex).back(); };
+  EXPECT_NEAR(ball().mean_width, r / 2, .03 * r);
+  EXPECT_EQ(ball().triple_lines, 0);
+  DSC::Grain_growth<Complex> growth(complex, {}, {7, .1});
+  for (int k = 0; k < 5; ++k)
+    growth.advance();
+  const auto before = ball();
+  double time = 0;
+  for (int k = 0; k < 5; ++k)
+    time += growth.advance().dt;
+  const double mean = (before.growth(3) + ball().growth(3)) / 2;
+  EXPECT_NEAR((ball().measure - before.measure) / time / mean, 1, .06);
+  EXPECT_NEAR(mean, -CGAL_PI * std::cbrt(6 / CGAL_PI * ball().measure), .06 * r * CGAL_PI);
+  EXPECT_TRUE(complex.is_valid());
+}
+
+// A wall between two labels slides along a ball that does not move, towards the middle, where its
+// hole is largest.
+TEST(Grain_growth, wall_slides_along_a_particle) {
+  static constexpr double r = .3;
+  Complex complex = DSC::make_deformable_simplicial_complex_3<Complex>(
+      CGAL::Bbox_3(0, 0, 0, 1, 1, 1), .1, [](const Complex::Approximate_point& p) {
+        return std::hypot(p.x() - .5, p.y() - .5, p.z() - .5) < r ? 3 : 1;
+      });
+  std::vector<Complex::Cell_handle> above;
+  for (auto c : complex.cells()) {
+    double x = 0;
+    for (int i = 0; i < 4; ++i)
+      x += complex.position(c->vertex(i)).x() / 4;
+    if (c->label() == 1 && x > .4)
+      above.push_back(c);
+  }
+  for (auto c : above)
+    complex.relabel(c, 2);
+  DSC::Interface_energy energy;
+  energy.set_mobility([](int, int b) { return b == 3 ? 0 : 1; });
+  DSC::Grain_growth<Complex> growth(complex, energy, {7, .2});
+  growth.advance(); // the wall becomes flat
+  const double particle = complex.volume(3), below = complex.volume(1);
+  while (growth.time() < .1)
+    growth.advance();
+  EXPECT_GT(complex.volume(1), below + .02);
+  EXPECT_LT(complex.volume(1), complex.volume(2));
+  EXPECT_NEAR(complex.volume(3), particle, .01 * particle);
+  for (auto v : complex.interface_vertices())
+    if (DSC::labels_around(complex, v).back() == 3) {
+      const auto p = complex.position(v);
+      EXPECT_NEAR(std::hypot(p.x() - .5, p.y() - .5, p.z() - .5), r, .03);
+    }
   EXPECT_TRUE(complex.is_valid());
 }
 
