@@ -34,7 +34,7 @@ Topology = Union[
 """Changes of topology: all, none, those between pairs of labels, or those that a function of the label,
 the new label and the place permits."""
 
-OfPair = Callable[[int, int], float]
+PairFunction = Callable[[int, int], float]
 """Number for each pair of labels, the smaller one first; it depends on the labels only."""
 
 Density = Union[Callable[[int], float], Mapping[int, float]]
@@ -93,7 +93,7 @@ def _report(result: dict[str, Any]) -> Report:
 
 
 def _energy(
-    tension: float | OfPair | None, mobility: float | OfPair | None, density: Density | None
+    tension: float | PairFunction | None, mobility: float | PairFunction | None, density: Density | None
 ) -> dict[str, Any]:
     for name, value in (("tension", tension), ("mobility", mobility)):
         if value is not None and not callable(value):
@@ -452,8 +452,8 @@ class Complex:
         self,
         dt: float,
         *,
-        tension: float | OfPair | None = None,
-        mobility: float | OfPair | None = None,
+        tension: float | PairFunction | None = None,
+        mobility: float | PairFunction | None = None,
         density: Density | None = None,
         keep_volumes: bool = False,
         adapt: bool = False,
@@ -471,7 +471,7 @@ class Complex:
         tension: energy per area, in the plane per length: a positive number, or a function of two labels;
             default 1
         mobility: at least 0: a number, or a function of two labels; default 1. An interface of mobility 0
-            does not move, and others slide along it.
+            does not move, and the ends of other interfaces slide along it.
         density: energy per volume, in the plane per area: a function of a label, or a dictionary;
             default 0
         keep_volumes: whether the volume of each label stays the same

@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _dsc
-from ._complex import Complex, Density, OfPair, Progress, _energy, _given, _integer, _number, _numbers, _report
+from ._complex import Complex, Density, PairFunction, Progress, _energy, _given, _integer, _number, _numbers, _report
 from ._report import Report
 
 
@@ -45,8 +45,8 @@ class GrainGrowth:
         self,
         complex: Complex,
         *,
-        tension: float | OfPair | None = None,
-        mobility: float | OfPair | None = None,
+        tension: float | PairFunction | None = None,
+        mobility: float | PairFunction | None = None,
         density: Density | None = None,
         edges: float = 10,
         step: float = 0.1,
@@ -63,7 +63,7 @@ class GrainGrowth:
         fastest: greatest product of a tension and a mobility
         longest_edge: greatest length of edges, such as half the radius of particles. Particles are the
             labels whose interfaces all have the mobility 0 now; they keep their place.
-        time: present time, for example of a complex that was read from a file
+        time: present time, for example of a complex without particles that was read from a file
         threads: number of threads; the result does not depend on it
         """
         if not isinstance(complex, Complex):
@@ -132,7 +132,7 @@ class Voronoi:
         )
 
     def __call__(self, points: npt.ArrayLike) -> npt.NDArray[np.int32]:
-        """Returns the labels of points of shape (n, d)."""
+        """Returns the labels of points of shape (n, d), which must be in the box."""
         labels: npt.NDArray[np.int32] = self._compiled(np.asarray(points, dtype=float))
         return labels
 

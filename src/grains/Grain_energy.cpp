@@ -4,7 +4,11 @@
 
 #include "Grain_energy.h"
 
+#include "errors.h"
+
 #include <algorithm>
+#include <cstddef>
+#include <string>
 
 namespace dsc {
 
@@ -40,14 +44,23 @@ Json to_json(const Grain_energy& energy) {
 
 Grain_energy energy_of_json(const Json& json) {
   Grain_energy result;
-  if (json.at("kind") == "read-shockley") {
+  const std::string kind = json.at("kind");
+  if (kind == "read-shockley") {
     result.kind = Grain_energy::Kind::read_shockley;
     result.largest_angle = json.at("largest_angle");
-  } else if (json.at("kind") == "table") {
+  } else if (kind == "table") {
     result.kind = Grain_energy::Kind::table;
     for (const Json& row : json.at("rows"))
       result.table.rows.push_back({row.at(0), row.at(1), row.at(2)});
   }
+  const auto& rows = result.table.rows;
+  bool is_valid = result.largest_angle > 0 && to_json(result).at("kind") == kind &&
+                  (kind == "table") != rows.empty();
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    is_valid = is_valid && rows[k].tension > 0 && rows[k].mobility > 0 &&
+               (k == 0 || rows[k - 1].angle < rows[k].angle);
+  if (!is_valid)
+    throw Input_error("an energy of grain boundaries is out of its range");
   return result;
 }
 

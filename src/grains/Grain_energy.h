@@ -63,7 +63,7 @@ private:
 Json to_json(const Grain_energy& energy);
 
 /// Returns the energy of `to_json()`.
-/// \throws Json::exception if it is none
+/// \throws Json::exception, Input_error if it is none
 Grain_energy energy_of_json(const Json& json);
 
 } // namespace dsc

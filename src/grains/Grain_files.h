@@ -13,6 +13,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Mesh_arrays.h>
 #include <CGAL/Interface_flows/Grain_orientations.h>
 
+#include <algorithm>
 #include <optional>
 
 namespace dsc {
@@ -38,11 +39,12 @@ public:
     m_last = state.step;
     CGAL::Deformable_simplicial_complexes::Mesh_arrays arrays;
     arrays.cells.push_back({"misorientation", "Float64", 1, {}});
-    for (const auto& facet : complex.interface_facets())
+    static constexpr double none = -1; // at particles, which have no orientation
+    for (const auto& facet : complex.interface_facets()) {
+      const int a = facet.first->label(), b = facet.first->neighbor(facet.second)->label();
       arrays.cells.back().values.push_back(
-          orientations.misorientation(facet.first->label(),
-                                      facet.first->neighbor(facet.second)->label()) /
-          degree);
+          std::min(a, b) == particle_label ? none : orientations.misorientation(a, b) / degree);
+    }
     m_folder->write(complex, state.step, state.time, arrays);
     write_grains(m_folder->file("checkpoint.dsc"), m_run, complex, state);
   }

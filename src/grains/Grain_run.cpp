@@ -9,28 +9,50 @@
 
 #include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_2.h>
 
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+
 namespace dsc {
+
+namespace {
+
+/// Reads the grains of a checkpoint. Returns whether all values are in their ranges.
+bool read(const Json& json, Grain_run& run) {
+  static constexpr std::size_t most = 1000000;
+  for (const char* name : {"number", "particles", "seed"})
+    if (!json.at(name).is_number_unsigned())
+      return false;
+  run.number = json.at("number");
+  run.particles = json.at("particles");
+  run.seed = json.at("seed");
+  run.particle_radius = json.at("particle_radius");
+  run.edges = json.at("edges");
+  run.step = json.at("step");
+  run.energy = energy_of_json(json.at("energy"));
+  run.is_periodic = json.at("domain") == "torus";
+  return json.at("dimension") == run.dimension && (run.is_periodic || json.at("domain") == "box") &&
+         run.number > 0 && run.number <= most && run.particles <= most && run.edges > 0 &&
+         run.step > 0 && run.particle_radius > 0 &&
+         json.at("seed") <= std::numeric_limits<std::uint32_t>::max();
+}
+
+} // namespace
 
 void read_grains(const std::string& checkpoint, Grain_run& run) {
   run.dimension = CGAL::IO::checkpoint_dimension(checkpoint);
   const std::string metadata = run.dimension == 2 ? read_checkpoint_of<2>(checkpoint).metadata
                                                   : read_checkpoint_of<3>(checkpoint).metadata;
   try {
-    const Json saved = Json::parse(metadata), json = saved.at("grains");
-    if (!saved.at("time").is_number() || !saved.at("step").is_number_unsigned())
-      throw Input_error(checkpoint + " is damaged; give another checkpoint of dsc grains");
-    run.is_periodic = json.at("domain") == "torus";
-    run.number = json.at("number");
-    run.energy = energy_of_json(json.at("energy"));
-    run.particles = json.at("particles");
-    run.particle_radius = json.at("particle_radius");
-    run.edges = json.at("edges");
-    run.step = json.at("step");
-    run.seed = json.at("seed");
+    const Json saved = Json::parse(metadata);
+    if (read(saved.at("grains"), run) && saved.at("step").is_number_unsigned() &&
+        saved.at("time").is_number() && saved.at("energy_before").is_number())
+      return;
   } catch (const Json::exception&) {
-    throw Input_error(checkpoint + " contains a complex, but no grains to resume; give a "
-                                   "checkpoint of dsc grains");
   }
+  throw Input_error(checkpoint + " contains no grains that can be resumed; give a checkpoint of "
+                                 "dsc grains");
 }
 
 Json to_json(const Grain_run& run) {

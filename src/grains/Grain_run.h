@@ -41,15 +41,22 @@ struct Grain_run
 };
 
 /// Reads the grains of a checkpoint into a run: the members from `dimension` to `seed`.
-/// \throws Input_error if the checkpoint contains no grains
+/// \throws Input_error if the checkpoint contains no grains, or a value is out of its range
 /// \throws File_error if the file is no checkpoint
 void read_grains(const std::string& checkpoint, Grain_run& run);
+
+/// Returns the grains of a run as JSON, for reports and checkpoints: the members from `dimension`
+/// to `seed`.
+Json to_json(const Grain_run& run);
+
+inline constexpr int particle_label = 0; ///< label of all particles
 
 /// The state after a step of the growth of grains.
 struct Grain_state
 {
   unsigned step = 0;
   double time = 0, energy = 0;
+  double energy_before = 0; ///< at the last test whether the energy decreases
   std::size_t grains = 0, cells = 0, removed = 0, unfinished = 0;
 };
 

@@ -26,15 +26,16 @@ public:
   /// Takes the statistics before a step.
   void begin(const Complex& complex) { m_before = grain_statistics(complex); }
 
-  /// Adds the rates of growth in a step; in the plane, of the grains whose number of corners has
-  /// not changed.
+  /// Adds the rates of growth in a step; in the plane, of the grains whose numbers of corners have
+  /// not changed. Mean rates are those of grains that touch no side.
   void end(const Complex& complex, double dt) {
     std::map<int, CGAL::Deformable_simplicial_complexes::Grain_statistics> after;
     for (const auto& grain : grain_statistics(complex))
       after.emplace(grain.label, grain);
     for (const auto& grain : m_before)
       if (const auto found = after.find(grain.label);
-          found != after.end() && found->second.corners == grain.corners)
+          found != after.end() && found->second.corners == grain.corners &&
+          found->second.right_angles == grain.right_angles)
         add(grain, (found->second.measure - grain.measure) / dt);
   }
 
@@ -53,7 +54,7 @@ private:
     m_xx += x * x;
     m_xy += x * rate;
     m_yy += rate * rate;
-    if (d == 2) {
+    if (d == 2 && grain.right_angles == 0) {
       m_rates[grain.corners].sum += rate;
       ++m_rates[grain.corners].number;
     }

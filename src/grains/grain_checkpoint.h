@@ -14,10 +14,6 @@
 
 namespace dsc {
 
-/// Returns the grains of a run as JSON, for reports and checkpoints: the members from `dimension`
-/// to `seed`.
-Json to_json(const Grain_run& run);
-
 template <int dimension> auto read_checkpoint_of(const std::string& path) {
   if constexpr (dimension == 2)
     return CGAL::IO::read_checkpoint_2(path);
@@ -29,9 +25,12 @@ template <int dimension> auto read_checkpoint_of(const std::string& path) {
 template <class Complex>
 void write_grains(const std::string& path, const Grain_run& run, const Complex& complex,
                   const Grain_state& state) {
-  CGAL::IO::write_checkpoint(
-      path, complex.state(),
-      Json{{"grains", to_json(run)}, {"time", state.time}, {"step", state.step}}.dump());
+  CGAL::IO::write_checkpoint(path, complex.state(),
+                             Json{{"grains", to_json(run)},
+                                  {"time", state.time},
+                                  {"step", state.step},
+                                  {"energy_before", state.energy_before}}
+                                 .dump());
 }
 
 /// The complex and the state of a checkpoint.
@@ -48,6 +47,7 @@ template <int d> Saved_grains<d> read_saved_grains(const std::string& path) {
   Saved_grains<d> result{checkpoint.state, {}};
   result.state.time = json.at("time");
   result.state.step = json.at("step");
+  result.state.energy_before = json.at("energy_before");
   return result;
 }
 

@@ -27,7 +27,8 @@
 
 namespace dsc {
 
-/// Adds the misorientations and the measures of the grain boundaries to a result.
+/// Adds the misorientations and the measures of the grain boundaries to a result, without the
+/// surfaces of particles.
 template <class Complex>
 void measure_boundaries(
     const Complex& complex,
@@ -36,16 +37,18 @@ void measure_boundaries(
     Grain_result& result) {
   for (const auto& [labels, area] :
        CGAL::Deformable_simplicial_complexes::shared_measures(complex)) {
+    if (labels.first == particle_label)
+      continue;
     result.misorientations.push_back(orientations.misorientation(labels.first, labels.second) /
                                      degree);
     result.areas.push_back(area);
   }
 }
 
-/// Returns the greatest length of edges in a run: particles need some edges.
+/// Returns the greatest length of edges in a run, so that edges resolve particles.
 template <int d> double longest_edge(const Grain_run& run) {
   static constexpr double edges_of_radius = 2;
-  return run.particles > 0 ? Particles<d>(run).radius() / edges_of_radius
+  return run.particles > 0 ? particle_radius<d>(run) / edges_of_radius
                            : (std::numeric_limits<double>::max)();
 }
 
@@ -75,15 +78,22 @@ grow_grains(const Grain_run& run, Grain_files& files, const Complex& complex,
   const Interface_energy& energy = growth.energy();
   const bool has_law = run.energy.kind == Grain_energy::Kind::isotropic && run.particles == 0;
   const unsigned first = state.step;
-  const auto tell = [&] {
+  const auto measure = [&] {
     state.time = growth.time();
     state.energy = energy(complex);
-    state.grains = complex.labels().size() - (run.particles > 0);
+    const auto labels = complex.labels();
+    state.grains =
+        labels.size() - std::size_t(std::count(labels.begin(), labels.end(), particle_label));
     state.cells = complex.number_of_cells();
+  };
+  const auto tell = [&] {
     if (state.step % run.every == 0)
       files.write(complex, state, orientations);
     on(state);
   };
+  measure();
+  if (run.resume.empty())
+    state.energy_before = state.energy;
   tell();
 
   // The rates of the law hold after the angles at junctions have settled. In space, the statistics
@@ -97,7 +107,6 @@ grow_grains(const Grain_run& run, Grain_files& files, const Complex& complex,
   static constexpr double rounding = 1e-9;
   // The law does not hold for grains around the torus, which few grains form.
   static constexpr std::size_t fewest = 20;
-  double energy_before = state.energy;
   bool moves = true;
   const auto goal = std::size_t(std::ceil(run.until * double(run.number) - rounding));
   while (state.grains > std::max(goal, std::size_t(1)) && moves &&
@@ -112,16 +121,17 @@ grow_grains(const Grain_run& run, Grain_files& files, const Complex& complex,
     state.unfinished = report.deformation.unfinished.size();
     if (compares && report.removed.empty()) // no grain got another one
       law.end(complex, report.dt);
-    tell();
+    measure();
     if (state.step % steps_of_edge == 0) {
-      moves = energy_before - state.energy > still * energy_before;
-      energy_before = state.energy;
+      moves = state.energy_before - state.energy > still * state.energy_before;
+      state.energy_before = state.energy;
     }
+    tell();
   }
   files.write(complex, state, orientations);
   Grain_result result;
   for (const auto& grain : grain_statistics(complex))
-    if (grain.label > 0) // not the particles
+    if (grain.label != particle_label)
       result.grains.push_back(grain);
   law.write(result);
   measure_boundaries(complex, orientations, result);
@@ -145,19 +155,22 @@ Complex first_grains(const Grain_run& run,
     keep_largest_components(result, energy);
     return result;
   }
-  // The particles first: where grains meet at them, they would not become round.
+  // The interface is fitted to the particles before the grains get their labels, so that particles
+  // are round.
   using Point = typename Complex::Approximate_point;
   const Particles<d> particles(run);
-  Complex result = make(edge, [&](const Point& p) { return particles.contain(p) ? 0 : 1; });
+  Complex result =
+      make(edge, [&](const Point& p) { return particles.contain(p) ? particle_label : 1; });
   for (auto c : result.cells())
-    if (c->label() != 0) {
+    if (c->label() != particle_label) {
       const Point first = result.position(c->vertex(0));
       auto middle = first;
       for (int i = 1; i <= d; ++i)
         middle = middle + (result.position_near(first, c->vertex(i)) - first) / (d + 1);
       result.relabel(c, grains(result.domain().canonical(middle)));
     }
-  keep_largest_components(result, energy, nullptr, [](int label) { return label > 0; });
+  keep_largest_components(result, energy, nullptr,
+                          [](int label) { return label != particle_label; });
   return result;
 }
 

@@ -28,13 +28,15 @@ public:
     rest.read("step", growth.step);
     rest.read("fastest", growth.fastest);
     rest.read("threads", growth.number_of_threads);
-    if (const py::object longest = rest.take("longest_edge"); !longest.is_none())
-      growth.longest_edge = number_of(longest, "longest_edge") / scale;
+    std::optional<double> longest_edge;
+    rest.read("longest_edge", longest_edge);
+    if (longest_edge)
+      growth.longest_edge = *longest_edge / scale;
     rest.require_all_read();
     object.change(py::none(), [&](Complex& complex) { m_growth.emplace(complex, energy, growth); });
   }
 
-  double time() const { return m_growth->time() * unit(); }
+  double time() const { return unit() * m_growth->time(); }
   void set_time(double time) { m_growth->set_time(time / unit()); }
 
   py::dict advance(const py::object& progress) {

@@ -97,8 +97,8 @@ private:
   Shared_function m_function;
 };
 
-/// Number for each key, a label or several labels, that a Python function gives. Each key is asked
-/// once. Copies share the numbers.
+/// A Python function of one or several labels that returns a number. It is called once for each
+/// combination of labels. Copies share the numbers.
 template <class... Labels> class Function_of_labels
 {
 public:
@@ -108,19 +108,18 @@ public:
 
   double operator()(Labels... labels) const {
     const py::gil_scoped_acquire lock;
-    const auto [place, is_new] = m_numbers->try_emplace({labels...}, 0.);
-    if (!is_new)
-      return place->second;
+    const std::tuple<Labels...> key(labels...);
+    if (const auto found = m_numbers->find(key); found != m_numbers->end())
+      return found->second;
+    const py::object value = m_function(labels...);
+    double number = 0;
     try {
-      place->second = m_factor * m_function(labels...).template cast<double>();
+      number = m_factor * value.cast<double>();
     } catch (const py::cast_error&) {
-      m_numbers->erase(place);
       throw py::type_error("the function " + m_name + " must return a number");
-    } catch (...) {
-      m_numbers->erase(place);
-      throw;
     }
-    return place->second;
+    m_numbers->emplace(key, number);
+    return number;
   }
 
 private:

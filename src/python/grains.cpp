@@ -32,6 +32,10 @@ template <class Complex> void bind_grains_of_dimension(py::module_& module) {
       .def(py::init<std::size_t, const std::array<double, d>&, bool, std::uint32_t, double>())
       .def("__call__", [](const Labels& labels, const Array<double>& points) {
         const auto rows = rows_of<double, d>(points, "points");
+        for (const auto& row : rows)
+          for (int axis = 0; axis < d; ++axis)
+            if (!(row[axis] >= 0 && row[axis] <= labels.sides()[axis]))
+              throw py::value_error("a point is outside of the box of the Voronoi diagram");
         return array_of<std::int32_t>(
             rows.size(), [&](std::size_t i) { return labels(DSC::point_at<Complex>(rows[i])); });
       });

@@ -168,7 +168,7 @@ TEST_F(Planar_program, lets_grains_grow) {
   for (const std::string arguments :
        {"--number 1", "--dimension 4", "--energy iron", "--until 1", "--edges 1", "--step -1",
         "--dimension 3 --picture a.svg", "--picture a.png", "--every 2", "--largest-angle x",
-        "--domain ball", "--resume a.dsc --seed 2"})
+        "--domain ball", "--resume a.dsc --seed 2", "--particles 1 --particle-radius .01"})
     expect_error("grains " + arguments, 2);
   const std::string begin = "grains --number 12 --edges 6 --step .3 --quiet --steps ",
                     small = begin + "30 ";
@@ -211,6 +211,14 @@ TEST_F(Planar_program, lets_grains_grow) {
   ASSERT_EQ(resumed.size(), 16u);
   EXPECT_EQ(resumed.back(), isotropic.at("steps").back());
   EXPECT_EQ(contents(path("whole/checkpoint.dsc")), contents(path("grains/checkpoint.dsc")));
+  // The same bits with particles in a box, which are made again
+  const std::string pinned_in_box = begin + "10 --particles 5 --domain box ";
+  expect_success(pinned_in_box + "--report b.json --output box --every 5");
+  expect_success(
+      "grains --number 12 --edges 6 --step .3 --quiet --steps 5 --particles 5 --domain box "
+      "--output half_box");
+  expect_success("grains --resume half_box/checkpoint.dsc --steps 5 --output rest --quiet");
+  EXPECT_EQ(contents(path("rest/checkpoint.dsc")), contents(path("box/checkpoint.dsc")));
   // A box, whose laws count right angles at its sides
   expect_success(small + "--domain box --report b.json --picture b.svg");
   EXPECT_NEAR(report("b.json").at("law").at("slope").get<double>(), 1, .1);

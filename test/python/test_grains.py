@@ -131,7 +131,7 @@ def test_misorientations():
     tension = orientations.read_shockley(30)
     assert tension(1, 1) == 0.05
     assert all(tension(1, k + 1) == pytest.approx(1) for k in range(20) if angles[k] > 30)
-    assert max(dsc.Orientations(50, 3).misorientation(1, k) for k in range(50)) > 50
+    assert max(dsc.Orientations(50, 3).misorientation(1, k) for k in range(1, 51)) > 50
 
 
 def test_wrong_arguments():
@@ -152,6 +152,8 @@ def test_wrong_arguments():
         dsc.Voronoi(5, (1,))
     with pytest.raises(dsc.Error):
         dsc.Voronoi(0, (1, 1))
+    with pytest.raises(ValueError):
+        dsc.Voronoi(5, (1, 1))([(0.5, np.nan)])
     with pytest.raises(ValueError):
         dsc.Orientations(5, 4)
     assert c.is_valid()

@@ -43,7 +43,7 @@ The interface between a and b moves with the velocity \f$m_{ab} (\sigma_{ab} \ka
 towards its front, see `Mean_curvature_flow`. Here, \f$m_{ab}\f$ is the mobility. The sum of the
 principal curvatures \f$\kappa\f$ is positive where the front is on the inner side. The densities in
 front and behind are \f$e_f\f$ and \f$e_b\f$. By default, all mobilities are 1. An interface with
-the mobility 0 does not move.
+the mobility 0 does not move along its normal. Other interfaces that end at it slide along it.
 
 Functions of pairs of labels must be symmetric. They are called with the smaller label first. Copies
 share the functions.

@@ -98,9 +98,8 @@ public:
   double relative_length() const {
     double sum = 0;
     for (int end = 0; end < 4; ++end)
-      sum += std::sqrt(
-          m_complex.displacement(end < 2 ? m_a : m_b, corner(m_ends[end])).squared_length());
-    return 4 * std::sqrt(m_complex.displacement(m_a, m_b).squared_length()) / sum;
+      sum += length_of(m_complex.displacement(end < 2 ? m_a : m_b, corner(m_ends[end])));
+    return 4 * length_of(m_complex.displacement(m_a, m_b)) / sum;
   }
 
   // Plans the exchange, with a new wall whose length is a fraction of the old one. Returns the
@@ -135,7 +134,7 @@ public:
       return std::nullopt;
 
     const auto length = [&](const Point& p, std::size_t k) {
-      return std::sqrt((m_complex.position_near(p, corner(k)) - p).squared_length());
+      return length_of(m_complex.position_near(p, corner(k)) - p);
     };
     const auto tension = [&](const Phase& p, const Phase& q) {
       return p && q && *p != *q ? energy.tension(*p, *q) : 0;
@@ -253,14 +252,15 @@ private:
 Proposes to exchange neighbors (T1 event). The phases on both sides of a short wall are separated,
 and the two phases at its ends become neighbors. The wall is one edge of the interface between two
 vertices where three phases meet. It is replaced by a wall perpendicular to it. A wall may also end
-at a side of a box. Then the phase at its other end reaches this side. Linear in the stars of the
-two vertices, but quadratic in the phases at the ends.
+at a side of a box. Then the phase at its other end reaches this side, and there is no new wall.
+Linear in the stars of the two vertices, but quadratic in the phases at the ends.
 
 \param complex the complex; it is not changed
 \param cell, i the edge opposite to the vertex i of a finite triangle
 \param longest largest length of walls to be considered, divided by the mean length of the four
        other interface edges at the ends of the wall
-\param cavity filled with the proposal if there is one; the ends of the wall move
+\param cavity filled with the proposal if there is one; the ends of the wall move. If the wall ends
+       at a side, a new vertex on this side replaces its inner end.
 \param energy the energy of the interface; energy densities have no effect. The default is the
        length.
 \return the exchange, if it decreases the energy of the interface, all new triangles are positively

@@ -52,8 +52,8 @@ std::map<std::uint32_t, Component_cells<Complex>> components_of(Complex& complex
 }
 
 // Returns the neighbor whose label decreases the energy most if the component gets it; the label of
-// the component if it has no neighbors. Neighbors in cells for which `is_left_out(c)` is true count
-// only if there are no others. Neighbors across an interface of mobility 0 do not count.
+// the component if it has no neighbor across a mobile interface. Neighbors in cells for which
+// `is_left_out(c)` is true count only if there are no others.
 template <class Complex, class Is_left_out>
 typename Complex::Label
 best_neighbor(const Complex& complex, const Component_cells<Complex>& component,
@@ -117,9 +117,9 @@ void append(const Component_cells<Complex>& from, Component_cells<Complex>& to) 
 
 Removes connected components as a whole: all cells of a component get the label of one of its
 neighbors. It is the neighbor for which the energy is least afterwards. Components that are also
-removed are chosen only if there is no other neighbor. An interface of mobility 0 does not move, so
-the neighbor behind it gets no cells. A component without neighbors stays. The mesh does not change. Linear in the number of cells, times the logarithm of the number of
-components.
+removed are chosen only if there is no other neighbor. Labels behind an interface of mobility 0 are
+not chosen, because it does not move. A component without other neighbors stays. The mesh does not
+change. Linear in the number of cells, times the logarithm of the number of components.
 
 \param complex the complex
 \param selects `selects(label, number, measure)` returns whether a component is removed: its label,
@@ -128,8 +128,8 @@ components.
 \param energy the energy. The default is the measure of the interface
 \param visitor visitor of the changes, such as a `Visitor_adaptor`; none if null
 \return the labels of the components that were removed, in the order of the numbers of components
-\throws Error if a tension, a mobility or a density is out of its range. After this exception, or one of the
-        visitor, some components may have been removed, and the complex is valid.
+\throws Error if a tension, a mobility or a density is out of its range. After this exception, or
+        one of the visitor, some components may have been removed, and the complex is valid.
 */
 template <class Complex, class Selects>
 std::vector<typename Complex::Label> remove_components(Complex& complex, const Selects& selects,
@@ -182,8 +182,8 @@ Removes all components of a label except the largest one, see `remove_components
 
 \param complex the complex
 \param energy, visitor as above
-\param selects `selects(label)` returns whether the components of a label are removed; by default, this
-       holds for all labels
+\param selects `selects(label)` returns whether the components of a label are removed; by default,
+       this holds for all labels
 \return the labels of the components that were removed
 \throws Error as above
 */

@@ -82,11 +82,11 @@ struct Grain_growth_options
   double step = .1;
   /// The product of tension and mobility of the fastest interface, positive.
   double fastest = 1;
+  /// Number of threads if linked with TBB. The result does not depend on it.
+  unsigned number_of_threads = 1;
   /// The greatest length of edges, such as half the radius of particles. Without it, edges become
   /// longer than particles as grains grow.
   double longest_edge = (std::numeric_limits<double>::max)();
-  /// Number of threads if linked with TBB. The result does not depend on it.
-  unsigned number_of_threads = 1;
 
   /// Throws an exception unless all values are in their ranges.
   /// \throws Error if a value is not positive or not finite
@@ -101,12 +101,14 @@ struct Grain_growth_options
 \ingroup PkgInterfaceFlowsRef
 
 The growth of grains: all labels of a complex are grains, whose interfaces move by an
-`Interface_energy`. Edges become longer as grains grow. A grain that would vanish within a step is
-removed as a whole, see `remove_components()`, because a grain of a few edges cannot shrink at its
-true rate. At the sides of a box, interfaces end at right angles, as if the box had mirror images.
+`Interface_energy`. Edges become longer as grains grow. A grain of at most two edges in diameter
+that would vanish within a step is removed as a whole, see `remove_components()`, because a grain of
+a few edges cannot shrink at its true rate. At the sides of a box, interfaces end at right angles,
+as if the box had mirror images.
 
 Labels whose interfaces all have the mobility 0 when the growth is constructed are particles. They
-keep their place, and grain boundaries slide along them.
+keep their place, and grain boundaries slide along them. The ends of grain boundaries are projected
+to the surfaces of that time, in linear time in their size for each vertex on them.
 
 \tparam Complex a deformable simplicial complex
 */
@@ -142,9 +144,15 @@ public:
   /// Returns the present time, at first 0.
   double time() const { return m_time; }
 
-  /// Sets the present time. A growth has no other state: if its complex is restored to a
-  /// `Complex::State` and its time is set, it continues with bitwise equal results.
-  void set_time(double time) { m_time = time; }
+  /// Sets the present time. To continue a run with bitwise equal results, construct the growth for
+  /// the complex of the beginning, restore the complex from its `Complex::State`, and set the time.
+  /// Without particles, the growth can be constructed for the restored complex.
+  /// \throws Error if the time is not finite
+  void set_time(double time) {
+    if (!std::isfinite(time))
+      throw Error("the time of grain growth is not finite: use a finite number");
+    m_time = time;
+  }
 
   /// Returns the target length of edges: the diameter of a mean grain divided by
   /// `Grain_growth_options::edges_of_grain`, or `Grain_growth_options::longest_edge` if it is less.
@@ -191,7 +199,8 @@ private:
   static constexpr double straight_angle = 180; // no edge is sharp
 
   // A vertex in a corner of a box cannot move, so it would hold an interface that ends there. All
-  // cells around it get one of their labels, the one of least energy.
+  // cells around it get one of their labels, the one of least energy, unless an interface there has
+  // the mobility 0.
   void release_corners(Any_visitor<Complex>* visitor) {
     for (auto v : m_complex.interface_vertices()) {
       const auto sides = v->boundary_class();
@@ -201,8 +210,14 @@ private:
       std::vector<typename Complex::Cell_handle> star;
       m_complex.star(v, star);
       std::map<double, Label> labels; // by energy
-      for (Label label : labels_around(m_complex, v))
+      bool moves = true;
+      for (Label label : labels_around(m_complex, v)) {
+        for (const auto& [energy, other] : labels)
+          moves = moves && m_flow.energy().mobility(label, other) > 0;
         labels.emplace(energy_of_star(v, star, label), label);
+      }
+      if (!moves)
+        continue;
       for (auto c : star) {
         const Label before = c->label();
         if (m_complex.is_infinite(c) || before == labels.begin()->second)
@@ -250,9 +265,8 @@ private:
     control_detail(m_complex, detail);
   }
 
-  // Removes the grains that would vanish within dt at their present rates. Larger grains than a few
-  // edges shrink by themselves. Where edges are very short, such as at particles, the rates of the
-  // explicit flow may be too high.
+  // Removes the grains of a few edges that would vanish within dt at their present rates. At short
+  // edges, such as at particles, the rates of the explicit flow can be too large.
   std::vector<Label> remove_vanishing(double dt, Any_visitor<Complex>* visitor) {
     const Interface_snapshot<Complex> interface_(m_complex);
     const auto positions = interface_.positions(m_complex);

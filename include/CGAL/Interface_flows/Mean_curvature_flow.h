@@ -13,7 +13,6 @@
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/Volume_changer.h>
-#include <CGAL/Deformable_simplicial_complexes/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Interface_flows/internal/curvature/Curvature_system.h>
 #include <CGAL/Interface_flows/internal/curvature/Interface_forces.h>
@@ -22,11 +21,7 @@
 
 #include <Eigen/Dense>
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
-#include <map>
-#include <utility>
 #include <vector>
 
 namespace CGAL {

@@ -89,6 +89,9 @@ public:
   /// \pre The point is in the box.
   int operator()(const Point& p) const { return int(nearest(coordinates_of<d>(p)).first) + 1; }
 
+  /// Returns the sides of the box.
+  const std::array<double, d>& sides() const { return m_sides; }
+
   /// Returns the number of labels.
   std::size_t number() const { return m_seeds.size(); }
 

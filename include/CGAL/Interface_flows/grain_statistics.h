@@ -72,13 +72,14 @@ template <class Complex>
 void add_corners(const Complex& complex, std::map<int, Grain_statistics>& grains) {
   static constexpr std::size_t junction = 3;
   for (auto v : complex.finite_vertices()) {
-    const bool is_corner = Boundary_class::fixes_all(v->boundary_class(), 2);
-    if (!v->is_interface() && !is_corner)
+    const auto sides = v->boundary_class();
+    const bool is_on_box = complex.is_boundary(v) && (sides & Boundary_class::fixed) == 0;
+    if (!v->is_interface() && !(is_on_box && Boundary_class::fixes_all(sides, 2)))
       continue;
     const auto labels = labels_around(complex, v);
     for (int label : labels) {
       grains[label].corners += labels.size() >= junction;
-      grains[label].right_angles += labels.size() < junction && complex.is_boundary(v);
+      grains[label].right_angles += labels.size() < junction && is_on_box;
     }
   }
 }
@@ -91,7 +92,8 @@ void add_edges(const Complex& complex, std::map<int, Grain_statistics>& grains) 
       return;
     static constexpr std::size_t junction = 3;
     const double length = std::sqrt(complex.displacement(ends[0], ends[1]).squared_length());
-    const bool is_on_side = (ends[0]->boundary_class() & ends[1]->boundary_class()) != 0;
+    const auto sides = ends[0]->boundary_class() & ends[1]->boundary_class();
+    const bool is_on_side = (sides & ~Boundary_class::fixed) != 0;
     const double straight = is_on_side ? CGAL_PI / 2 : CGAL_PI;
     for (const auto& [label, angle] : angles) {
       grains[label].mean_width += length * (straight - angle) / (2 * CGAL_PI);

@@ -7,7 +7,6 @@
 #include "commands/commands.h"
 #include "errors.h"
 #include "files.h"
-#include "grain_checkpoint.h"
 #include "histograms.h"
 #include "interrupt.h"
 #include "option_values.h"
@@ -164,6 +163,9 @@ void read_new_grains(Grains_options& options, bool given_largest_angle) {
   run.is_periodic = options.domain == "torus";
   run.energy = read_energy(options, given_largest_angle);
   run.particle_radius = parse_positive(options.particle_radius, "--particle-radius");
+  static constexpr double least_radius = .05, greatest_radius = 10;
+  if (!(run.particle_radius >= least_radius && run.particle_radius <= greatest_radius))
+    throw Usage_error("--particle-radius is out of range; use .05 to 10");
   run.edges = parse_positive(options.edges, "--edges");
   run.step = parse_positive(options.step, "--step");
   static constexpr double fewest_edges = 3, most_edges = 1000, longest_step = 10;
@@ -199,9 +201,9 @@ void add_grains(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<Grains_options>();
   Grain_run& run = options->run;
   CLI::App* command = app.add_subcommand("grains", description_of_grains);
-  CLI::Option* resume = command->add_option(
-      "--resume", run.resume,
-      "Continue the run of a checkpoint; the result is bitwise identical. Write to another folder");
+  CLI::Option* resume = command->add_option("--resume", run.resume,
+                                            "Checkpoint to continue; results equal those of an "
+                                            "uninterrupted run. Needs another --output");
   command->add_option("--number", run.number, "Number of grains at the beginning")
       ->check(CLI::Range(std::size_t(2), std::size_t(1000000)))
       ->capture_default_str();
@@ -229,8 +231,8 @@ void add_grains(CLI::App& app, int& exit_code) {
   CLI::Option* particles =
       command
           ->add_option("--particles", run.particles,
-                       "Number of round particles that stay in place and hold grain boundaries")
-          ->check(CLI::Range(std::size_t(0), std::size_t(100000)))
+                       "Number of round particles that stay in place and pin grain boundaries")
+          ->check(CLI::Range(std::size_t(0), std::size_t(10000)))
           ->capture_default_str();
   command
       ->add_option("--particle-radius", options->particle_radius,

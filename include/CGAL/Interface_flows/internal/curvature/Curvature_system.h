@@ -67,7 +67,8 @@ public:
 
   static Eigen::Index row(std::size_t v, int axis) { return d * Eigen::Index(v) + axis; }
 
-  // Returns the solution for a right-hand side. Its components against constraints are ignored.
+  // Returns the solution for a right-hand side. Its components that a constraint excludes are
+  // ignored.
   // \throws Error if the method does not converge
   Vector solve(Vector right) const {
     // Rounding can prevent the tolerance if the time step is long. A solution with this residual

@@ -39,8 +39,8 @@ Journal of Computational Physics 227, 2008).
 
 Constraints: vertices on sides of the domain stay on them. Facets with the mobility 0 do not move
 along their normals. A vertex with such facets only is pinned. Other vertices of such facets slide
-along them, for example where a grain boundary ends at a particle. At a corner or a sharp edge of
-the particle, they have no direction or one direction left.
+along them, for example where a grain boundary ends at a particle. At a sharp edge of the particle,
+a vertex moves along the edge. At a corner, it does not move.
 */
 template <class Complex> class Interface_forces
 {

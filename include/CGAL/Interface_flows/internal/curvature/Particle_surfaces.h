@@ -29,7 +29,7 @@ namespace internal {
 
 // The surfaces of the particles of a complex: labels whose interfaces all have the mobility 0. The
 // vertices where grain boundaries end slide along them. Without the surfaces, small changes of the
-// shape of particles in each step would add up.
+// shape of particles in each step would add up. A projection compares each vertex with each facet.
 template <class Complex> class Particle_surfaces
 {
 public:
@@ -37,7 +37,7 @@ public:
   using Point = typename Complex::Approximate_point;
   using Points = std::vector<Point>;
 
-  Particle_surfaces(const Complex& complex, const Interface_energy& energy) {
+  Particle_surfaces(const Complex& complex, const Interface_energy& energy) : m_energy(energy) {
     if (!energy.has_mobilities())
       return;
     const Interface_snapshot<Complex> interface_(complex);
@@ -51,7 +51,7 @@ public:
       m_particles.erase(label);
     const Points positions = interface_.positions(complex);
     for (const auto& facet : interface_.facets())
-      if (is_of_particle(facet))
+      if (is_on_particle(facet))
         add(interface_.domain, facet.vertices, positions);
   }
 
@@ -60,12 +60,13 @@ public:
   void project(const Interface_snapshot<Complex>& interface_, Points& destinations) const {
     if (m_facets.empty())
       return;
-    std::vector<char> is_on_particle(destinations.size(), false);
+    std::vector<char> are_on_particles(destinations.size(), false);
     for (const auto& facet : interface_.facets())
-      for (std::size_t v : facet.vertices)
-        is_on_particle[v] = is_on_particle[v] || is_of_particle(facet);
+      if (is_on_particle(facet))
+        for (std::size_t v : facet.vertices)
+          are_on_particles[v] = true;
     for (std::size_t v = 0; v < destinations.size(); ++v) {
-      if (!is_on_particle[v])
+      if (!are_on_particles[v])
         continue;
       const Point nearest = closest(interface_.domain, destinations[v]);
       auto coordinates = coordinates_of<d>(nearest);
@@ -86,8 +87,11 @@ private:
     double radius;
   };
 
-  template <class Snapshot_facet> bool is_of_particle(const Snapshot_facet& facet) const {
-    return m_particles.count(facet.behind) > 0 || m_particles.count(facet.in_front) > 0;
+  // Returns whether a facet is on a particle. A label that is a particle at first may meet others
+  // across a mobile interface later.
+  template <class Snapshot_facet> bool is_on_particle(const Snapshot_facet& facet) const {
+    return (m_particles.count(facet.behind) > 0 || m_particles.count(facet.in_front) > 0) &&
+           m_energy.mobility(facet.behind, facet.in_front) == 0;
   }
 
   void add(const typename Complex::Domain& domain, const std::array<std::size_t, d>& vertices,
@@ -122,6 +126,7 @@ private:
     return result;
   }
 
+  Interface_energy m_energy;
   std::set<Label> m_particles;
   std::vector<Facet> m_facets;
 };

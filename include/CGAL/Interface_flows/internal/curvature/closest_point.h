@@ -45,7 +45,7 @@ closest_point(const typename Complex::Approximate_point& p,
     auto inside = corners[0];
     bool is_inside = true;
     for (std::size_t i = 0; i < n; ++i) {
-      is_inside = is_inside && coordinates[i] >= 0; // not if the simplex is flat
+      is_inside = is_inside && coordinates[i] >= 0; // false for NaN of a flat simplex
       if (i > 0)
         inside = inside + coordinates[i] * (corners[i] - corners[0]);
     }
