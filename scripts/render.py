@@ -113,6 +113,35 @@ def surface_actor(grid, label_array):
     return actor
 
 
+def labelled_actor(surface, table, ambient):
+    """Returns a surface with flat shading, in the colours that a table gives to its labels."""
+    mapper = vtk.vtkPolyDataMapper()
+    mapper.SetInputData(surface)
+    mapper.SetScalarModeToUseCellFieldData()
+    mapper.SelectColorArray("label")
+    mapper.SetLookupTable(table)
+    mapper.UseLookupTableScalarRangeOn()
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetInterpolationToFlat()
+    actor.GetProperty().SetAmbient(ambient)
+    actor.GetProperty().SetDiffuse(1 - ambient)
+    return actor
+
+
+def camera_on(bounds, eye, up, zoom):
+    """Returns a camera in the direction of the eye that shows the bounds."""
+    camera = vtk.vtkCamera()
+    camera.SetFocalPoint(0, 0, 0)
+    camera.SetPosition(*eye)
+    camera.SetViewUp(*up)
+    renderer = vtk.vtkRenderer()
+    renderer.SetActiveCamera(camera)
+    renderer.ResetCamera(bounds)
+    camera.Zoom(zoom)
+    return camera
+
+
 def interface_actor(path):
     return surface_actor(read_grid(path), "label_pair")
 
