@@ -69,6 +69,8 @@ MODULES = {
         "grids": "VTK and MEDIT files",
         "curves": "files of planar curves",
         "IO": "surface files and checkpoints",
+        "ranks": "pieces of complexes on several ranks, messages, components, checkpoints",
+        "patches": "distributed motion, patches that are improved in rounds",
     },
     "Interface_flows": {
         "paths": "paths of interface vertices in velocity fields",

@@ -14,6 +14,7 @@ All functions are `const` and are called often. `Complex` is an instance of
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Deformable_simplicial_complexes::Ball_domain}
 \cgalHasModels{CGAL::Deformable_simplicial_complexes::Torus_domain}
+\cgalHasModels{CGAL::Deformable_simplicial_complexes::Part_domain}
 \cgalHasModelsEnd
 */
 class SimplicialDomain
@@ -22,6 +23,9 @@ public:
   /// Whether there are an infinite vertex and a boundary. If `false`, the domain must provide `measure()`;
   /// otherwise, it must provide `classify_boundary()` and `keeps_side()`.
   static constexpr bool has_outside;
+
+  /// Whether the domain is a part of a larger complex: any set of cells, whose boundary can have any shape.
+  static constexpr bool is_part;
 
   /// Returns whether a vertex lies outside the domain. Such a vertex has no position, and its cells are
   /// infinite.

@@ -45,6 +45,8 @@ class Ball_domain
 public:
   /// Tells that there is a vertex outside.
   static constexpr bool has_outside = true;
+  /// Tells that the domain is not a part of a larger complex.
+  static constexpr bool is_part = false;
 
   /// Returns whether a vertex is the infinite vertex.
   template <class Complex>

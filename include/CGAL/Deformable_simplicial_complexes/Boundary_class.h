@@ -30,6 +30,9 @@ struct Boundary_class
   static constexpr Bits inside = 0; ///< on no side
   /// on the boundary of a domain that is not a box; the vertex may not move
   static constexpr Bits fixed = 64;
+  /// on the boundary of a part of a larger complex, see `Part_domain`. Cells around the vertex are
+  /// missing; the vertex may not move, and the cells that are there keep their labels
+  static constexpr Bits cut = 128;
 
   /// Returns whether motion along an axis (0, 1, 2) leaves the sides.
   static bool fixes(Bits sides, int axis) {

@@ -155,6 +155,22 @@ public:
   ///         then unchanged
   void restore(const State& state);
 
+  /*!
+  Replaces the complex by a part of another complex: some of its cells. The domain must be a
+  `Part_domain`. Time stamps follow the order of vertices and cells. n log n in the number of cells.
+
+  \param part points, boundary classes and spacings of the vertices, where `Boundary_class::cut`
+         marks the vertices around which cells are missing; vertices, labels, noted qualities and
+         failures of the finite cells, where `i + 1` is the vertex `i`; lengths and normalization of
+         the other complex. Other members are not used.
+  \return the vertices, in their order
+  \throws Invalid_cells_error if more than two cells share a facet, or two cells overlap; the complex
+          is then unchanged
+  \pre Each vertex has a cell. The cells are positively oriented. The cells around a vertex are
+       connected through facets.
+  */
+  std::vector<Vertex_handle> assign_part(const State& part);
+
   /// @}
   /// \name Access
   /// @{
@@ -535,6 +551,8 @@ private:
   void initialize_caches();
   std::vector<Cell_handle> all_cells() const;
   void rebuild(const State& state);
+  static std::vector<Cell_vertices> indices_of(const State& state);
+  std::vector<Vertex_handle> create_vertices(const State& state);
   void create_items(const State& state);
   void check_stars(const std::vector<Vertex_handle>& vertices) const;
   void check_boundary() const;

@@ -47,6 +47,8 @@ template <int d> class Torus_domain
 public:
   /// Tells that there is no vertex outside.
   static constexpr bool has_outside = false;
+  /// Tells that the domain is not a part of a larger complex.
+  static constexpr bool is_part = false;
 
   /// Constructs a torus with the given periods.
   /// \param periods positive lengths of similar size; they are rounded to multiples of the unit of

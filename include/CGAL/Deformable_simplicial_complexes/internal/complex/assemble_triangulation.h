@@ -128,15 +128,42 @@ template <class Space> void prepare_for_cells(typename Space::Triangulation& tri
   triangulation.tds().set_dimension(Space::dimension);
 }
 
+// Makes the infinite cells of a part adjacent across the ridges of its boundary: edges in 3D,
+// vertices in 2D. Two infinite cells at a ridge are adjacent if finite cells lie between them.
+template <class Space>
+void join_infinite_cells(typename Space::Triangulation_data_structure& tds,
+                         typename Space::Vertex_handle infinite,
+                         const std::vector<typename Space::Cell_handle>& cells) {
+  using Cell_handle = typename Space::Cell_handle;
+  for (Cell_handle c : cells) {
+    int outside = 0;
+    const bool is_infinite = c->has_vertex(infinite, outside);
+    for (int i = 0; is_infinite && i <= Space::dimension; ++i) {
+      if (i == outside)
+        continue;
+      Cell_handle previous = c, next = c->neighbor(outside);
+      auto left = c->vertex(i); // vertex of the facet through which the turn entered `next`
+      while (!next->has_vertex(infinite)) {
+        const auto apex = next->vertex(next->index(previous));
+        previous = next;
+        next = next->neighbor(next->index(left));
+        left = apex;
+      }
+      tds.set_adjacency(c, i, next, next->index(left));
+    }
+  }
+}
+
 // Creates cells between given vertices in an empty data structure, and sets their adjacency.
 // `vertices[0]` is the existing infinite vertex. Throws `Invalid_cells_error` unless each facet has
-// exactly two cells, one on each side.
+// exactly two cells, one on each side. In a part of a complex, infinite cells may share their
+// facets with several others.
 template <class Space>
 std::vector<typename Space::Cell_handle>
 create_cells(typename Space::Triangulation_data_structure& tds,
              Item_numbers<typename Space::Vertex_handle, typename Space::Cell_handle>& numbers,
              const std::vector<typename Space::Vertex_handle>& vertices,
-             const std::vector<Cell_vertices<Space::dimension>>& cells) {
+             const std::vector<Cell_vertices<Space::dimension>>& cells, bool is_part = false) {
   static constexpr int corners = Space::dimension + 1;
   std::vector<typename Space::Cell_handle> handles;
   handles.reserve(cells.size());
@@ -149,7 +176,10 @@ create_cells(typename Space::Triangulation_data_structure& tds,
     }
   }
   const auto facets = sorted_facets(cells);
-  for (std::size_t i = 0; i < facets.size(); i += 2) {
+  std::size_t first = 0;
+  while (is_part && first < facets.size() && facets[first].vertices[0] == 0)
+    ++first;
+  for (std::size_t i = first; i < facets.size(); i += 2) {
     Progress_scope::check();
     if (i + 1 == facets.size() || !facets[i].fits(facets[i + 1]) ||
         (i + 2 < facets.size() && facets[i].vertices == facets[i + 2].vertices))
@@ -160,6 +190,8 @@ create_cells(typename Space::Triangulation_data_structure& tds,
     tds.set_adjacency(handles[facets[i].cell], facets[i].index, handles[facets[i + 1].cell],
                       facets[i + 1].index);
   }
+  if (is_part)
+    join_infinite_cells<Space>(tds, vertices[0], handles);
   return handles;
 }
 

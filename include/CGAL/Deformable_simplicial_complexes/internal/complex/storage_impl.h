@@ -333,7 +333,40 @@ void CGAL_DSC_CLASS::rebuild(const State& state) {
 }
 
 CGAL_DSC_TEMPLATE
-void CGAL_DSC_CLASS::create_items(const State& state) {
+auto CGAL_DSC_CLASS::assign_part(const State& part) -> std::vector<Vertex_handle> {
+  static_assert(Domain::is_part, "the domain must be a Part_domain");
+  Labelled_complex result(geom_traits(), m_quality_measure, m_domain);
+  result.m_normalization = {vector_of<Labelled_complex>(part.normalization_translation),
+                            part.normalization_scale};
+  result.m_mean_interface_edge = part.mean_interface_edge;
+  result.m_minimum_interface_edge = part.minimum_interface_edge;
+  const auto vertices = result.create_vertices(part);
+  auto indices = indices_of(part);
+  internal::append_infinite_cells(indices);
+  const auto cells = internal::create_cells<Space>(result.m_triangulation.tds(), result.m_numbers,
+                                                   vertices, indices, true);
+  for (size_type i = 0; i < part.cells.size(); ++i) {
+    cells[i]->set_label(part.cell_labels[i]);
+    cells[i]->set_failures(part.failures[i]);
+  }
+  result.initialize_caches();
+  for (size_type i = 0; i < part.cells.size(); ++i)
+    cells[i]->set_noted_quality(part.noted_qualities[i]);
+  swap(result);
+  return {vertices.begin() + 1, vertices.end()};
+}
+
+CGAL_DSC_TEMPLATE
+auto CGAL_DSC_CLASS::indices_of(const State& state) -> std::vector<Cell_vertices> {
+  std::vector<Cell_vertices> result(state.cells.size());
+  for (size_type c = 0; c < result.size(); ++c)
+    std::copy(state.cells[c].begin(), state.cells[c].end(), result[c].begin());
+  return result;
+}
+
+// Creates the vertices of a state. Returns the infinite vertex, followed by them.
+CGAL_DSC_TEMPLATE
+auto CGAL_DSC_CLASS::create_vertices(const State& state) -> std::vector<Vertex_handle> {
   internal::prepare_for_cells<Space>(m_triangulation);
   std::vector<Vertex_handle> vertices(1, m_numbers.add_vertex(m_triangulation.infinite_vertex()));
   for (size_type i = 0; i < state.points.size(); ++i) {
@@ -343,11 +376,14 @@ void CGAL_DSC_CLASS::create_items(const State& state) {
     vertices.back()->set_boundary_class(state.boundary_classes[i]);
     vertices.back()->set_spacing(state.spacings[i]);
   }
-  std::vector<Cell_vertices> indices(state.cells.size());
-  for (size_type c = 0; c < indices.size(); ++c)
-    std::copy(state.cells[c].begin(), state.cells[c].end(), indices[c].begin());
+  return vertices;
+}
+
+CGAL_DSC_TEMPLATE
+void CGAL_DSC_CLASS::create_items(const State& state) {
+  const std::vector<Vertex_handle> vertices = create_vertices(state);
   const auto cells =
-      internal::create_cells<Space>(m_triangulation.tds(), m_numbers, vertices, indices);
+      internal::create_cells<Space>(m_triangulation.tds(), m_numbers, vertices, indices_of(state));
   for (size_type i = 0; i < cells.size(); ++i) {
     if (!is_infinite(cells[i]))
       cells[i]->set_label(state.cell_labels[i]);
@@ -536,10 +572,11 @@ bool CGAL_DSC_CLASS::is_valid(bool verbose) const {
   return true;
 }
 
-// Returns whether the adjacency of vertices and cells is consistent.
+// Returns whether the adjacency of vertices and cells is consistent. A part of a complex can have
+// any topology.
 CGAL_DSC_TEMPLATE
 bool CGAL_DSC_CLASS::is_sewn(bool verbose) const {
-  if (Domain::has_outside)
+  if (Domain::has_outside && !Domain::is_part)
     return Space::is_sewn(m_triangulation.tds(), verbose);
   // The validity test of CGAL requires that some cell has the infinite vertex.
   for (Vertex_handle v : finite_vertices())

@@ -44,6 +44,14 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
+// A vertex of the interface with a destination in a motion that began earlier.
+template <class Complex> struct Moved_vertex
+{
+  typename Complex::Vertex_handle vertex;
+  typename Complex::Approximate_point before, destination; // `before` the motion
+  bool is_open; // whether the destination can still be reached
+};
+
 // The steps of Algorithm 1, in the order in which `deform_interface()` performs them.
 template <class Complex> class Interface_deformer
 {
@@ -83,6 +91,19 @@ public:
     }
   }
 
+  // Continues a motion that began elsewhere: the complex is a part of another complex, in which the
+  // vertices have moved together. The vertices are given by increasing time stamp. The given cells
+  // are improved.
+  void resume(const std::vector<Moved_vertex<Complex>>& vertices,
+              const std::vector<Cell_handle>& cells) {
+    m_trapped_cells.log().begin();
+    for (const Moved_vertex<Complex>& moved : vertices)
+      m_destinations.resume(moved.vertex, moved.before, m_complex.exact(moved.destination),
+                            moved.is_open);
+    for (Cell_handle c : cells)
+      m_touched.push(c);
+  }
+
   // Adds the wall-clock time since the last call to one of the times of the report.
   void lap(double Report::Seconds::*part) { m_stopwatch.lap(m_seconds.*part); }
 
@@ -96,6 +117,11 @@ public:
   // Returns whether all vertices follow the flow in a pass.
   bool is_moving_all(unsigned pass) const {
     return pass == 1 && m_options.flow && m_options.flow_moves_all;
+  }
+
+  // Returns whether a pass has something to do: vertices to move, or cells to improve.
+  bool has_work(unsigned pass) const {
+    return !is_complete() || is_moving_all(pass) || (pass == 1 && !m_touched.empty());
   }
 
   // Prepares the mesh for a pass.

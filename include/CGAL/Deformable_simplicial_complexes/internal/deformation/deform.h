@@ -23,27 +23,16 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Moves interface vertices to their destinations in passes (Algorithm 1). Stops after the maximum
-// number of passes, or if `go_further(pass)` returns false. Returns the report.
+// Does passes of Algorithm 1 until the vertices have arrived and the given cells are improved, the
+// maximum number of passes is reached, or `go_further(pass)` returns false. Returns the report.
 template <class Complex>
-Deformation_report<Complex>
-deform(Complex& dsc, const std::vector<typename Complex::Vertex_handle>& vertices,
-       const std::vector<typename Complex::Approximate_point>& destinations,
-       const Deformation_options<Complex>& options) {
-  options.check();
-  require_interface_edge(dsc);
-  Any_visitor<Complex> no_visitor;
-  Any_visitor<Complex>& visitor = options.visitor ? *options.visitor : no_visitor;
+Deformation_report<Complex> do_passes(Interface_deformer<Complex>& deformer,
+                                      Any_visitor<Complex>& visitor, unsigned maximum) {
   using Seconds = typename Deformation_report<Complex>::Seconds;
-  const Progress_phase phase("moving the interface");
-  const For_each_index for_each_index(options.number_of_threads);
-  Interface_deformer<Complex> deformer(dsc, visitor, options, for_each_index);
-  deformer.set_destinations(vertices, destinations);
   unsigned pass = 0;
   bool is_stopped = false;
   deformer.lap(&Seconds::rest);
-  while ((!deformer.is_complete() || deformer.is_moving_all(pass + 1)) &&
-         deformer.is_progressing() && pass < options.maximum_number_of_passes &&
+  while (deformer.has_work(pass + 1) && deformer.is_progressing() && pass < maximum &&
          !(is_stopped = !visitor.go_further(pass + 1))) {
     ++pass;
     Progress_scope::check();
@@ -69,6 +58,38 @@ deform(Complex& dsc, const std::vector<typename Complex::Vertex_handle>& vertice
   Deformation_report<Complex> report = deformer.report(pass);
   report.stopped = is_stopped;
   return report;
+}
+
+// Moves interface vertices to their destinations in passes (Algorithm 1). Returns the report.
+template <class Complex>
+Deformation_report<Complex>
+deform(Complex& dsc, const std::vector<typename Complex::Vertex_handle>& vertices,
+       const std::vector<typename Complex::Approximate_point>& destinations,
+       const Deformation_options<Complex>& options) {
+  options.check();
+  require_interface_edge(dsc);
+  Any_visitor<Complex> no_visitor;
+  Any_visitor<Complex>& visitor = options.visitor ? *options.visitor : no_visitor;
+  const Progress_phase phase("moving the interface");
+  const For_each_index for_each_index(options.number_of_threads);
+  Interface_deformer<Complex> deformer(dsc, visitor, options, for_each_index);
+  deformer.set_destinations(vertices, destinations);
+  return do_passes(deformer, visitor, options.maximum_number_of_passes);
+}
+
+// Continues a motion on a part of a complex, in which vertices have moved together: moves the
+// remaining vertices, and improves the given cells. Returns the report.
+template <class Complex>
+Deformation_report<Complex>
+resume_deformation(Complex& part, const std::vector<Moved_vertex<Complex>>& vertices,
+                   const std::vector<typename Complex::Cell_handle>& cells,
+                   const Deformation_options<Complex>& options) {
+  Any_visitor<Complex> no_visitor;
+  Any_visitor<Complex>& visitor = options.visitor ? *options.visitor : no_visitor;
+  const For_each_index for_each_index(options.number_of_threads);
+  Interface_deformer<Complex> deformer(part, visitor, options, for_each_index);
+  deformer.resume(vertices, cells);
+  return do_passes(deformer, visitor, options.maximum_number_of_passes);
 }
 
 } // namespace internal

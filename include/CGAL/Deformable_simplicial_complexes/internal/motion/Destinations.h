@@ -39,6 +39,16 @@ public:
     m_items.push_back({v, v->time_stamp(), m_complex.position(v), destination, true});
   }
 
+  // Adds a vertex of a motion that began earlier: the vertex was at `before`, and its destination
+  // is open if it can still be reached. Must be called by increasing time stamp.
+  void resume(Vertex_handle v, const Position& before, const Point& destination, bool is_open) {
+    if (is_open) {
+      m_open.push_back(m_items.size());
+      m_unfinished.push_back(v);
+    }
+    m_items.push_back({v, v->time_stamp(), before, destination, is_open});
+  }
+
   // Returns the vertices that have not reached their destinations, by increasing time stamp.
   const std::vector<Vertex_handle>& unfinished() const { return m_unfinished; }
 

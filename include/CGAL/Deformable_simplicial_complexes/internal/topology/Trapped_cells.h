@@ -10,6 +10,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TOPOLOGY_TRAPPED_CELLS_H
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
@@ -100,8 +101,8 @@ public:
   // after a call of relabel(). Returns whether the cell was relabeled.
   bool relabel_if_topology_stays(Cell_handle c, Label label) {
     std::vector<Cell_handle> cells(1, c);
-    if (is_done(c) || !relabeling_keeps_topology(m_complex, c, label) || !complete(cells, label) ||
-        cells.size() > 1)
+    if (is_done(c) || is_at_cut(c) || !relabeling_keeps_topology(m_complex, c, label) ||
+        !complete(cells, label) || cells.size() > 1)
       return false;
     relabel(cells, label);
     return true;
@@ -123,7 +124,8 @@ private:
       for (int k = 0; k < Complex::corners; ++k)
         is_near =
             is_near && Complex::Space::length(m_complex.displacement(center, c->vertex(k))) < edge;
-      is_small = (component.size() <= few || is_near) && large.count(c->time_stamp()) == 0;
+      is_small = (component.size() <= few || is_near) && large.count(c->time_stamp()) == 0 &&
+                 !is_at_cut(c);
       for (int k = 0; k < Complex::corners; ++k) {
         const Cell_handle n = c->neighbor(k);
         if (!m_complex.is_infinite(n) && n->label() == c->label() &&
@@ -188,11 +190,13 @@ private:
   template <class Is_flat>
   bool propose(Cell_handle c, double threshold, const Is_flat& is_flat,
                std::vector<Cell_handle>& cells, Label& label) const {
-    if (is_done(c) || !propose_relabeling(m_complex, c, threshold, label, m_energy) || !is_flat(c))
+    if (is_done(c) || is_at_cut(c) ||
+        !propose_relabeling(m_complex, c, threshold, label, m_energy) || !is_flat(c))
       return false;
     cells.assign(1, c);
     return complete(cells, label) && volume(cells) - volume({c}) < small_volume({c}) &&
-           std::none_of(cells.begin(), cells.end(), [&](Cell_handle d) { return is_done(d); });
+           std::none_of(cells.begin(), cells.end(),
+                        [&](Cell_handle d) { return is_done(d) || is_at_cut(d); });
   }
 
   // Appends the cells that must also be relabeled to keep the interface manifold, independent of
@@ -203,6 +207,14 @@ private:
   }
 
   bool is_done(Cell_handle c) const { return m_done.count(c->time_stamp()) != 0; }
+
+  // Returns whether the complex is a part of another complex and cells around the cell are missing.
+  static bool is_at_cut(Cell_handle c) {
+    for (int i = 0; i < Complex::corners; ++i)
+      if ((c->vertex(i)->boundary_class() & Boundary_class::cut) != 0)
+        return true;
+    return false;
+  }
 
   void add_neighbors(const std::vector<Cell_handle>& cells, std::vector<Cell_handle>& front) const {
     for (Cell_handle c : cells)

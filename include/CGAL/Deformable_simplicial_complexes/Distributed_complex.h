@@ -1,0 +1,447 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Deformable_simplicial_complexes, written for CGAL
+// (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DISTRIBUTED_COMPLEX_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DISTRIBUTED_COMPLEX_H
+
+#include <CGAL/license/Deformable_simplicial_complexes.h>
+
+#include <CGAL/Deformable_simplicial_complexes/Communicator.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
+#include <CGAL/Deformable_simplicial_complexes/coordinates.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Label_totals.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/Extent.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/hilbert_order.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/patches/Patch.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/ranks/Distributed_components.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/ranks/Distributed_mesh.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/ranks/Placement.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/ranks/message_bytes.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+A deformable simplicial complex that several ranks hold together. Each vertex has an owner. A rank
+holds all cells around its vertices, and a cell is owned by the owner of its vertex with the least
+id. Vertices have ids that do not depend on the ranks.
+
+The functions of this package give the same complex, bit by bit, for any number of ranks and any
+partition. `checksum()` tells whether two distributed complexes are equal.
+
+All member functions are collective unless they say otherwise: all ranks call them in the same
+order.
+
+\tparam Complex_ the type of a complex in a ball on one rank, such as
+        `Deformable_simplicial_complex_3<Traits>`
+*/
+template <class Complex_> class Distributed_complex
+{
+public:
+  using Complex = Complex_; ///< complex on one rank
+  /// Part of the complex that a rank improves, see `Part_domain`.
+  using Part = typename internal::Part_of<Complex>::Type;
+  using Approximate_point = typename Complex::Approximate_point; ///< position
+  using Label = typename Complex::Label;                         ///< name of a phase
+  using size_type = std::uint64_t;                               ///< number of simplices
+  static constexpr int dimension = Complex::dimension;           ///< dimension of space
+  /// Returns the rank that owns the vertex `i` of a complex of n vertices, in their order.
+  using Owner = std::function<int(std::size_t i)>;
+
+  /// Constructs an empty complex.
+  /// \param communicator the ranks; it must outlive the complex
+  explicit Distributed_complex(Communicator& communicator) : m_mesh(communicator) {}
+
+  /// Returns the communicator. Not collective.
+  Communicator& communicator() const { return *m_mesh.communicator; }
+
+  /*!
+  Distributes a complex of the first rank. Vertices are divided along a Hilbert curve into parts of
+  equal size.
+
+  \param complex the complex, on the first rank; other ranks give any complex
+  */
+  void distribute(const Complex& complex) {
+    std::vector<int> owners;
+    if (m_mesh.rank() == 0) {
+      std::vector<Approximate_point> positions;
+      for (auto v : complex.vertices())
+        positions.push_back(complex.position(v));
+      const std::size_t n = positions.size(), size = std::size_t(communicator().size());
+      owners.resize(n);
+      const auto order = internal::hilbert_order<typename Complex::Space>(positions);
+      for (std::size_t i = 0; i < n; ++i)
+        owners[order[i]] = int(i * size / n);
+    }
+    distribute(complex, [&](std::size_t i) { return owners[i]; });
+  }
+
+  /*!
+  Distributes a complex of the first rank.
+
+  \param complex the complex, on the first rank; other ranks give any complex
+  \param owner function object `int owner(i)` that returns the owner of the vertex `i` of
+         `complex.vertices()`; called on the first rank only
+  */
+  void distribute(const Complex& complex, const Owner& owner);
+
+  /// Gives each vertex a new owner. Vertices and cells move to their ranks.
+  /// \param owner function object `int owner(id, position)`; called for the vertices of this rank
+  template <class New_owner> void migrate(const New_owner& owner);
+
+  /// Returns the whole complex on the first rank, and an empty complex on the others.
+  Complex gather() const;
+
+  /// Returns a number that is equal for equal complexes: a hash of the points, labels and cells of
+  /// all ranks, which does not depend on the partition.
+  std::uint64_t checksum() const;
+
+  /// Returns the number of cells of all ranks.
+  size_type number_of_cells() const { return total(number_of_own_cells()); }
+  /// Returns the number of vertices of all ranks.
+  size_type number_of_vertices() const { return total(number_of_own_vertices()); }
+  /// Returns the number of cells that this rank owns. Not collective.
+  size_type number_of_own_cells() const {
+    size_type result = 0;
+    for (Index c = 0; c < m_mesh.piece.cell_bound(); ++c)
+      result += m_mesh.is_own_cell(c);
+    return result;
+  }
+  /// Returns the number of vertices that this rank owns. Not collective.
+  size_type number_of_own_vertices() const {
+    size_type result = 0;
+    for (Index v = 0; v < m_mesh.piece.vertex_bound(); ++v)
+      result += m_mesh.is_own(v);
+    return result;
+  }
+  /// Returns the number of bytes that this rank uses for the complex, about. Not collective.
+  std::size_t memory() const { return m_mesh.piece.memory(); }
+
+  /// Returns the number of connected components of a label. Not collective.
+  std::size_t number_of_components(Label label) const {
+    std::size_t result = 0;
+    for (const auto& [number, component] : m_mesh.components)
+      result += component.label == label;
+    return result;
+  }
+
+  /// Returns the mean length of the interface edges when the complex was built. Not collective.
+  double mean_interface_edge() const { return m_mesh.mean_interface_edge; }
+
+  /*!
+  The vertices of the interface that this rank holds, and all facets around its own vertices, as
+  velocities see them. Vertices are ordered by their ids; handles in the snapshot are null.
+  */
+  struct Interface
+  {
+    Interface_snapshot<Complex> snapshot = Interface_snapshot<Complex>(Complex()); ///< the facets
+    std::vector<Approximate_point> positions; ///< of the vertices
+    std::vector<std::uint32_t> indices;       ///< internal numbers of the vertices
+  };
+
+  /// Returns the interface that this rank holds.
+  Interface interface_here() const;
+
+  /// Returns whether this rank owns a facet of its interface: whether it owns the vertex with the
+  /// least id. Each facet has one owner. Not collective.
+  bool owns(const Interface& interface_,
+            const typename Interface_snapshot<Complex>::Facet& facet) const {
+    const auto first = *std::min_element(facet.vertices.begin(), facet.vertices.end());
+    return m_mesh.is_own(interface_.indices[first]);
+  }
+
+  /// The distributed mesh, for the functions of this package.
+  using Mesh = internal::Distributed_mesh<Complex>;
+  /// Returns the mesh, for the functions of this package. Not collective.
+  Mesh& mesh() { return m_mesh; }
+  /// Returns the mesh, for the functions of this package. Not collective.
+  const Mesh& mesh() const { return m_mesh; }
+
+private:
+  static constexpr int d = dimension;
+  using Index = typename Mesh::Index;
+  using Vertex = internal::Piece_vertex<d>;
+  using Cell = internal::Sent_cell<d>;
+
+  // What all ranks know about the complex.
+  struct Common
+  {
+    std::array<double, d> translation;
+    double scale, mean_interface_edge, minimum_interface_edge, domain_measure;
+    internal::Global_id next_id;
+  };
+
+  size_type total(size_type number) const {
+    return size_type(communicator().reduced(Communicator::Operation::sum, std::int64_t(number)));
+  }
+
+  void set_common(Common common) {
+    internal::Message_writer writer;
+    if (m_mesh.rank() == 0)
+      writer.write(common);
+    const auto all = communicator().all_gather(writer.take());
+    common = internal::Message_reader(all[0]).template read<Common>();
+    m_mesh.normalization = {vector_of<Complex>(common.translation), common.scale};
+    m_mesh.mean_interface_edge = common.mean_interface_edge;
+    m_mesh.minimum_interface_edge = common.minimum_interface_edge;
+    m_mesh.domain_measure = common.domain_measure;
+    m_mesh.next_id = common.next_id;
+  }
+
+  // Replaces the piece by the cells that arrive.
+  void place(internal::Placement<d>& placement) {
+    m_mesh.piece = internal::Piece<d>();
+    placement.send(communicator(), m_mesh.piece);
+    m_mesh.find_ghosts();
+  }
+
+  // Numbers the components of a new complex.
+  void find_components() {
+    m_mesh.components.clear();
+    internal::Distributed_components<Complex>(m_mesh, internal::Label_totals(m_mesh.domain_measure))
+        .update(m_mesh.components);
+  }
+
+  Mesh m_mesh;
+};
+
+template <class Complex>
+void Distributed_complex<Complex>::distribute(const Complex& complex, const Owner& owner) {
+  Common common = {};
+  internal::Placement<d> placement;
+  std::string error;
+  if (m_mesh.rank() == 0) {
+    const auto handles = complex.vertices();
+    std::vector<Vertex> vertices(handles.size());
+    internal::Extent<d> box;
+    for (std::size_t i = 0; i < handles.size(); ++i) {
+      Vertex& v = vertices[i];
+      v = Vertex{};
+      v.id = i;
+      v.owner = owner(i);
+      if (v.owner < 0 || v.owner >= communicator().size())
+        error = "the owner of a vertex is not one of the ranks: use 0 to size - 1";
+      v.point = coordinates_of<d>(complex.position(handles[i]));
+      box.add(v.point);
+      v.spacing = handles[i]->spacing();
+      v.boundary_class = handles[i]->boundary_class();
+    }
+    const Vertex_numbers numbers(complex, handles);
+    std::vector<Cell> cells;
+    for (auto c : complex.cells()) {
+      cells.push_back(Cell{});
+      for (int i = 0; i <= d; ++i)
+        cells.back().vertices[i] = numbers(c->vertex(i));
+      cells.back().vertices = internal::canonical_cell(cells.back().vertices);
+      cells.back().data.label = c->label();
+      cells.back().data.noted_quality = c->noted_quality();
+      cells.back().data.failures = c->failures();
+    }
+    if (error.empty())
+      placement.add(vertices, cells);
+    common = {coordinates_of<d>(complex.normalization().translation),
+              complex.normalization().scale,
+              complex.mean_interface_edge(),
+              complex.minimum_interface_edge(),
+              box.measure(),
+              internal::Global_id(handles.size())};
+  }
+  communicator().agree_on_error(error);
+  set_common(common);
+  place(placement);
+  find_components();
+}
+
+template <class Complex>
+template <class New_owner>
+void Distributed_complex<Complex>::migrate(const New_owner& owner) {
+  std::vector<int> owners(m_mesh.piece.vertex_bound(), 0);
+  for (Index v = 0; v < m_mesh.piece.vertex_bound(); ++v)
+    if (m_mesh.is_own(v))
+      owners[v] = owner(m_mesh.piece.vertex(v).id, m_mesh.position(v));
+  m_mesh.ghosts.update(owners);
+  std::vector<Vertex> vertices;
+  std::vector<Cell> cells;
+  for (Index v = 0; v < m_mesh.piece.vertex_bound(); ++v)
+    if (m_mesh.piece.has_vertex(v)) {
+      vertices.push_back(m_mesh.piece.vertex(v));
+      vertices.back().owner = owners[v];
+    }
+  for (Index c = 0; c < m_mesh.piece.cell_bound(); ++c)
+    if (m_mesh.is_own_cell(c))
+      cells.push_back(m_mesh.piece.sent(c));
+  internal::Placement<d> placement;
+  placement.add(vertices, cells);
+  place(placement);
+}
+
+template <class Complex> Complex Distributed_complex<Complex>::gather() const {
+  std::vector<Vertex> vertices;
+  std::vector<Cell> cells;
+  for (Index v = 0; v < m_mesh.piece.vertex_bound(); ++v)
+    if (m_mesh.is_own(v))
+      vertices.push_back(m_mesh.piece.vertex(v));
+  for (Index c = 0; c < m_mesh.piece.cell_bound(); ++c)
+    if (m_mesh.is_own_cell(c))
+      cells.push_back(m_mesh.piece.sent(c));
+  internal::Message_writer writer;
+  writer.write(vertices);
+  writer.write(cells);
+  std::vector<Communicator::Message> messages;
+  messages.push_back({0, writer.take()});
+  Complex result;
+  std::string error;
+  const auto arrived = communicator().exchange(std::move(messages));
+  if (m_mesh.rank() == 0) {
+    vertices.clear();
+    cells.clear();
+    for (const auto& message : arrived) {
+      internal::Message_reader reader(message.bytes);
+      const auto some_vertices = reader.template read_list<Vertex>();
+      const auto some_cells = reader.template read_list<Cell>();
+      vertices.insert(vertices.end(), some_vertices.begin(), some_vertices.end());
+      cells.insert(cells.end(), some_cells.begin(), some_cells.end());
+    }
+    std::sort(vertices.begin(), vertices.end(),
+              [](const Vertex& a, const Vertex& b) { return a.id < b.id; });
+    std::sort(cells.begin(), cells.end(), internal::less_vertices<d>);
+    std::vector<typename Complex::Point> points;
+    std::unordered_map<internal::Global_id, std::size_t> numbers;
+    for (const Vertex& v : vertices) {
+      numbers.emplace(v.id, points.size());
+      points.push_back(result.exact(point_at<Complex>(v.point)));
+    }
+    std::vector<std::array<std::size_t, std::size_t(d) + 1>> indices;
+    std::vector<Label> labels;
+    for (const Cell& c : cells) {
+      indices.emplace_back();
+      for (int i = 0; i <= d; ++i)
+        indices.back()[i] = numbers.at(c.vertices[i]);
+      labels.push_back(c.data.label);
+    }
+    try {
+      result.assign(points, indices, labels);
+      result.set_normalization(m_mesh.normalization);
+    } catch (const Error& e) {
+      error = e.what();
+    }
+  }
+  communicator().agree_on_error(error);
+  return result;
+}
+
+template <class Complex> std::uint64_t Distributed_complex<Complex>::checksum() const {
+  std::uint64_t sum = 0; // of the ranks, modulo 2^64
+  const auto bits = [](double x) {
+    std::uint64_t result;
+    std::memcpy(&result, &x, sizeof(result));
+    return result;
+  };
+  for (Index v = 0; v < m_mesh.piece.vertex_bound(); ++v)
+    if (m_mesh.is_own(v)) {
+      const Vertex& vertex = m_mesh.piece.vertex(v);
+      std::uint64_t hash = internal::mixed(vertex.id);
+      for (double x : vertex.point)
+        hash = internal::mixed(hash ^ bits(x));
+      hash = internal::mixed(hash ^ bits(vertex.spacing));
+      sum += internal::mixed(hash ^ vertex.boundary_class);
+    }
+  for (Index c = 0; c < m_mesh.piece.cell_bound(); ++c)
+    if (m_mesh.is_own_cell(c)) {
+      const auto& data = m_mesh.piece.cell(c).data;
+      std::uint64_t hash = internal::hash_of(m_mesh.piece.ids(c));
+      hash = internal::mixed(hash ^ std::uint32_t(data.label));
+      hash = internal::mixed(hash ^ bits(data.noted_quality));
+      sum += internal::mixed(hash ^ data.failures);
+    }
+  // Halves of 32 bits, whose sums cannot overflow.
+  std::vector<std::int64_t> halves = {std::int64_t(sum >> 32), std::int64_t(sum & 0xffffffff)};
+  communicator().reduce(Communicator::Operation::sum, halves);
+  return (std::uint64_t(halves[0]) << 32) + std::uint64_t(halves[1]);
+}
+
+template <class Complex> auto Distributed_complex<Complex>::interface_here() const -> Interface {
+  Interface result;
+  const std::vector<std::uint8_t> flags = m_mesh.interface_flags();
+  const auto& piece = m_mesh.piece;
+  for (Index v = 0; v < piece.vertex_bound(); ++v)
+    if (piece.has_vertex(v) && flags[v])
+      result.indices.push_back(v);
+  std::sort(result.indices.begin(), result.indices.end(),
+            [&](Index v, Index w) { return piece.vertex(v).id < piece.vertex(w).id; });
+  std::vector<std::size_t> number(piece.vertex_bound(), 0);
+  for (std::size_t i = 0; i < result.indices.size(); ++i) {
+    number[result.indices[i]] = i;
+    result.positions.push_back(m_mesh.position(result.indices[i]));
+  }
+  result.snapshot.vertices.resize(result.indices.size());
+  // Each facet of the interface around the vertices, from the cell with the larger label.
+  struct Side
+  {
+    std::array<std::size_t, std::size_t(d)> sorted; // numbers of the vertices
+    Index cell;
+    int opposite;
+  };
+  std::vector<Side> sides;
+  for (Index c = 0; c < piece.cell_bound(); ++c) {
+    if (!piece.has_cell(c))
+      continue;
+    const auto& vertices = piece.cell(c).vertices;
+    for (int i = 0; i <= d; ++i) {
+      Side side = {{}, c, i};
+      bool is_on_interface = true;
+      for (int k = 1; k <= d; ++k) {
+        const Index v = vertices[(i + k) % (d + 1)];
+        is_on_interface = is_on_interface && flags[v];
+        side.sorted[k - 1] = number[v];
+      }
+      if (!is_on_interface)
+        continue;
+      std::sort(side.sorted.begin(), side.sorted.end());
+      sides.push_back(side);
+    }
+  }
+  std::sort(sides.begin(), sides.end(), [&](const Side& a, const Side& b) {
+    return a.sorted != b.sorted ? a.sorted < b.sorted
+                                : piece.cell(a.cell).data.label > piece.cell(b.cell).data.label;
+  });
+  for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
+    const Side &a = sides[i], &b = sides[i + 1];
+    const Label behind = piece.cell(a.cell).data.label, in_front = piece.cell(b.cell).data.label;
+    if (a.sorted != b.sorted || behind == in_front)
+      continue;
+    typename Interface_snapshot<Complex>::Facet facet;
+    for (int k = 0; k < d; ++k)
+      facet.vertices[k] =
+          number[piece.cell(a.cell).vertices[Complex::Space::facet_vertices[a.opposite][k]]];
+    facet.behind = behind;
+    facet.in_front = in_front;
+    result.snapshot.facets().push_back(facet);
+  }
+  return result;
+}
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DISTRIBUTED_COMPLEX_H

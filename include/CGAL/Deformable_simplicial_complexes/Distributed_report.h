@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Deformable_simplicial_complexes, written for CGAL
+// (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DISTRIBUTED_REPORT_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DISTRIBUTED_REPORT_H
+
+#include <CGAL/license/Deformable_simplicial_complexes.h>
+
+#include <CGAL/Deformable_simplicial_complexes/Component_event.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+Report of a motion of a distributed complex, equal on all ranks. Numbers are sums over all ranks.
+\tparam Complex the type of a complex on one rank
+*/
+template <class Complex> struct Distributed_report
+{
+  using size_type = std::int64_t; ///< a number
+
+  bool complete = true;              ///< whether all vertices have arrived or vanished
+  size_type unfinished = 0;          ///< vertices that did not reach their destinations
+  double longest_remaining = 0;      ///< length of their longest remaining displacement
+  size_type flat = 0;                ///< cells below `Complex::quality_floor`
+  size_type vanished = 0;            ///< vertices that were removed, or left the interface
+  size_type stopped_at_boundary = 0; ///< vertices with destinations outside the domain, a box
+  unsigned passes = 0;               ///< executions of the main loop of Algorithm 1
+  size_type rounds = 0;              ///< rounds of patches
+  size_type patches = 0;             ///< improved patches
+  size_type split = 0;               ///< edges split
+  size_type collapsed = 0;           ///< edges collapsed
+  size_type flipped = 0;             ///< edges, sets of facets, and edges of the interface removed
+  size_type smoothed = 0;            ///< vertices smoothed
+  size_type inserted = 0;            ///< vertices inserted into cells
+  size_type relocated = 0;           ///< vertices moved away to remove small angles
+  size_type relabeled = 0;           ///< cells that changed their label
+  /// one for each label before or after, by increasing label
+  std::vector<typename Deformation_report<Complex>::Label_change> labels;
+  std::vector<Component_event> events; ///< changes of components between begin and end
+};
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DISTRIBUTED_REPORT_H

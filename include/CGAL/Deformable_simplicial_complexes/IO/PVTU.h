@@ -1,0 +1,190 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Deformable_simplicial_complexes, written for CGAL
+// (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_IO_PVTU_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_IO_PVTU_H
+
+#include <CGAL/license/Deformable_simplicial_complexes.h>
+
+#include <CGAL/Deformable_simplicial_complexes/Distributed_complex.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/replace_file.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/grids/Vtu_document.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/grids/write_vtu.h>
+
+#include <CGAL/Origin.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <filesystem>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Returns the name of the file of a rank: `path` without its extension, and the number of the rank.
+inline std::string piece_path(const std::string& path, int rank) {
+  return std::filesystem::path(path).replace_extension().string() + "_" + std::to_string(rank) +
+         ".vtu";
+}
+
+// Writes the document of each rank, and the file that lists them. `cell_arrays` are the elements of
+// the cell arrays in the list. An error on one rank is thrown on all ranks.
+inline void write_pieces(const std::string& path, Communicator& communicator,
+                         const Vtu_document& document, const std::string& cell_arrays) {
+  std::string error;
+  try {
+    replace_file_by_stream(piece_path(path, communicator.rank()),
+                           [&](std::ostream& out) { document.write(out); });
+  } catch (const std::exception& e) {
+    error = e.what();
+  }
+  communicator.agree_on_error(error); // the list names complete files only
+  if (communicator.rank() == 0) {
+    try {
+      replace_file_by_stream(path, [&](std::ostream& out) {
+        out << "<?xml version=\"1.0\"?>\n"
+               "<VTKFile type=\"PUnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+               "header_type=\"UInt64\">\n"
+               "  <PUnstructuredGrid GhostLevel=\"0\">\n"
+               "    <PCellData>\n"
+            << cell_arrays
+            << "    </PCellData>\n"
+               "    <PPoints>\n"
+               "      <PDataArray type=\"Float64\" Name=\"points\" NumberOfComponents=\"3\"/>\n"
+               "    </PPoints>\n";
+        for (int r = 0; r < communicator.size(); ++r)
+          out << "    <Piece Source=\""
+              << std::filesystem::path(piece_path(path, r)).filename().string() << "\"/>\n";
+        out << "  </PUnstructuredGrid>\n"
+               "</VTKFile>\n";
+      });
+    } catch (const std::exception& e) {
+      error = e.what();
+    }
+  }
+  communicator.agree_on_error(error);
+}
+
+template <class Complex>
+typename Complex::Approximate_point
+in_user_coordinates(const Distributed_mesh<Complex>& mesh,
+                    const typename Complex::Approximate_point& p) {
+  return CGAL::ORIGIN +
+         (mesh.normalization.translation + mesh.normalization.scale * (p - CGAL::ORIGIN));
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+
+namespace IO {
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Writes all cells of a distributed complex for ParaView. Each rank writes its own cells to a file of
+its own, named as `path` with the number of the rank and the extension `.vtu`. The first rank writes
+`path`, which lists them. The cell data are `label`, `quality`, and `rank`, the owner. Collective.
+
+\param path name of the list, with the extension `.pvtu`; its folder must exist
+\param complex the complex
+\throws Deformable_simplicial_complexes::Error on all ranks if a file cannot be written
+*/
+template <class Complex>
+void write_PVTU(const std::string& path,
+                const Deformable_simplicial_complexes::Distributed_complex<Complex>& complex) {
+  namespace DSC = Deformable_simplicial_complexes;
+  const auto& mesh = complex.mesh();
+  static constexpr int d = Complex::dimension;
+  std::vector<std::int64_t> number(mesh.piece.vertex_bound(), -1), connectivity;
+  std::vector<typename Complex::Approximate_point> points;
+  std::vector<std::int32_t> labels;
+  std::vector<double> qualities;
+  for (std::uint32_t c = 0; c < mesh.piece.cell_bound(); ++c) {
+    if (!mesh.is_own_cell(c))
+      continue;
+    for (auto v : mesh.piece.cell(c).vertices) {
+      if (number[v] < 0) {
+        number[v] = std::int64_t(points.size());
+        points.push_back(DSC::internal::in_user_coordinates<Complex>(mesh, mesh.position(v)));
+      }
+      connectivity.push_back(number[v]);
+    }
+    labels.push_back(mesh.piece.cell(c).data.label);
+    qualities.push_back(mesh.quality(c));
+  }
+  DSC::internal::Vtu_document document(points.size(), labels.size());
+  document.begin("CellData");
+  document.array("label", labels);
+  document.array("quality", qualities);
+  document.array("rank", std::vector<std::int32_t>(labels.size(), mesh.rank()));
+  document.end("CellData");
+  document.points(points);
+  document.cells(connectivity, DSC::internal::vtu_simplex(d));
+  DSC::internal::write_pieces(path, complex.communicator(), document,
+                              "      <PDataArray type=\"Int32\" Name=\"label\"/>\n"
+                              "      <PDataArray type=\"Float64\" Name=\"quality\"/>\n"
+                              "      <PDataArray type=\"Int32\" Name=\"rank\"/>\n");
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Writes the interface of a distributed complex for ParaView, as `write_PVTU()` writes the cells. The
+cell data are `label_pair`, the larger and the smaller label, and `rank`. Normals point out of the
+larger label. Collective.
+
+\param path name of the list, with the extension `.pvtu`; its folder must exist
+\param complex the complex
+\throws Deformable_simplicial_complexes::Error on all ranks if a file cannot be written
+*/
+template <class Complex>
+void write_interface_PVTU(
+    const std::string& path,
+    const Deformable_simplicial_complexes::Distributed_complex<Complex>& complex) {
+  namespace DSC = Deformable_simplicial_complexes;
+  const auto& mesh = complex.mesh();
+  const auto interface_ = complex.interface_here();
+  std::vector<std::int64_t> number(interface_.positions.size(), -1), connectivity;
+  std::vector<typename Complex::Approximate_point> points;
+  std::vector<std::int32_t> label_pairs;
+  for (const auto& facet : interface_.snapshot.facets()) {
+    if (!complex.owns(interface_, facet))
+      continue;
+    for (std::size_t v : facet.vertices) {
+      if (number[v] < 0) {
+        number[v] = std::int64_t(points.size());
+        points.push_back(
+            DSC::internal::in_user_coordinates<Complex>(mesh, interface_.positions[v]));
+      }
+      connectivity.push_back(number[v]);
+    }
+    label_pairs.push_back(facet.behind);
+    label_pairs.push_back(facet.in_front);
+  }
+  const std::size_t facets = label_pairs.size() / 2;
+  DSC::internal::Vtu_document document(points.size(), facets);
+  document.begin("CellData");
+  document.array("label_pair", label_pairs, 2);
+  document.array("rank", std::vector<std::int32_t>(facets, mesh.rank()));
+  document.end("CellData");
+  document.points(points);
+  document.cells(connectivity, DSC::internal::vtu_simplex(Complex::dimension - 1));
+  DSC::internal::write_pieces(
+      path, complex.communicator(), document,
+      "      <PDataArray type=\"Int32\" Name=\"label_pair\" NumberOfComponents=\"2\"/>\n"
+      "      <PDataArray type=\"Int32\" Name=\"rank\"/>\n");
+}
+
+} // namespace IO
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_IO_PVTU_H

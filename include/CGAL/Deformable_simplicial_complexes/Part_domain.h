@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Deformable_simplicial_complexes, written for CGAL
+// (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_PART_DOMAIN_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_PART_DOMAIN_H
+
+#include <CGAL/license/Deformable_simplicial_complexes.h>
+
+#include <CGAL/Deformable_simplicial_complexes/Ball_domain.h>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Domain of a complex that is a part of a larger complex: any set of its cells. The boundary of the
+part may have several components and any genus, and may touch itself along edges. Vertices on the
+cut have the class `Boundary_class::cut`; they do not move, and cells at the cut keep their labels.
+Operations inside the part thus leave the larger complex valid if the part is put back.
+
+`Labelled_complex::assign_part()` builds such a complex.
+
+\cgalModels `SimplicialDomain`
+*/
+class Part_domain : public Ball_domain
+{
+public:
+  /// Tells that the domain can have any shape.
+  static constexpr bool is_part = true;
+
+  /// Returns the domain, for any state.
+  template <int d> static Part_domain of(const State<d>& /*state*/) { return Part_domain(); }
+};
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_PART_DOMAIN_H

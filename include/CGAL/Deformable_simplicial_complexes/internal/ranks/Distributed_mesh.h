@@ -1,0 +1,118 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Deformable_simplicial_complexes, written for CGAL
+// (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_RANKS_DISTRIBUTED_MESH_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_RANKS_DISTRIBUTED_MESH_H
+
+#include <CGAL/Deformable_simplicial_complexes/Communicator.h>
+#include <CGAL/Deformable_simplicial_complexes/coordinates.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/apply_to_corners.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/ranks/Exact_sums.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/ranks/Ghosts.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/ranks/Piece.h>
+
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// A connected component of a label, known to all ranks.
+struct Known_component
+{
+  int label;
+  std::int64_t volume; // in the units of `Label_totals`
+};
+using Known_components = std::map<std::uint32_t, Known_component>; // by number
+
+// The piece of a distributed complex on this rank, the communicator, and everything that all ranks
+// know: the geometry traits, and the lengths of the complex.
+template <class Complex> struct Distributed_mesh
+{
+  static constexpr int d = Complex::dimension;
+  static constexpr int corners = d + 1;
+  using Index = typename Piece<d>::Index;
+  using Position = typename Complex::Approximate_point;
+  using Space = typename Complex::Space;
+
+  explicit Distributed_mesh(Communicator& communicator)
+      : communicator(&communicator), ghosts(piece, communicator) {}
+
+  int rank() const { return communicator->rank(); }
+  bool is_own(Index v) const { return piece.has_vertex(v) && piece.vertex(v).owner == rank(); }
+  bool is_own_cell(Index c) const { return piece.has_cell(c) && piece.owner(c) == rank(); }
+
+  // Must be called after vertices and cells of the piece changed.
+  void find_ghosts() { ghosts = Ghosts<d>(piece, *communicator); }
+
+  Position position(Index v) const { return point_at<Complex>(piece.vertex(v).point); }
+
+  // In the functions of cells, `position(v)` returns positions of vertices.
+
+  template <class Position_of> double quality(Index c, const Position_of& position) const {
+    return apply_to_corners<corners>(
+        quality_measure, [&](int i) -> Position { return position(piece.cell(c).vertices[i]); });
+  }
+  double quality(Index c) const {
+    return quality(c, [this](Index v) { return position(v); });
+  }
+
+  // Returns whether a cell is positively oriented, decided exactly.
+  template <class Position_of> bool is_positive(Index c, const Position_of& position) const {
+    const auto exact = Space::exact(traits);
+    return apply_to_corners<corners>(Space::orientation(traits), [&](int i) {
+             return exact(position(piece.cell(c).vertices[i]));
+           }) == POSITIVE;
+  }
+
+  double measure(Index c) const {
+    return apply_to_corners<corners>(Space::measure(traits),
+                                     [&](int i) { return position(piece.cell(c).vertices[i]); });
+  }
+
+  // Returns for each index whether the vertex is on the interface.
+  std::vector<std::uint8_t> interface_flags() const {
+    std::vector<std::uint8_t> result(piece.vertex_bound(), 0);
+    for (Index v = 0; v < piece.vertex_bound(); ++v)
+      if (is_own(v))
+        result[v] = piece.has_several_labels(v);
+    ghosts.update(result);
+    return result;
+  }
+
+  // Calls f(w) for each neighbor w of a vertex; several times for most of them.
+  template <class Function> void for_each_neighbor(Index v, const Function& f) const {
+    for (Index c : piece.star(v))
+      for (Index w : piece.cell(c).vertices)
+        if (w != v)
+          f(w);
+  }
+
+  Communicator* communicator;
+  Piece<d> piece;
+  Ghosts<d> ghosts;
+  typename Complex::Geom_traits traits;
+  typename Complex::Quality_measure quality_measure;
+  typename Complex::Normalization normalization;
+  double mean_interface_edge = 0, minimum_interface_edge = 0;
+  Global_id next_id = 0;     // of new vertices
+  double domain_measure = 1; // of the box around the complex when it was built; unit of volumes
+  Known_components components;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_RANKS_DISTRIBUTED_MESH_H
