@@ -17,6 +17,7 @@ volatile std::sig_atomic_t flag = 0;
 timespec time_of_first = {};
 bool (*any_process)(bool) = nullptr; // null if interrupts are not shared
 bool have_agreed = false;            // to stop
+bool functions_agree = false;        // functions of the package stop in all processes
 
 // Raises the flag at the first signal. A later signal ends the program at once. Signals that follow
 // within a second are ignored, because timeout(1) and some shells send the same signal to the
@@ -48,7 +49,10 @@ void catch_signals() {
 
 bool interrupted() { return any_process != nullptr ? have_agreed : flag != 0; }
 
-void share_interrupts(bool (*any)(bool)) { any_process = any; }
+void share_interrupts(bool (*any)(bool), bool library_agrees) {
+  any_process = any;
+  functions_agree = library_agrees;
+}
 
 void agree_on_interrupts() {
   if (any_process != nullptr)
@@ -73,7 +77,7 @@ bool Interruptible::go_on(const char* phase) {
     m_shown = true;
     m_next = now + std::chrono::seconds(1);
   }
-  return !interrupted();
+  return functions_agree ? flag == 0 : !interrupted();
 }
 
 } // namespace dsc

@@ -26,7 +26,9 @@ bool interrupted();
 /// place.
 /// \param any returns whether the argument is `true` in at least one process. All processes call it
 /// together.
-void share_interrupts(bool (*any)(bool));
+/// \param library_agrees whether functions of the package stop in all processes if one of them is
+/// interrupted. Otherwise, they stop only after `agree_on_interrupts()`.
+void share_interrupts(bool (*any)(bool), bool library_agrees);
 
 /// Asks all processes for their flags if interrupts are shared. All processes call it together.
 void agree_on_interrupts();

@@ -66,15 +66,18 @@ void Output_folder::keep_until(double time) {
 void Output_folder::write(const Tracked_complex& complex, const Run_position& position,
                           const std::string& metadata) {
   if (position.time > m_last_time) {
-    const std::string volume = file(numbered("volume_%06u.vtu", position.step));
-    const std::string interface = file(numbered("interface_%06u.vtu", position.step));
+    const std::string extension = complex.grid_extension();
+    const std::string volume = file(numbered("volume_%06u", position.step) + extension);
+    const std::string interface = file(numbered("interface_%06u", position.step) + extension);
     complex.write_volume_vtu(volume);
     complex.write_interface_vtu(interface);
     complex.write_picture(file(numbered("picture_%06u", position.step)));
     if (m_subdivisions > 0)
       complex.write_subdivided(file(numbered("smooth_%06u.ply", position.step)), m_subdivisions);
-    m_volume.append(position.time, volume);
-    m_interface.append(position.time, interface);
+    complex.write_once([&] {
+      m_volume.append(position.time, volume);
+      m_interface.append(position.time, interface);
+    });
     m_last_time = position.time;
   }
   if (!holds(position)) {

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <functional>
@@ -68,6 +69,11 @@ struct Temporary_files
 };
 
 } // namespace
+
+bool dsc::is_started_by_mpi() {
+  // variables of Open MPI, and of MPICH and its relatives
+  return std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr || std::getenv("PMI_SIZE") != nullptr;
+}
 
 int dsc::run_program(int argc, char** argv,
                      const std::function<void(CLI::App&, int&)>& add_commands) {

@@ -83,6 +83,9 @@ void Report::add(const Run_position& position, const Step_outcome& outcome,
     step["distance_to_start"] = {{"mean", outcome.distance_to_start->mean},
                                  {"maximum", outcome.distance_to_start->maximum}};
   m_json["steps"].push_back(std::move(step));
+}
+
+void Report::write_now_and_then() {
   if (std::chrono::steady_clock::now() >= m_next_write)
     write();
 }

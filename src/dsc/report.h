@@ -25,9 +25,12 @@ public:
   Report(const Run_options& options, const Run_start& start, const Repairs& repairs,
          double sweep_seconds);
 
-  /// Adds the state after a step. Writes the file unless it was written less than a second ago.
-  /// \throws std::runtime_error if the file cannot be written
+  /// Adds the state after a step.
   void add(const Run_position& position, const Step_outcome& outcome, const Statistics& statistics);
+
+  /// Writes the file unless it was written less than a second ago.
+  /// \throws std::runtime_error if the file cannot be written
+  void write_now_and_then();
 
   /// Writes the file.
   /// \throws std::runtime_error if the file cannot be written

@@ -35,6 +35,9 @@
 namespace dsc {
 namespace {
 
+auto* start_of_run = start_complex;
+auto* resume_of_run = track_checkpoint;
+
 void print_repairs(const std::vector<std::string>& inputs, const Repairs& repairs) {
   for (std::size_t i = 0; i < repairs.size(); ++i)
     std::printf("dsc: %s: %s\n", inputs[i].c_str(), what_was_repaired(repairs[i]).c_str());
@@ -50,10 +53,10 @@ std::unique_ptr<Tracked_complex> start_or_resume(Run_options& options, Run_posit
                                                  Repairs& repairs, std::string& changes) {
   if (options.resume.empty()) {
     position.start = options.start;
-    return start_complex(options, repairs);
+    return start_of_run(options, repairs);
   }
   std::string metadata;
-  auto complex = track_checkpoint(options.resume, metadata);
+  auto complex = resume_of_run(options.resume, metadata);
   const std::optional<Saved_run> run = from_metadata(metadata);
   if (!run)
     throw Input_error(options.resume + " contains a complex, but no run to resume; write its "
@@ -244,6 +247,7 @@ void Run::start() {
   if (!m_options.output.report.empty()) {
     m_report.emplace(m_options, m_position.start, repairs, m_complex->sweep_seconds());
     m_report->add(m_position, Step_outcome(), m_complex->statistics());
+    m_complex->write_once([&] { m_report->write_now_and_then(); });
   }
   write_files();
 }
@@ -267,8 +271,10 @@ void Run::advance() {
   m_stopped_at_boundary += outcome.stopped_at_boundary;
   m_flat_cells.add(outcome, *m_complex);
   m_seconds += outcome.seconds;
-  if (m_report) // statistics take long
+  if (m_report) { // statistics take long
     m_report->add(m_position, outcome, m_complex->statistics());
+    m_complex->write_once([&] { m_report->write_now_and_then(); });
+  }
   if (m_position.step % m_options.output.every == 0)
     write_files();
 }
@@ -278,19 +284,22 @@ void Run::do_steps() {
   progress.show(m_done);
   try {
     const Interruptible steps(true);
+    agree_on_interrupts();
     while (m_done < m_options.steps && !interrupted()) {
       advance();
       progress.show(m_done);
+      agree_on_interrupts();
     }
   } catch (const CGAL::Deformable_simplicial_complexes::Interrupted_error&) {
     m_complex->go_back();
+    agree_on_interrupts();
   } catch (...) {
     // After an error of any kind in a step, the previous steps are kept.
     progress.clear();
     m_complex->go_back();
     write_files();
     if (m_report)
-      m_report->write();
+      m_complex->write_once([&] { m_report->write(); });
     throw;
   }
   progress.clear();
@@ -311,7 +320,7 @@ int Run::finish() {
   if (stopped)
     report_interruption();
   if (m_report)
-    m_report->write();
+    m_complex->write_once([&] { m_report->write(); });
   if (!m_options.output.picture.empty())
     m_complex->write(m_options.output.picture);
   if (!m_options.output.quiet) {
@@ -323,6 +332,13 @@ int Run::finish() {
 }
 
 } // namespace
+
+void share_complexes(std::unique_ptr<Tracked_complex> (*start)(const Run_options&, Repairs&),
+                     std::unique_ptr<Tracked_complex> (*resume)(const std::string& path,
+                                                                std::string& metadata)) {
+  start_of_run = start;
+  resume_of_run = resume;
+}
 
 int run(const Run_options& options) {
   Run run(options);

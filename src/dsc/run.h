@@ -7,13 +7,17 @@
 
 #include "motion.h"
 #include "run_start.h"
+#include "surface.h"
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
 
 namespace dsc {
+
+class Tracked_complex;
 
 /// The output files of a run, and whether progress and result are printed.
 struct Output_options
@@ -38,6 +42,13 @@ struct Run_options
   unsigned threads = 1;                        ///< number of threads
   Output_options output;
 };
+
+/// Replaces the functions that build and read the complexes of runs, so that several processes hold
+/// a complex together. All processes run the same steps. \param start as start_complex()
+/// \param resume as track_checkpoint()
+void share_complexes(std::unique_ptr<Tracked_complex> (*start)(const Run_options&, Repairs&),
+                     std::unique_ptr<Tracked_complex> (*resume)(const std::string& path,
+                                                                std::string& metadata));
 
 /// Moves an interface. Returns the exit code of the program.
 /// \throws std::runtime_error with a message of one line that states the cause and what to do

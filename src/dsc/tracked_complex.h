@@ -13,6 +13,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -30,6 +31,13 @@ public:
   virtual ~Tracked_complex() = default;
 
   virtual int dimension() const = 0;
+
+  /// Writes a file of a run. Several processes can hold a complex together: all of them call the
+  /// same functions, and one of them writes. If `write()` throws there, all of them throw.
+  virtual void write_once(const std::function<void()>& write) const { write(); }
+
+  /// Returns the extension of the files of `write_volume_vtu()` and `write_interface_vtu()`.
+  virtual std::string grid_extension() const { return ".vtu"; }
 
   /// Returns the length of a time step of a motion.
   virtual double time_step(const Motion& motion) const = 0;

@@ -3,6 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "tracked_complex_3.h"
+
+#include "angle_statistics.h"
 #include "errors.h"
 #include "files.h"
 #include "option_values.h"
@@ -16,11 +18,8 @@
 #include <CGAL/Deformable_simplicial_complexes/extract_interface_3.h>
 #include <CGAL/Deformable_simplicial_complexes/subdivide_interface_3.h>
 
-#include <CGAL/number_utils.h>
-
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
@@ -30,46 +29,21 @@ namespace {
 
 using Complex = Tracked_complex_3::Complex;
 using Point = Complex::Approximate_point_3;
-using Vector = Complex::Approximate_vector_3;
-
-constexpr double degree = CGAL_PI / 180;
 
 std::array<Point, 4> corners(const Complex& complex, Complex::Cell_handle c) {
   return {complex.position(c->vertex(0)), complex.position(c->vertex(1)),
           complex.position(c->vertex(2)), complex.position(c->vertex(3))};
 }
 
-/// Returns the six dihedral angles in degrees, computed from the facet normals. They are finite for
-/// any corners.
-std::array<double, 6> dihedral_angles(const std::array<Point, 4>& p) {
-  const auto normal = [&](int i, int j, int k) {
-    return CGAL::cross_product(p[j] - p[i], p[k] - p[i]);
-  };
-  const std::array<Vector, 4> n = {normal(1, 3, 2), normal(0, 2, 3), normal(0, 3, 1),
-                                   normal(0, 1, 2)};
-  std::array<double, 6> angles;
-  auto angle = angles.begin();
-  for (int i = 0; i < 4; ++i)
-    for (int j = i + 1; j < 4; ++j) {
-      const double sine = std::sqrt(CGAL::cross_product(n[i], n[j]).squared_length());
-      *angle++ = std::atan2(sine, -(n[i] * n[j])) / degree;
-    }
-  return angles;
-}
-
 void add_dihedral_angles(const Complex& complex, Statistics& statistics) {
-  statistics.min_angle = 180;
-  statistics.max_angle = 0;
-  std::size_t outside = 0;
+  Angle_statistics angles;
   for (const Complex::Cell_handle c : complex.triangulation().finite_cell_handles())
-    for (const double angle : dihedral_angles(corners(complex, c))) {
-      statistics.min_angle = std::min(statistics.min_angle, angle);
-      statistics.max_angle = std::max(statistics.max_angle, angle);
-      ++statistics.angle_histogram[std::min<std::size_t>(17, static_cast<std::size_t>(angle / 10))];
-      outside += angle < 6 || angle > 171;
-    }
+    angles.add(corners(complex, c));
+  statistics.min_angle = angles.least;
+  statistics.max_angle = angles.largest;
+  statistics.angle_histogram = angles.histogram;
   statistics.angles_outside_6_171 =
-      static_cast<double>(outside) / (6 * static_cast<double>(complex.number_of_cells()));
+      static_cast<double>(angles.outside) / (6 * static_cast<double>(complex.number_of_cells()));
 }
 
 } // namespace

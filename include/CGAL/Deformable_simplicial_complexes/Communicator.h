@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
 #include <cstddef>
@@ -112,6 +113,25 @@ public:
     const std::vector<Bytes> all = all_gather(Bytes(message.begin(), message.end()));
     const Bytes& text = all[std::size_t(first)];
     throw Error(std::string(text.begin(), text.end()));
+  }
+
+  /// Calls `Progress_scope::check()` on all ranks. If it throws on one of them, all ranks throw.
+  /// \throws Interrupted_error if the callback of a scope of a rank returned `false`
+  void check_progress() {
+    bool is_interrupted = false;
+    try {
+      Progress_scope::check();
+    } catch (const Interrupted_error&) {
+      is_interrupted = true;
+    }
+    agree_on_interrupt(is_interrupted);
+  }
+
+  /// Throws `Interrupted_error` on all ranks if a rank is interrupted.
+  /// \throws Interrupted_error if the argument is `true` on a rank
+  void agree_on_interrupt(bool is_interrupted) {
+    if (reduced(Operation::maximum, is_interrupted) != 0)
+      throw Interrupted_error();
   }
 
   /// Returns what this rank sent.

@@ -27,6 +27,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -148,6 +149,15 @@ public:
   /// Returns the mean length of the interface edges when the complex was built. Not collective.
   double mean_interface_edge() const { return m_mesh.mean_interface_edge; }
 
+  /// Returns the map to user coordinates, see `Labelled_complex::Normalization`. Not collective.
+  const typename Complex::Normalization& normalization() const { return m_mesh.normalization; }
+
+  /// Returns the lower and the upper corner of the box around the complex.
+  std::array<Approximate_point, 2> bounding_box() const {
+    const auto bounds = m_mesh.bounds();
+    return {point_at<Complex>(bounds[0]), point_at<Complex>(bounds[1])};
+  }
+
   /*!
   The vertices of the interface that this rank holds, and all facets around its own vertices, as
   velocities see them. Vertices are ordered by their ids; handles in the snapshot are null.
@@ -168,6 +178,45 @@ public:
             const typename Interface_snapshot<Complex>::Facet& facet) const {
     const auto first = *std::min_element(facet.vertices.begin(), facet.vertices.end());
     return m_mesh.is_own(interface_.indices[first]);
+  }
+
+  /// Measures of a label, equal on all ranks.
+  struct Label_measures
+  {
+    Label label;              ///< the label
+    size_type cells;          ///< number of cells
+    double measure;           ///< volume; area in the plane
+    double interface_measure; ///< area of the interface of the label; length in the plane
+    std::size_t components;   ///< number of connected components
+    /// V - E + F of the interface of the label; V - E in the plane
+    std::int64_t euler_characteristic;
+  };
+  /// Returns the measures of all labels, by increasing label. n log n in the size of the interface
+  /// here, and linear in the number of cells.
+  std::vector<Label_measures> label_measures() const;
+
+  /// What a motion changes on this rank.
+  class State
+  {
+    friend Distributed_complex;
+    internal::Piece<dimension> m_piece;
+    internal::Known_components m_components;
+    internal::Global_id m_next_id;
+  };
+  /// Returns the state on this rank. Not collective.
+  State state() const {
+    State result;
+    result.m_piece = m_mesh.piece;
+    result.m_components = m_mesh.components;
+    result.m_next_id = m_mesh.next_id;
+    return result;
+  }
+  /// Returns to the state that all ranks had when they called `state()`. Not collective.
+  void restore(const State& state) {
+    m_mesh.piece = state.m_piece;
+    m_mesh.components = state.m_components;
+    m_mesh.next_id = state.m_next_id;
+    m_mesh.find_ghosts();
   }
 
   /// The distributed mesh, for the functions of this package.
@@ -437,6 +486,73 @@ template <class Complex> auto Distributed_complex<Complex>::interface_here() con
     facet.behind = behind;
     facet.in_front = in_front;
     result.snapshot.facets().push_back(facet);
+  }
+  return result;
+}
+
+template <class Complex>
+auto Distributed_complex<Complex>::label_measures() const -> std::vector<Label_measures> {
+  static constexpr int bits = 56; // of the units of measures; sums of ranks do not overflow
+  using Space = typename Complex::Space;
+  std::vector<Label_measures> result;
+  for (const auto& [number, component] : m_mesh.components)
+    result.push_back({component.label, 0, 0, 0, 1, 0});
+  std::stable_sort(result.begin(), result.end(),
+                   [](const auto& a, const auto& b) { return a.label < b.label; });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < result.size(); ++i)
+    if (kept > 0 && result[kept - 1].label == result[i].label)
+      ++result[kept - 1].components;
+    else
+      result[kept++] = result[i];
+  result.resize(kept);
+  const auto place = [&](Label label) {
+    return std::size_t(
+        std::lower_bound(result.begin(), result.end(), label,
+                         [](const Label_measures& m, Label l) { return m.label < l; }) -
+        result.begin());
+  };
+  // Cells, measures, measures of the interface and characteristics of all labels, as integers.
+  std::vector<std::int64_t> numbers(4 * kept, 0);
+  const double volume_unit = std::ldexp(m_mesh.domain_measure, -bits);
+  const double side = std::pow(m_mesh.domain_measure, 1. / d);
+  const double interface_unit = std::ldexp(m_mesh.domain_measure / side, -bits);
+  for (Index c = 0; c < m_mesh.piece.cell_bound(); ++c)
+    if (m_mesh.is_own_cell(c)) {
+      const std::size_t i = 4 * place(m_mesh.piece.cell(c).data.label);
+      ++numbers[i];
+      numbers[i + 1] += std::llrint(m_mesh.measure(c) / volume_unit);
+    }
+  const Interface interface_ = interface_here();
+  using Edge = std::array<std::size_t, 3>; // label, ends; a vertex has equal ends
+  std::vector<Edge> edges;
+  for (const auto& facet : interface_.snapshot.facets())
+    for (Label label : {facet.behind, facet.in_front}) {
+      const std::size_t i = place(label);
+      if (owns(interface_, facet)) {
+        std::array<Approximate_point, std::size_t(d)> corners;
+        for (int k = 0; k < d; ++k)
+          corners[k] = interface_.positions[facet.vertices[k]];
+        numbers[4 * i + 2] += std::llrint(Space::facet_measure(corners) / interface_unit);
+        numbers[4 * i + 3] += d == 3;
+      }
+      for (int k = 0; k < d; ++k)
+        for (int l = 0; l <= k; ++l) {
+          const auto ends = std::minmax(facet.vertices[k], facet.vertices[l]);
+          if (m_mesh.is_own(interface_.indices[ends.first]))
+            edges.push_back({i, ends.first, ends.second});
+        }
+    }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  for (const Edge& edge : edges)
+    numbers[4 * edge[0] + 3] += edge[1] == edge[2] ? 1 : -1;
+  communicator().reduce(Communicator::Operation::sum, numbers);
+  for (std::size_t i = 0; i < kept; ++i) {
+    result[i].cells = size_type(numbers[4 * i]);
+    result[i].measure = double(numbers[4 * i + 1]) * volume_unit;
+    result[i].interface_measure = double(numbers[4 * i + 2]) * interface_unit;
+    result[i].euler_characteristic = numbers[4 * i + 3];
   }
   return result;
 }

@@ -11,8 +11,8 @@
 
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Component_event.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Topology_event.h>
 
 #include <cstdint>
 #include <vector>
@@ -47,7 +47,9 @@ template <class Complex> struct Distributed_report
   size_type relabeled = 0;           ///< cells that changed their label
   /// one for each label before or after, by increasing label
   std::vector<typename Deformation_report<Complex>::Label_change> labels;
-  std::vector<Component_event> events; ///< changes of components between begin and end
+  /// changes of components between begin and end, at a place where the topology of the label
+  /// changed
+  std::vector<Topology_event<Complex>> events;
 };
 
 } // namespace Deformable_simplicial_complexes

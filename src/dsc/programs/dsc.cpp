@@ -6,13 +6,18 @@
 // folder contain the rest, so that they need not be built for a first result.
 
 #include "../commands/commands.h"
+#include "../errors.h"
 #include "../program.h"
+#include "../translations.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
+#include <filesystem>
 #include <string>
+#include <system_error>
 
 namespace {
 
@@ -32,6 +37,22 @@ constexpr std::array<Other_command, 7> other_commands = {
      {"grains", dsc::description_of_grains, "dsc-grains"},
      {"fluid", dsc::description_of_fluid, "dsc-fluid"}}};
 
+constexpr std::array<const char*, 7> flows = {"rotate", "offset",         "enright", "vortex",
+                                              "advect", "mean-curvature", "zalesak"};
+
+/// Leaves the commands that move an interface to the program for several processes. Without it, all
+/// processes would write the same files.
+void leave_flows_to_mpi(const std::string& command) {
+  if (!dsc::is_started_by_mpi() || std::find(flows.begin(), flows.end(), command) == flows.end())
+    return;
+  static constexpr char name[] = "dsc-mpi";
+  std::error_code error;
+  if (!std::filesystem::exists(dsc::path_of_program(name), error))
+    throw dsc::Usage_error("mpirun needs the program dsc-mpi; build it with the CMake option "
+                           "-DDSC_WITH_MPI=ON (Debian: libopenmpi-dev), or run dsc without mpirun");
+  throw dsc::Other_program{name, "the command '" + command + "' for several processes"};
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -39,6 +60,7 @@ int main(int argc, char** argv) {
     for (const Other_command& other : other_commands)
       if (argc > 1 && std::strcmp(argv[1], other.name) == 0)
         throw dsc::Other_program{other.program, std::string("the command '") + other.name + "'"};
+    leave_flows_to_mpi(argc > 1 ? argv[1] : "");
     dsc::add_flows(app, exit_code);
     dsc::add_convert(app, exit_code);
     dsc::add_view(app, exit_code);

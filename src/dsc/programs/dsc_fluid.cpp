@@ -24,9 +24,10 @@ namespace {
   static constexpr char name[] = "dsc-fluid-petsc";
   std::error_code error;
   if (!std::filesystem::exists(dsc::path_of_program(name), error))
-    throw std::runtime_error("--solver petsc needs the program dsc-fluid-petsc; build it with the "
-                             "CMake option -DDSC_WITH_PETSC=ON (Debian: petsc-dev), or leave the "
-                             "option out");
+    throw std::runtime_error(
+        "--solver petsc and mpirun need the program dsc-fluid-petsc; build it with the "
+        "CMake option -DDSC_WITH_PETSC=ON (Debian: petsc-dev), or leave "
+        "them out");
   throw dsc::Other_program{name, "the option --solver petsc"};
 }
 
@@ -51,7 +52,8 @@ void dsc::use_petsc(CGAL::Deformable_simplicial_complexes::Saddle_point_solver&)
 
 int main(int argc, char** argv) {
   return dsc::run_program(argc, argv, [&](CLI::App& app, int& exit_code) {
-    if (choose_petsc({argv, argv + argc}))
+    // Without PETSc, all processes would write the same files.
+    if (choose_petsc({argv, argv + argc}) || dsc::is_started_by_mpi())
       leave_to_petsc();
     dsc::add_fluid(app, exit_code);
   });

@@ -10,6 +10,7 @@
 #include "../fluid_processes.h"
 #include "../interrupt.h"
 #include "../program.h"
+#include "mpi_processes.h"
 
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Incompressible_fluids_3/Petsc_saddle_point_solver.h>
@@ -19,24 +20,15 @@
 #include <petscsys.h>
 
 #include <cctype>
-#include <chrono>
-#include <cstdio>
+#include <cstddef>
 #include <iostream>
-#include <sstream>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
 namespace {
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
-
-int rank_of_process() {
-  int result = 0;
-  MPI_Comm_rank(MPI_COMM_WORLD, &result);
-  return result;
-}
 
 /// Returns whether an argument is an option of PETSc: a dash and at least two letters or digits.
 bool is_petsc_option(const std::string& argument) {
@@ -62,6 +54,14 @@ struct Arguments
     }
   }
 
+  /// Returns whether an own option is given.
+  bool has(const std::string& option) const {
+    for (std::size_t i = 1; i < own.size(); ++i)
+      if (own[i] == option || std::string(own[i]).rfind(option + "=", 0) == 0)
+        return true;
+    return false;
+  }
+
   std::vector<char*> own, of_petsc;
 };
 
@@ -74,59 +74,6 @@ void print_unused_options(const std::vector<char*>& of_petsc) {
       if (!is_used)
         std::cerr << "dsc: PETSc did not use the option " << argument << "; check its name\n";
     }
-}
-
-/// A scope in which PETSc and MPI can be used.
-class Processes
-{
-public:
-  explicit Processes(std::vector<char*> arguments) {
-    int argc = int(arguments.size());
-    arguments.push_back(nullptr);
-    char** argv = arguments.data();
-    // The program handles signals itself.
-    PetscOptionsSetValue(nullptr, "-no_signal_handler", "true");
-    m_has_begun = PetscInitialize(&argc, &argv, nullptr, nullptr) == 0;
-    if (m_has_begun)
-      MPI_Comm_dup(MPI_COMM_WORLD, &m_ends);
-  }
-
-  bool has_begun() const { return m_has_begun; }
-
-  /// Waits until all processes end. If this process fails and others do not end, ends all of them
-  /// after printing the messages of this process.
-  /// \param code the exit code of this process
-  void end(int code, const std::string& messages) {
-    // The first process prints its message itself. It can take long to write files after an error
-    // that all processes meet.
-    const auto patience = std::chrono::seconds(rank_of_process() == 0 ? 5 : 300);
-    const auto begin = std::chrono::steady_clock::now();
-    MPI_Request request;
-    MPI_Ibarrier(m_ends, &request);
-    for (int have_ended = 0;;) {
-      MPI_Test(&request, &have_ended, MPI_STATUS_IGNORE);
-      if (have_ended != 0)
-        break;
-      if (code != 0 && code != dsc::exit_code_of_interrupt &&
-          std::chrono::steady_clock::now() - begin > patience) {
-        std::fputs(messages.c_str(), stderr);
-        MPI_Abort(MPI_COMM_WORLD, code);
-      }
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    MPI_Comm_free(&m_ends);
-    PetscFinalize();
-  }
-
-private:
-  bool m_has_begun = false;
-  MPI_Comm m_ends = MPI_COMM_NULL; // other messages of the processes do not reach it
-};
-
-bool any(bool value) {
-  int result = value;
-  MPI_Allreduce(MPI_IN_PLACE, &result, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
-  return result != 0;
 }
 
 /// A solver that all processes leave at the same call after an interrupt.
@@ -158,7 +105,7 @@ private:
 
 } // namespace
 
-bool dsc::is_first_process() { return rank_of_process() == 0; }
+bool dsc::is_first_process() { return dsc::rank_of_process() == 0; }
 
 unsigned dsc::processes_of_machine() {
   MPI_Comm machine = MPI_COMM_NULL;
@@ -173,29 +120,31 @@ void dsc::use_petsc(DSC::Saddle_point_solver& solver) { solver.use<Interruptible
 
 int main(int argc, char** argv) {
   Arguments arguments(argc, argv);
-  Processes processes(arguments.of_petsc);
-  if (!processes.has_begun()) {
+  int petsc_argc = int(arguments.of_petsc.size());
+  arguments.of_petsc.push_back(nullptr);
+  char** petsc_argv = arguments.of_petsc.data();
+  // The program handles signals itself.
+  PetscOptionsSetValue(nullptr, "-no_signal_handler", "true");
+  if (PetscInitialize(&petsc_argc, &petsc_argv, nullptr, nullptr) != 0) {
     std::cerr << "dsc: PETSc does not start; check its options and the installation of MPI\n";
     return 1;
   }
-  int processes_in_all = 1;
-  MPI_Comm_size(MPI_COMM_WORLD, &processes_in_all);
-  if (processes_in_all > 1)
-    dsc::share_interrupts(any);
-  // Other processes print nothing, unless they alone fail.
-  std::ostringstream messages;
-  std::streambuf* const terminal = std::cerr.rdbuf();
-  if (!dsc::is_first_process()) {
-    std::cerr.rdbuf(messages.rdbuf());
-    if (std::freopen("/dev/null", "w", stdout) == nullptr)
-      std::fclose(stdout);
+  arguments.of_petsc.pop_back();
+  int code = 0;
+  {
+    dsc::Mpi_processes processes(false);
+    int number = 1;
+    MPI_Comm_size(MPI_COMM_WORLD, &number);
+    static char solver[] = "--solver=petsc";
+    if (number > 1 && !arguments.has("--solver"))
+      arguments.own.push_back(solver); // the built-in solver would do the same on all processes
+    const int own = int(arguments.own.size());
+    arguments.own.push_back(nullptr);
+    code = dsc::run_program(own, arguments.own.data(), dsc::add_fluid);
+    if (code == 0)
+      print_unused_options(arguments.of_petsc);
+    processes.end(code);
   }
-  const int own = int(arguments.own.size());
-  arguments.own.push_back(nullptr);
-  const int code = dsc::run_program(own, arguments.own.data(), dsc::add_fluid);
-  if (code == 0)
-    print_unused_options(arguments.of_petsc);
-  std::cerr.rdbuf(terminal);
-  processes.end(code, messages.str());
+  PetscFinalize();
   return code;
 }

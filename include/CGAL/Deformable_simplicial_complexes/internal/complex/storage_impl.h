@@ -334,7 +334,7 @@ void CGAL_DSC_CLASS::rebuild(const State& state) {
 
 CGAL_DSC_TEMPLATE
 auto CGAL_DSC_CLASS::assign_part(const State& part) -> std::vector<Vertex_handle> {
-  static_assert(Domain::is_part, "the domain must be a Part_domain");
+  CGAL_precondition(Domain::is_part);
   Labelled_complex result(geom_traits(), m_quality_measure, m_domain);
   result.m_normalization = {vector_of<Labelled_complex>(part.normalization_translation),
                             part.normalization_scale};

@@ -22,6 +22,8 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/ranks/Exact_sums.h>
 #include <CGAL/Deformable_simplicial_complexes/quality_measures_3.h>
 
+#include <CGAL/Origin.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -30,6 +32,7 @@
 #include <limits>
 #include <map>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace CGAL {
@@ -104,15 +107,14 @@ public:
       Distributed_motion<Complex> motion(m_mesh);
       motion.run(report.passes == 1 ? flow : Flow());
       activate(motion.moved());
-      add(Patch_rounds<Complex>(m_mesh, m_options).run(), report);
+      add(Patch_rounds<Complex>(m_mesh, m_options, report.passes, m_places).run(), report);
       measure_remaining(report);
       idle = m_remaining > same * last ? idle + 1 : 0;
       last = m_remaining;
     }
     report.complete = report.unfinished == 0;
     if (report.patches > 0)
-      report.events = Distributed_components<Complex>(m_mesh, Label_totals(m_mesh.domain_measure))
-                          .update(m_mesh.components);
+      find_events(report);
     end_labels(report);
     std::vector<std::int64_t> numbers = {0, m_stopped_at_boundary};
     for (Index c = 0; c < m_mesh.piece.cell_bound(); ++c)
@@ -132,32 +134,14 @@ private:
   // Finds the box that is the domain.
   void find_box() {
     std::vector<std::int64_t> is_box(1, 1);
-    std::vector<double> bounds(2 * d, 0);
-    for (int k = 0; k < d; ++k) {
-      double lower = std::numeric_limits<double>::infinity(), upper = -lower;
-      for (Index v = 0; v < m_mesh.piece.vertex_bound(); ++v)
-        if (m_mesh.is_own(v)) {
-          const auto& vertex = m_mesh.piece.vertex(v);
-          lower = (std::min)(lower, vertex.point[k]);
-          upper = (std::max)(upper, vertex.point[k]);
-          if ((vertex.boundary_class & Boundary_class::fixed) != 0)
-            is_box[0] = 0;
-        }
-      m_lower[k] = minimum(lower);
-      m_upper[k] = -minimum(-upper);
-    }
+    for (Index v = 0; v < m_mesh.piece.vertex_bound(); ++v)
+      if (m_mesh.is_own(v) && (m_mesh.piece.vertex(v).boundary_class & Boundary_class::fixed) != 0)
+        is_box[0] = 0;
+    const auto bounds = m_mesh.bounds();
+    m_lower = bounds[0];
+    m_upper = bounds[1];
     m_mesh.communicator->reduce(Operation::minimum, is_box);
     m_is_box = is_box[0] != 0;
-  }
-
-  // Returns the minimum of a number of all ranks.
-  double minimum(double x) const {
-    double result = x;
-    Message_writer writer;
-    writer.write(x);
-    for (const auto& bytes : m_mesh.communicator->all_gather(writer.take()))
-      result = (std::min)(result, Message_reader(bytes).read<double>());
-    return result;
   }
 
   std::array<double, d> admissible(Index v, std::array<double, d> p) {
@@ -241,6 +225,33 @@ private:
     m_remaining = Exact_sums<1>(*m_mesh.communicator)(distances)[0];
   }
 
+  // Finds the changes of components, and their places: where a patch changed the topology of the
+  // label.
+  void find_events(Report& report) {
+    Message_writer writer;
+    writer.write(m_places);
+    std::vector<Topology_place<d>> places;
+    for (const auto& bytes : m_mesh.communicator->all_gather(writer.take())) {
+      const auto some = Message_reader(bytes).template read_list<Topology_place<d>>();
+      places.insert(places.end(), some.begin(), some.end());
+    }
+    std::sort(places.begin(), places.end(), [](const auto& a, const auto& b) {
+      return std::tie(a.pass, a.patch, a.label, a.where) <
+             std::tie(b.pass, b.patch, b.label, b.where);
+    });
+    const Label_totals totals(m_mesh.domain_measure);
+    Distributed_components<Complex> components(m_mesh, totals);
+    for (const Component_event& event : components.update(m_mesh.components)) {
+      const auto place = std::find_if(places.begin(), places.end(), [&](const auto& candidate) {
+        return candidate.label == event.label;
+      });
+      if (place != places.end())
+        report.events.push_back({event, point_at<Complex>(place->where), place->pass});
+      else
+        report.events.push_back({event, CGAL::ORIGIN, report.passes});
+    }
+  }
+
   // Calls f(change, component) for each known component.
   template <class Function> void for_each_component(Report& report, const Function& f) const {
     for (const auto& [number, component] : m_mesh.components)
@@ -322,7 +333,8 @@ private:
   std::array<double, d> m_lower, m_upper; // of the domain
   bool m_is_box = false;
   std::int64_t m_stopped_at_boundary = 0;
-  double m_remaining = 0; // sum of the remaining distances
+  double m_remaining = 0;                  // sum of the remaining distances
+  std::vector<Topology_place<d>> m_places; // of changes of topology on this rank
 };
 
 } // namespace internal

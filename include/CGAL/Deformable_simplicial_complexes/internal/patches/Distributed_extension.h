@@ -11,7 +11,6 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Linear_element.h>
-#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/ranks/Distributed_mesh.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/ranks/Exact_sums.h>
 
@@ -78,7 +77,7 @@ public:
       return true;
     };
     for (int i = 0; i < maximum_number_of_iterations && !is_solved(); ++i) {
-      Progress_scope::check();
+      m_mesh.communicator->check_progress();
       m_mesh.ghosts.update(directions);
       for (std::size_t r = 0; r < n; ++r) {
         products[r] = product(r, directions);

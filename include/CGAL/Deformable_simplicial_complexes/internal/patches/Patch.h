@@ -87,6 +87,16 @@ struct Patch_counts
                inserted = 0, relocated = 0, relabeled = 0, vanished = 0;
 };
 
+// The place of a change of topology in a patch. The change is one of the components of the patch;
+// whether components of the complex changed is found later.
+template <int d> struct Topology_place
+{
+  Patch_key patch;
+  std::int32_t label;
+  std::uint32_t pass;
+  std::array<double, d> where;
+};
+
 /*
 A part of a distributed complex that a rank takes, improves as if it were a complex of its own, and
 puts back: the cells around the active cells of a cube of space. The result depends on these cells
@@ -120,7 +130,9 @@ public:
   }
 
   // Improves the patch. New vertices get ids that increase from `provisional`.
-  void run(const Mesh& mesh, const Deformation_options<Part>& options, Patch_counts& counts) {
+  // Appends the places of changes of topology in the pass `pass`.
+  void run(const Mesh& mesh, const Deformation_options<Part>& options, Patch_counts& counts,
+           std::uint32_t pass, std::vector<Topology_place<d>>& places) {
     sort_input();
     find_core(mesh.mean_interface_edge);
     Part part(mesh.traits, mesh.quality_measure);
@@ -140,6 +152,8 @@ public:
     counts.relocated += std::int64_t(report.relocated);
     counts.relabeled += std::int64_t(report.relabeled);
     ++counts.patches;
+    for (const auto& event : report.events)
+      places.push_back({m_key, event.label, pass, coordinates_of<d>(event.where)});
     take_result(part);
     find_owners(mesh.rank());
     find_components();

@@ -47,8 +47,10 @@ public:
   using Index = typename Mesh::Index;
   using Part = typename Part_of<Complex>::Type;
 
-  Patch_rounds(Mesh& mesh, const Deformation_options<Part>& options)
-      : m_mesh(mesh), m_options(options) {}
+  // `places` receives the places of changes of topology on this rank in the pass `pass`.
+  Patch_rounds(Mesh& mesh, const Deformation_options<Part>& options, std::uint32_t pass,
+               std::vector<Topology_place<d>>& places)
+      : m_mesh(mesh), m_options(options), m_pass(pass), m_places(places) {}
 
   // Runs until no cell is active. Returns the numbers of operations of all ranks.
   // Throws Error on all ranks if a patch of one of them throws.
@@ -58,16 +60,19 @@ public:
       find_winners();
       std::map<Patch_key, Patch<Complex>> patches = gather();
       std::string error;
+      bool is_interrupted = false;
       try {
         for (auto& [key, patch] : patches)
-          patch.run(m_mesh, m_options, m_counts);
+          patch.run(m_mesh, m_options, m_counts, m_pass, m_places);
+      } catch (const Interrupted_error&) {
+        is_interrupted = true;
       } catch (const std::exception& e) {
         error = e.what();
       }
       m_mesh.communicator->agree_on_error(error);
+      m_mesh.communicator->agree_on_interrupt(is_interrupted);
       number_vertices(patches);
       commit(patches);
-      Progress_scope::check();
     }
     return totals();
   }
@@ -399,6 +404,8 @@ private:
 
   Mesh& m_mesh;
   const Deformation_options<Part>& m_options;
+  std::uint32_t m_pass;
+  std::vector<Topology_place<d>>& m_places;
   std::vector<Active_cell> m_active;
   std::vector<Patch_key> m_near, m_far; // by vertex; 0 if no patch is near
   std::vector<Index> m_touched;         // vertices with a key

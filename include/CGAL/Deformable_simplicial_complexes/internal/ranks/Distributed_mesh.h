@@ -11,10 +11,12 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Communicator.h>
 #include <CGAL/Deformable_simplicial_complexes/coordinates.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/Extent.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/apply_to_corners.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/ranks/Exact_sums.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/ranks/Ghosts.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/ranks/Piece.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/ranks/message_bytes.h>
 
 #include <CGAL/enum.h>
 
@@ -89,6 +91,29 @@ template <class Complex> struct Distributed_mesh
         result[v] = piece.has_several_labels(v);
     ghosts.update(result);
     return result;
+  }
+
+  // Returns the lower and the upper bounds of the coordinates of all vertices of all ranks.
+  std::array<std::array<double, d>, 2> bounds() const {
+    Extent<d> box;
+    for (Index v = 0; v < piece.vertex_bound(); ++v)
+      if (is_own(v))
+        box.add(piece.vertex(v).point);
+    std::array<std::array<double, d>, 2> own;
+    for (int k = 0; k < d; ++k) {
+      own[0][k] = box.lower(k);
+      own[1][k] = box.upper(k);
+    }
+    Message_writer writer;
+    writer.write(own);
+    for (const auto& bytes : communicator->all_gather(writer.take())) {
+      const auto other = Message_reader(bytes).read<std::array<std::array<double, d>, 2>>();
+      for (int k = 0; k < d; ++k) {
+        own[0][k] = (std::min)(own[0][k], other[0][k]);
+        own[1][k] = (std::max)(own[1][k], other[1][k]);
+      }
+    }
+    return own;
   }
 
   // Calls f(w) for each neighbor w of a vertex; several times for most of them.

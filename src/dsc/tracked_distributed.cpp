@@ -1,0 +1,295 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "tracked_distributed.h"
+
+#include "angle_statistics.h"
+#include "errors.h"
+#include "velocity_expressions.h"
+
+#include <CGAL/Deformable_simplicial_complexes/IO/PVTU.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/distributed_checkpoint.h>
+#include <CGAL/Interface_flows/Normal_offset.h>
+#include <CGAL/Interface_flows/advect_distributed_interface.h>
+#include <CGAL/Interface_flows/interface_flows_3.h>
+#include <CGAL/Interface_flows/velocity_fields_3.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace dsc {
+namespace {
+
+using Complex = Tracked_distributed::Complex;
+using Distributed = Tracked_distributed::Distributed;
+using Point = Complex::Approximate_point_3;
+using Vector = Complex::Approximate_vector_3;
+using Operation = DSC::Communicator::Operation;
+
+[[noreturn]] void refuse(const char* what) {
+  throw Usage_error(std::string(what) +
+                    " is not available on several processes; run dsc without mpirun");
+}
+
+/// A visitor that returns the length of a time step of each motion, in the time unit of the input.
+struct Time_step
+{
+  double edge; ///< mean edge, in the unit of the input
+
+  double operator()(const Rotation&) const { return 1; }
+  double operator()(const Offset&) const { return 1; }
+  double operator()(const Zalesak& zalesak) const { return zalesak.dt; }
+  double operator()(const Advection& advection) const { return advection.dt; }
+  double operator()(const Curvature_flow& flow) const {
+    return flow.dt > 0 ? flow.dt : edge * edge;
+  }
+};
+
+/// A visitor that does a step of each motion.
+struct Step
+{
+  Distributed& complex;
+  double time;
+  unsigned threads;
+
+  using Report = DSC::Distributed_report<Complex>;
+
+  Report operator()(const Zalesak&) const {
+    throw Usage_error("dsc zalesak applies only in the plane; use dsc rotate in space");
+  }
+
+  Report operator()(const Rotation& rotation) const {
+    if (rotation.axis == std::array<double, 3>())
+      throw Usage_error("--axis is required in space; see dsc rotate --help");
+    const auto [x, y, z] = rotation.axis;
+    const auto box = complex.bounding_box();
+    return advect(DSC::Rigid_rotation_3(CGAL::midpoint(box[0], box[1]), Vector(x, y, z),
+                                        rotation.degrees * (CGAL_PI / 180)),
+                  time, 1);
+  }
+
+  Report operator()(const Offset& offset) const {
+    if (offset.moves_faces)
+      refuse("--move-faces");
+    const double unit = offset.distance.in_mean_edges ? complex.mean_interface_edge()
+                                                      : 1 / complex.normalization().scale;
+    return advect(DSC::Normal_offset{offset.distance.value * unit}, time, 1);
+  }
+
+  Report operator()(const Advection& advection) const {
+    switch (advection.field) {
+    case Advection::Field::enright:
+      return follow(DSC::Enright_velocity_3(advection.period), advection);
+    case Advection::Field::vortex:
+      return follow(DSC::Single_vortex_velocity_3(advection.period), advection);
+    default: {
+      const Velocity_expressions velocity(advection.expressions, 3);
+      return follow(
+          [&](const Point& p, double t) {
+            const auto [x, y, z] = velocity.at({p.x(), p.y(), p.z()}, t);
+            const double factor =
+                advection.period > 0 ? std::cos(CGAL_PI * t / advection.period) : 1;
+            return factor * Vector(x, y, z);
+          },
+          advection);
+    }
+    }
+  }
+
+  Report operator()(const Curvature_flow&) const { refuse("dsc mean-curvature"); }
+
+private:
+  // One type for all velocity fields, so that the advection is instantiated once.
+  using Field = std::function<Vector(const Point&, double)>;
+
+  Report follow(const Field& field, const Advection& advection) const {
+    Complex frame; // of the coordinates
+    frame.set_normalization(complex.normalization());
+    return advect(DSC::Velocity_in_user_coordinates_3<Complex, Field>(frame, field), time,
+                  advection.dt, advection.scheme);
+  }
+
+  template <class Flow>
+  Report advect(const Flow& flow, double t, double dt,
+                DSC::Integration_scheme scheme = DSC::Integration_scheme::rk2) const {
+    DSC::Distributed_options<Distributed> options;
+    options.number_of_threads = threads;
+    return DSC::advect_interface(complex, flow, t, dt, options, scheme);
+  }
+};
+
+/// Returns the path of a file with the extension `.pvtu`.
+std::string with_extension(const std::string& path) {
+  return std::filesystem::path(path).replace_extension(".pvtu").string();
+}
+
+} // namespace
+
+void Tracked_distributed::write_once(const std::function<void()>& write) const {
+  std::string error;
+  if (is_first()) {
+    try {
+      write();
+    } catch (const std::exception& e) {
+      error = e.what();
+    }
+  }
+  complex.communicator().agree_on_error(error);
+}
+
+double Tracked_distributed::mean_edge() const {
+  return complex.mean_interface_edge() * complex.normalization().scale;
+}
+
+double Tracked_distributed::time_step(const Motion& motion) const {
+  return std::visit(Time_step{mean_edge()}, motion);
+}
+
+Step_outcome Tracked_distributed::advance(const Step_options& options, double time,
+                                          unsigned threads) {
+  if (options.improves_interface)
+    refuse("--improve-interface");
+  if (options.grows_domain)
+    refuse("--domain grow");
+  const auto start = Clock::now();
+  const auto report = std::visit(Step{complex, time, threads}, options.motion);
+  Step_outcome outcome;
+  outcome.seconds = seconds_since(start);
+  outcome.complete = report.complete;
+  outcome.unfinished_vertices = std::size_t(report.unfinished);
+  outcome.stopped_at_boundary = std::size_t(report.stopped_at_boundary);
+  outcome.flat_cells = std::size_t(report.flat);
+  outcome.passes = report.passes;
+  outcome.split = std::size_t(report.split);
+  outcome.collapsed = std::size_t(report.collapsed);
+  outcome.flipped = std::size_t(report.flipped);
+  outcome.relabeled = std::size_t(report.relabeled);
+  outcome.events = step_events(complex, report);
+  return outcome;
+}
+
+void Tracked_distributed::go_back() {
+  if (m_kept)
+    complex.restore(*m_kept);
+  m_kept.reset();
+}
+
+Statistics Tracked_distributed::statistics() const {
+  const double scale = complex.normalization().scale;
+  const auto& mesh = complex.mesh();
+  Statistics statistics = {};
+  statistics.dimension = 3;
+  statistics.vertices = complex.number_of_vertices();
+  statistics.cells = complex.number_of_cells();
+  for (const auto& m : complex.label_measures())
+    statistics.labels.push_back({m.label, m.cells, m.measure * scale * scale * scale,
+                                 m.interface_measure * scale * scale, m.components,
+                                 int(m.euler_characteristic)});
+  Angle_statistics angles;
+  std::int64_t facets = 0;
+  for (std::uint32_t c = 0; c < mesh.piece.cell_bound(); ++c)
+    if (mesh.is_own_cell(c)) {
+      std::array<Point, 4> p;
+      for (int i = 0; i < 4; ++i)
+        p[i] = mesh.position(mesh.piece.cell(c).vertices[i]);
+      angles.add(p);
+    }
+  const auto interface_ = complex.interface_here();
+  for (const auto& facet : interface_.snapshot.facets())
+    facets += complex.owns(interface_, facet);
+  std::vector<std::int64_t> numbers(angles.histogram.begin(), angles.histogram.end());
+  numbers.push_back(std::int64_t(angles.outside));
+  numbers.push_back(facets);
+  DSC::Communicator& communicator = complex.communicator();
+  communicator.reduce(Operation::sum, numbers);
+  statistics.interface_facets = std::size_t(numbers.back());
+  std::copy_n(numbers.begin(), statistics.angle_histogram.size(),
+              statistics.angle_histogram.begin());
+  statistics.angles_outside_6_171 = double(numbers[angles.histogram.size()]) /
+                                    (6 * double(std::max<std::size_t>(1, statistics.cells)));
+  statistics.min_angle = 180 - DSC::internal::maximum_of_ranks(communicator, 180 - angles.least);
+  statistics.max_angle = DSC::internal::maximum_of_ranks(communicator, angles.largest);
+  statistics.min_quality = worst_quality();
+  return statistics;
+}
+
+double Tracked_distributed::worst_quality() const {
+  double worst = 1;
+  for (std::uint32_t c = 0; c < complex.mesh().piece.cell_bound(); ++c)
+    if (complex.mesh().is_own_cell(c))
+      worst = std::min(worst, complex.mesh().quality(c));
+  // Rounding can make a quality slightly larger than 1.
+  return 1 - DSC::internal::maximum_of_ranks(complex.communicator(), std::max(0., 1 - worst));
+}
+
+std::vector<Surface_point> Tracked_distributed::interface_points() const {
+  const auto interface_ = complex.interface_here();
+  std::map<int, std::vector<std::array<double, 3>>> lists;
+  for (std::size_t i = 0; i < interface_.positions.size(); ++i)
+    if (complex.mesh().is_own(interface_.indices[i])) {
+      const Point p =
+          DSC::internal::in_user_coordinates<Complex>(complex.mesh(), interface_.positions[i]);
+      lists[0].push_back({p.x(), p.y(), p.z()});
+    }
+  std::vector<Surface_point> result;
+  DSC::internal::exchange_lists(complex.communicator(), lists, [&](int, const auto& points) {
+    for (const auto& p : points)
+      result.emplace_back(p[0], p[1], p[2]);
+  });
+  return result;
+}
+
+double Tracked_distributed::sweep_seconds() const {
+  std::vector<std::uint32_t> cells;
+  for (std::uint32_t c = 0; c < complex.mesh().piece.cell_bound(); ++c)
+    if (complex.mesh().is_own_cell(c))
+      cells.push_back(c);
+  const auto& mesh = complex.mesh();
+  return seconds_of_sweep(cells, [&](std::uint32_t c) {
+    return double(mesh.is_positive(c, [&](auto v) { return mesh.position(v); })) + mesh.quality(c);
+  });
+}
+
+// Writes a file of the whole complex, which the first process must be able to hold.
+void Tracked_distributed::write_whole(
+    const std::function<void(const Tracked_complex_3&)>& write) const {
+  const Tracked_complex_3 whole(complex.gather());
+  write_once([&] { write(whole); });
+}
+
+void Tracked_distributed::write(const std::string& path) const {
+  write_whole([&](const Tracked_complex_3& whole) { whole.write(path); });
+}
+
+void Tracked_distributed::write_subdivided(const std::string& path, int subdivisions) const {
+  write_whole([&](const Tracked_complex_3& whole) { whole.write_subdivided(path, subdivisions); });
+}
+
+void Tracked_distributed::write_interface_vtu(const std::string& path) const {
+  CGAL::IO::write_interface_PVTU(with_extension(path), complex);
+}
+
+void Tracked_distributed::write_volume_vtu(const std::string& path) const {
+  CGAL::IO::write_PVTU(with_extension(path), complex);
+}
+
+void Tracked_distributed::write_checkpoint(const std::string& path,
+                                           const std::string& metadata) const {
+  CGAL::IO::write_checkpoint(path, complex, metadata);
+}
+
+} // namespace dsc
