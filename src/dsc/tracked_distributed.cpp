@@ -10,6 +10,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/IO/PVTU.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/distributed_checkpoint.h>
+#include <CGAL/Interface_flows/Mean_curvature_flow.h>
 #include <CGAL/Interface_flows/Normal_offset.h>
 #include <CGAL/Interface_flows/advect_distributed_interface.h>
 #include <CGAL/Interface_flows/interface_flows_3.h>
@@ -110,7 +111,13 @@ struct Step
     }
   }
 
-  Report operator()(const Curvature_flow&) const { refuse("dsc mean-curvature"); }
+  Report operator()(const Curvature_flow& flow) const {
+    if (flow.keeps_volumes)
+      refuse("--keep-volumes");
+    const double scale = complex.normalization().scale;
+    const double dt = Time_step{complex.mean_interface_edge() * scale}(flow) / (scale * scale);
+    return DSC::advect_interface(complex, DSC::Mean_curvature_flow(), 0, dt, options());
+  }
 
 private:
   // One type for all velocity fields, so that the advection is instantiated once.
@@ -126,9 +133,13 @@ private:
   template <class Flow>
   Report advect(const Flow& flow, double t, double dt,
                 DSC::Integration_scheme scheme = DSC::Integration_scheme::rk2) const {
-    DSC::Distributed_options<Distributed> options;
-    options.number_of_threads = threads;
-    return DSC::advect_interface(complex, flow, t, dt, options, scheme);
+    return DSC::advect_interface(complex, flow, t, dt, options(), scheme);
+  }
+
+  DSC::Distributed_options<Distributed> options() const {
+    DSC::Distributed_options<Distributed> result;
+    result.number_of_threads = threads;
+    return result;
   }
 };
 

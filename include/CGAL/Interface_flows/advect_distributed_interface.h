@@ -13,6 +13,8 @@
 #include <CGAL/Deformable_simplicial_complexes/Distributed_complex.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_distributed_interface.h>
 #include <CGAL/Interface_flows/Integration_scheme.h>
+#include <CGAL/Interface_flows/Mean_curvature_flow.h>
+#include <CGAL/Interface_flows/internal/curvature/Distributed_curvature_system.h>
 #include <CGAL/Interface_flows/internal/paths/interface_paths.h>
 
 #include <array>
@@ -118,6 +120,39 @@ advect_interface(Distributed_complex<Complex>& dsc, const Velocity& velocity, do
       return internal::follow_flow<Complex>(typename Complex::Domain(), points, velocity, t, dt);
     };
   return deform_interface_to(dsc, interface_, destinations, options, flow);
+}
+
+/*!
+\ingroup PkgInterfaceFlowsRef
+
+Moves the interface by mean curvature for one time step, as `advect_interface()` does on one rank. The
+conjugate gradient method solves the systems on all ranks together. The result is the same, bit by
+bit, for any number of ranks.
+
+\param dsc the complex
+\param flow the flow; it must not preserve volumes
+\param t the time at the beginning of the step, not used
+\param dt the length of the step, not negative
+\param options the options. `interface_energy` is replaced by the energy of the flow.
+\return the report, equal on all ranks
+\throws Error on all ranks if the flow preserves volumes, `dt` is negative, or a system cannot be
+        solved, see `Mean_curvature_flow`; the complex is then unchanged
+*/
+template <class Complex>
+Distributed_report<Complex>
+advect_interface(Distributed_complex<Complex>& dsc, const Mean_curvature_flow& flow, double /*t*/,
+                 double dt,
+                 Distributed_options<Distributed_complex<Complex>> options =
+                     Distributed_options<Distributed_complex<Complex>>()) {
+  if (flow.preserves_volumes())
+    throw Error("mean curvature flow on several ranks does not preserve volumes: use one rank");
+  if (!(dt >= 0))
+    throw Error("mean curvature flow cannot go back in time: use a time step of 0 or more");
+  const auto interface_ = dsc.interface_here();
+  options.interface_energy = flow.energy();
+  return deform_interface_to(
+      dsc, interface_,
+      internal::mean_curvature_destinations(dsc, interface_, flow.energy(), dt), options);
 }
 
 } // namespace Deformable_simplicial_complexes

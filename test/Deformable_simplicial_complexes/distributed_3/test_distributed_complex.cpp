@@ -86,6 +86,11 @@ std::vector<Case> cases() {
   result.push_back(
       {"abuse", make_complex(grid(8, small_meshes::ball)),
        [](Distributed& dsc, int step) { return advect_interface(dsc, abuse, .1 * step, .06); }, 5});
+  result.push_back({"mean curvature", make_complex(grid(8, small_meshes::eight_phases)),
+                    [](Distributed& dsc, int) {
+                      return advect_interface(dsc, DSC::Mean_curvature_flow(), 0, .005);
+                    },
+                    4});
   Complex unit_cube;
   {
     auto mesh = grid(8, [](const auto& p) {
@@ -222,6 +227,32 @@ TEST(Distributed_complex, Rotates_without_changing_the_mesh) {
   const Result result = run(c, {"three ranks", 3, {}});
   EXPECT_EQ(result.complex.number_of_cells(), c.start.number_of_cells());
   EXPECT_NEAR(result.complex.volume(1), c.start.volume(1), 1e-12);
+}
+
+// The two systems are solved by different code.
+TEST(Distributed_complex, Has_the_mean_curvature_of_a_complex_on_one_rank) {
+  Complex start = make_complex(grid(8, small_meshes::eight_phases));
+  DSC::run_in_threads(3, [&](DSC::Communicator& communicator) {
+    Distributed dsc(communicator);
+    dsc.distribute(start);
+    const auto interface_ = dsc.interface_here();
+    const auto found = DSC::internal::mean_curvature_destinations(
+        dsc, interface_, DSC::Interface_energy(), .002);
+    const DSC::Interface_snapshot<Complex> snapshot(start);
+    std::vector<Point> expected;
+    DSC::Mean_curvature_flow()(snapshot, snapshot.positions(start), 0, .002, expected);
+    const auto vertices = start.vertices();
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      // The ids are the numbers of the vertices of `start`.
+      const auto id = dsc.mesh().piece.vertex(interface_.indices[i]).id;
+      const auto place =
+          std::find(snapshot.vertices.begin(), snapshot.vertices.end(), vertices[id]);
+      ASSERT_NE(place, snapshot.vertices.end());
+      const Point& p = expected[std::size_t(place - snapshot.vertices.begin())];
+      EXPECT_LT((p - found[i]).squared_length(), 1e-18);
+    }
+    EXPECT_THROW(advect_interface(dsc, DSC::Mean_curvature_flow(true), 0, .01), DSC::Error);
+  });
 }
 
 TEST(Distributed_complex, Reports_merging_and_vanishing_components) {

@@ -61,6 +61,12 @@ public:
 
   Interface_forces(const Interface_snapshot<Complex>& interface_,
                    const std::vector<Point>& positions, const Interface_energy& energy)
+      : Interface_forces(interface_, positions, energy, boundary_classes(interface_)) {}
+
+  // `sides` are the boundary classes of the vertices, whose handles are not used.
+  Interface_forces(const Interface_snapshot<Complex>& interface_,
+                   const std::vector<Point>& positions, const Interface_energy& energy,
+                   const std::vector<Boundary_class::Bits>& sides)
       : m_are_junctions(vertices_on_junctions(interface_)), m_shares(positions.size(), 0),
         m_masses(positions.size(), Matrix::Zero()), m_forces(positions.size(), Vector::Zero()) {
     Obstacles obstacles;
@@ -78,12 +84,10 @@ public:
     }
     m_has_obstacles = !obstacles.empty();
     for (std::size_t v = 0; v < positions.size(); ++v)
-      if (const auto sides = interface_.vertices[v]->boundary_class();
-          sides != Boundary_class::inside)
-        m_constraints.emplace(v, within(sides));
+      if (sides[v] != Boundary_class::inside)
+        m_constraints.emplace(v, within(sides[v]));
     for (const auto& [v, normals] : obstacles)
-      m_constraints.insert_or_assign(v,
-                                     along(normals, v, interface_.vertices[v]->boundary_class()));
+      m_constraints.insert_or_assign(v, along(normals, v, sides[v]));
     for (std::size_t v = 0; v < positions.size(); ++v)
       if (!is_junction(v))
         m_masses[v] = m_shares[v] * Matrix::Identity();
@@ -120,6 +124,14 @@ public:
   bool has_obstacles() const { return m_has_obstacles; }
 
 private:
+  static std::vector<Boundary_class::Bits>
+  boundary_classes(const Interface_snapshot<Complex>& interface_) {
+    std::vector<Boundary_class::Bits> result;
+    for (auto v : interface_.vertices)
+      result.push_back(v->boundary_class());
+    return result;
+  }
+
   using Facet = typename Interface_vertices<Complex>::Facet;
   using Corners = std::array<Point, d>;
   using Obstacles = std::map<std::size_t, std::vector<Vector>>; // area vectors by vertex
