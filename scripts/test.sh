@@ -6,14 +6,14 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 jobs=$(nproc)
 
-scripts/install_dependencies.sh chromium libvtk9-dev mypy pybind11-dev python3-dev python3-mypy python3-numpy python3-pytest
+scripts/install_dependencies.sh chromium libopenmpi-dev libptscotch-dev libvtk9-dev mypy openmpi-bin pybind11-dev python3-dev python3-mypy python3-numpy python3-pytest
 
 # -O1 saves a third of the compilation time. scripts/check_more.sh builds the benchmarks, because nothing
 # runs them here, and the examples, because they take long to compile.
 echo "== Release: the program, the Python module and the installed package"
 cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" \
   -DDSC_BUILD_UNIT_TESTS=OFF -DDSC_BUILD_EXAMPLES=OFF -DDSC_BUILD_BENCHMARKS=OFF -DDSC_SHARE_COMPILATION=ON \
-  -DDSC_BUILD_PYTHON=ON -DPython_EXECUTABLE=/usr/bin/python3
+  -DDSC_WITH_MPI=ON -DDSC_BUILD_PYTHON=ON -DPython_EXECUTABLE=/usr/bin/python3
 cmake --build build --parallel "$jobs"
 ctest --test-dir build --output-on-failure --no-tests=error --parallel "$jobs"
 

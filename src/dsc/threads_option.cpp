@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <thread>
 
+#include <sched.h>
+
 namespace dsc {
 namespace {
 
@@ -17,6 +19,10 @@ constexpr unsigned most_threads = 1024;
 } // namespace
 
 unsigned default_number_of_threads() {
+  // mpirun and batch systems bind a process to some of the cores.
+  cpu_set_t cores;
+  if (sched_getaffinity(0, sizeof(cores), &cores) == 0)
+    return std::clamp(unsigned(CPU_COUNT(&cores)), 1u, most_threads);
   return std::clamp(std::thread::hardware_concurrency(), 1u, most_threads); // 0 if unknown
 }
 

@@ -177,6 +177,7 @@ Step_outcome Tracked_distributed::advance(const Step_options& options, double ti
   if (options.grows_domain)
     refuse("--domain grow");
   const auto start = Clock::now();
+  m_divide(complex);
   const auto report = std::visit(Step{complex, time, threads}, options.motion);
   Step_outcome outcome;
   outcome.seconds = seconds_since(start);

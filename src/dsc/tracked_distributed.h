@@ -24,7 +24,10 @@ public:
   using Complex = Tracked_complex_3::Complex;
   using Distributed = DSC::Distributed_complex<Complex>;
 
-  explicit Tracked_distributed(DSC::Communicator& communicator) : complex(communicator) {}
+  /// \param divide divides the complex again if the work of the processes differs; called before each
+  /// step
+  Tracked_distributed(DSC::Communicator& communicator, void (*divide)(Distributed&))
+      : complex(communicator), m_divide(divide) {}
 
   void write_once(const std::function<void()>& write) const override;
   std::string grid_extension() const override { return ".pvtu"; }
@@ -55,6 +58,7 @@ private:
   bool is_first() const { return complex.communicator().rank() == 0; }
   void write_whole(const std::function<void(const Tracked_complex_3&)>& write) const;
 
+  void (*m_divide)(Distributed&);
   std::optional<Distributed::State> m_kept;
 };
 

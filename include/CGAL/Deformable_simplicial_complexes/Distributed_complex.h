@@ -12,6 +12,7 @@
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Communicator.h>
+#include <CGAL/Deformable_simplicial_complexes/Distributed_graph.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/coordinates.h>
@@ -110,6 +111,32 @@ public:
   /// \param owner function object `int owner(id, position)`; called for the vertices of this rank
   template <class New_owner> void migrate(const New_owner& owner);
 
+  /// Returns the work of the rank with the most work, relative to the mean of all ranks: 1 if the
+  /// ranks are balanced. The work of a rank is the sum of the weights in `graph()`.
+  double imbalance() const;
+
+  /// Returns the graph of the vertices, for partitioners. The weight of a vertex grows with the
+  /// number of recent improvements of the cells around it.
+  Distributed_graph<Complex_::dimension> graph() const;
+
+  /*!
+  Divides the complex again if the work of the ranks differs.
+
+  \param partitioner function object that returns the new owner of each own vertex, such as
+         `Curve_partitioner` or `Scotch_partitioner`
+  \param limit the complex is divided if `imbalance()` is larger
+  \return whether the complex was divided
+  */
+  template <class Partitioner = Curve_partitioner>
+  bool rebalance(const Partitioner& partitioner = Partitioner(), double limit = 1.2) {
+    if (!(imbalance() > limit))
+      return false;
+    const std::vector<int> owners = partitioner(communicator(), graph());
+    std::size_t next = 0; // own vertices are visited in the order of the graph
+    migrate([&](internal::Global_id, const Approximate_point&) { return owners[next++]; });
+    return true;
+  }
+
   /// Returns the whole complex on the first rank, and an empty complex on the others.
   Complex gather() const;
 
@@ -133,6 +160,13 @@ public:
     size_type result = 0;
     for (Index v = 0; v < m_mesh.piece.vertex_bound(); ++v)
       result += m_mesh.is_own(v);
+    return result;
+  }
+  /// Returns the number of cells that this rank holds. Not collective.
+  size_type number_of_held_cells() const {
+    size_type result = 0;
+    for (Index c = 0; c < m_mesh.piece.cell_bound(); ++c)
+      result += m_mesh.piece.has_cell(c);
     return result;
   }
   /// Returns the number of bytes that this rank uses for the complex, about. Not collective.
@@ -342,6 +376,56 @@ void Distributed_complex<Complex>::migrate(const New_owner& owner) {
   internal::Placement<d> placement;
   placement.add(vertices, cells);
   place(placement);
+}
+
+template <class Complex> double Distributed_complex<Complex>::imbalance() const {
+  std::int64_t own = 0;
+  for (Index v = 0; v < m_mesh.piece.vertex_bound(); ++v)
+    if (m_mesh.is_own(v))
+      own += m_mesh.weight(v);
+  const std::int64_t sum = communicator().reduced(Communicator::Operation::sum, own),
+                     most = communicator().reduced(Communicator::Operation::maximum, own);
+  return sum > 0 ? double(most) * double(communicator().size()) / double(sum) : 1;
+}
+
+template <class Complex>
+auto Distributed_complex<Complex>::graph() const -> Distributed_graph<Complex::dimension> {
+  Distributed_graph<d> result;
+  internal::Message_writer writer;
+  writer.write(number_of_own_vertices());
+  result.first.push_back(0);
+  for (const auto& bytes : communicator().all_gather(writer.take()))
+    result.first.push_back(
+        result.first.back() +
+        std::int64_t(internal::Message_reader(bytes).template read<size_type>()));
+  const auto bounds = m_mesh.bounds();
+  double side = 0;
+  for (int k = 0; k < d; ++k)
+    side = (std::max)(side, bounds[1][k] - bounds[0][k]);
+  std::vector<std::int64_t> numbers(m_mesh.piece.vertex_bound(), 0);
+  std::int64_t next = result.first[m_mesh.rank()];
+  for (Index v = 0; v < m_mesh.piece.vertex_bound(); ++v)
+    if (m_mesh.is_own(v))
+      numbers[v] = next++;
+  m_mesh.ghosts.update(numbers);
+  std::vector<std::int64_t> neighbors;
+  for (Index v = 0; v < m_mesh.piece.vertex_bound(); ++v) {
+    if (!m_mesh.is_own(v))
+      continue;
+    neighbors.clear();
+    m_mesh.for_each_neighbor(v, [&](Index w) { neighbors.push_back(numbers[w]); });
+    std::sort(neighbors.begin(), neighbors.end());
+    neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
+    result.begin.push_back(std::int64_t(result.neighbors.size()));
+    result.neighbors.insert(result.neighbors.end(), neighbors.begin(), neighbors.end());
+    result.weights.push_back(m_mesh.weight(v));
+    result.positions.push_back(m_mesh.piece.vertex(v).point);
+    for (int k = 0; k < d; ++k)
+      result.positions.back()[k] =
+          side > 0 ? (result.positions.back()[k] - bounds[0][k]) / side : 0;
+  }
+  result.begin.push_back(std::int64_t(result.neighbors.size()));
+  return result;
 }
 
 template <class Complex> Complex Distributed_complex<Complex>::gather() const {

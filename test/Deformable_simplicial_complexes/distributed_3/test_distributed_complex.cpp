@@ -13,6 +13,7 @@
 #include <CGAL/Deformable_simplicial_complexes/IO/VTU_3.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/distributed_checkpoint.h>
 #include <CGAL/Deformable_simplicial_complexes/State.h>
+#include <CGAL/Deformable_simplicial_complexes/refine_distributed_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/run_in_threads.h>
 #include <CGAL/Interface_flows/Normal_offset.h>
 #include <CGAL/Interface_flows/advect_distributed_interface.h>
@@ -296,6 +297,62 @@ TEST(Distributed_complex, Migrates_cells_with_their_data) {
       dsc.migrate([&](std::uint64_t id, const Point&) { return int((id / 50 + step) % 3); });
       EXPECT_EQ(dsc.checksum(), before);
       EXPECT_EQ(before, one.checksums[step]);
+    }
+  });
+}
+
+TEST(Distributed_complex, Rebalances_the_work) {
+  const Case c = cases()[3]; // abuse
+  const Result one = run(c, {"one rank", 1, {}});
+  DSC::run_in_threads(5, [&](DSC::Communicator& communicator) {
+    Distributed dsc(communicator);
+    dsc.distribute(c.start, [](std::size_t) { return 3; });
+    EXPECT_DOUBLE_EQ(dsc.imbalance(), 5);
+    for (int step = 0; step < c.steps; ++step) {
+      c.step(dsc, step);
+      const double before = dsc.imbalance();
+      EXPECT_EQ(dsc.rebalance(), before > 1.2);
+      EXPECT_LT(dsc.imbalance(), 1.2);
+      EXPECT_EQ(dsc.checksum(), one.checksums[step]);
+    }
+    const auto graph = dsc.graph();
+    EXPECT_EQ(graph.first.back(), std::int64_t(dsc.number_of_vertices()));
+    for (std::int64_t n : graph.neighbors)
+      EXPECT_LT(n, graph.first.back());
+  });
+}
+
+TEST(Distributed_complex, Is_refined_without_changing_the_interface) {
+  const Complex start = make_complex(grid(4, small_meshes::ball));
+  std::vector<std::uint64_t> checksums;
+  for (int ranks : {1, 3}) {
+    DSC::run_in_threads(ranks, [&](DSC::Communicator& communicator) {
+      Distributed dsc(communicator);
+      dsc.distribute(start);
+      refine_3(dsc);
+      refine_3(dsc);
+      EXPECT_EQ(dsc.number_of_cells(), 64 * start.number_of_cells());
+      const std::uint64_t checksum = dsc.checksum();
+      offset(dsc, .01);
+      const std::uint64_t moved = dsc.checksum();
+      const Complex gathered = dsc.gather();
+      if (communicator.rank() > 0)
+        return;
+      checksums.insert(checksums.end(), {checksum, moved});
+      EXPECT_TRUE(gathered.is_valid(true));
+    });
+  }
+  EXPECT_EQ(checksums[0], checksums[2]);
+  EXPECT_EQ(checksums[1], checksums[3]);
+  DSC::run_in_threads(2, [&](DSC::Communicator& communicator) {
+    Distributed dsc(communicator);
+    dsc.distribute(start);
+    refine_3(dsc);
+    const Complex gathered = dsc.gather();
+    if (communicator.rank() == 0) {
+      EXPECT_NEAR(gathered.volume(1), start.volume(1), 1e-13);
+      EXPECT_NEAR(gathered.area(1), start.area(1), 1e-12);
+      EXPECT_NEAR(gathered.mean_interface_edge(), dsc.mean_interface_edge(), 1e-12);
     }
   });
 }

@@ -90,6 +90,7 @@ public:
       vertex.has_motion = vertex.is_open = has_motion[v];
       vertex.before = has_motion[v] ? vertex.point : std::array<double, d>{};
       vertex.destination = has_motion[v] ? targets[v] : std::array<double, d>{};
+      vertex.work *= forgetting;
     }
   }
 
@@ -129,6 +130,7 @@ public:
 private:
   using Operation = Communicator::Operation;
 
+  static constexpr float forgetting = .5; // of the work of earlier motions
   static constexpr unsigned passes_of_patch = 3; // more passes follow after the next motion
 
   // Finds the box that is the domain.

@@ -299,6 +299,8 @@ private:
       }
       data.point = coordinates_of<d>(part.position(v));
       data.spacing = v->spacing();
+      if (!is_cut(v))
+        data.work += 1;
       data.is_open =
           data.is_open && data.point != data.destination && (part.is_interface(v) || is_cut(v));
       m_after.push_back(data);

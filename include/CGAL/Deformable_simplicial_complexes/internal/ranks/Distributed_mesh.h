@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <vector>
@@ -54,6 +55,12 @@ template <class Complex> struct Distributed_mesh
   int rank() const { return communicator->rank(); }
   bool is_own(Index v) const { return piece.has_vertex(v) && piece.vertex(v).owner == rank(); }
   bool is_own_cell(Index c) const { return piece.has_cell(c) && piece.owner(c) == rank(); }
+
+  // Returns the work at a vertex: of a motion, and of recent improvements.
+  std::int64_t weight(Index v) const {
+    static constexpr double improvement = 10; // cost of an improvement; a motion costs 1
+    return 1 + std::llrint(improvement * piece.vertex(v).work);
+  }
 
   // Must be called after vertices and cells of the piece changed.
   void find_ghosts() { ghosts = Ghosts<d>(piece, *communicator); }

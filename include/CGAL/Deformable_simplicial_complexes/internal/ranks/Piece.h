@@ -39,11 +39,12 @@ template <int d> struct Piece_vertex
   std::array<double, d> before;      // position before the motion, if `has_motion`
   std::array<double, d> destination; // if `has_motion`
   float spacing;
+  float work;         // recent improvements of the cells around the vertex
   std::int32_t owner; // rank
   std::uint8_t boundary_class;
   std::uint8_t has_motion; // whether the motion under way gave the vertex a destination
   std::uint8_t is_open;    // whether the destination can still be reached
-  std::uint8_t padding[5]; // so that equal vertices have equal bytes
+  std::uint8_t padding;    // so that equal vertices have equal bytes
 };
 
 // Everything that belongs to a cell except its vertices.

@@ -1,0 +1,146 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Moves a sphere on several processes, and prints a row of a table for each step: cells, wall-clock
+// time, rounds, and what the process with the most messages sent. The last row has the memory.
+
+#include "inputs.h"
+
+#include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Mpi_communicator.h>
+#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/refine_distributed_complex_3.h>
+#include <CGAL/Interface_flows/Normal_offset.h>
+#include <CGAL/Interface_flows/advect_distributed_interface.h>
+#include <CGAL/Interface_flows/interface_flows_3.h>
+#include <CGAL/Interface_flows/velocity_fields_3.h>
+#include <CGAL/Tetgen_tetrahedralizer_3.h>
+#ifdef DSC_WITH_SCOTCH
+#include <CGAL/Deformable_simplicial_complexes/Scotch_partitioner.h>
+#endif
+
+#include <CLI/CLI.hpp>
+
+#include <mpi.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <string>
+
+namespace dsc_benchmark {
+namespace {
+
+using Complex = CGAL::Deformable_simplicial_complex_3<>;
+using Distributed = DSC::Distributed_complex<Complex>;
+using Point = Complex::Approximate_point_3;
+using Vector = Complex::Approximate_vector_3;
+using Operation = DSC::Communicator::Operation;
+
+/// Returns a number of /proc/self/status in MB; 0 if it is unknown.
+double megabytes(const std::string& name) {
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;)
+    if (word == name + ":") {
+      double kilobytes = 0;
+      status >> kilobytes;
+      return kilobytes / 1024;
+    }
+  return 0;
+}
+
+struct Options
+{
+  std::string motion = "offset";
+  std::size_t n = 16;
+  int refinements = 0, steps = 3;
+};
+
+DSC::Distributed_report<Complex> step(Distributed& dsc, const Options& options, int i) {
+  const double edge = dsc.mean_interface_edge();
+  if (options.motion == "rotate")
+    return advect_interface(dsc, DSC::Rigid_rotation_3(Point(0, 0, 0), Vector(0, 0, 1), .25 * edge),
+                            0, 1);
+  if (options.motion == "enright")
+    return advect_interface(dsc, DSC::Enright_velocity_3(3), .25 * edge * i, .25 * edge);
+  return advect_interface(dsc, DSC::Normal_offset{.25 * edge}, 0, 1);
+}
+
+void run(const Options& options) {
+  DSC::Mpi_communicator communicator;
+  Distributed dsc(communicator);
+  Complex coarse;
+  if (communicator.rank() == 0) {
+    Surface surface = sphere(options.motion == "enright" ? .15 : 1, options.n);
+    if (options.motion == "enright")
+      for (auto& p : surface.points)
+        p = p + Kernel::Vector_3(.35, .35, .35);
+    coarse = DSC::make_deformable_simplicial_complex_3<Complex>(std::vector<Surface>{surface},
+                                                                CGAL::Tetgen_tetrahedralizer_3());
+  }
+  dsc.distribute(coarse);
+  coarse.clear();
+  for (int i = 0; i < options.refinements; ++i)
+    refine_3(dsc);
+  const auto divide = [&] {
+#ifdef DSC_WITH_SCOTCH
+    dsc.rebalance(DSC::Scotch_partitioner());
+#else
+    dsc.rebalance();
+#endif
+  };
+  const auto most = [&](std::uint64_t number) {
+    return communicator.reduced(Operation::maximum, std::int64_t(number));
+  };
+  const bool prints = communicator.rank() == 0;
+  if (prints)
+    std::printf("| step | tetrahedra | s | passes | rounds | patches | exchanges | reductions | "
+                "messages | MB sent | checksum |\n|---|---|---|---|---|---|---|---|---|---|---|\n");
+  for (int i = 0; i < options.steps; ++i) {
+    divide();
+    const auto before = communicator.traffic();
+    const double begin = MPI_Wtime();
+    const auto report = step(dsc, options, i);
+    const double seconds = MPI_Wtime() - begin;
+    const auto after = communicator.traffic();
+    const std::int64_t messages = most(after.messages - before.messages);
+    const double megabytes_sent = double(most(after.bytes - before.bytes)) / 1e6;
+    const auto cells = dsc.number_of_cells();
+    const auto checksum = dsc.checksum();
+    if (prints)
+      std::printf("| %d | %llu | %.2f | %u | %lld | %lld | %llu | %llu | %lld | %.3f | %016llx |\n",
+                  i + 1, static_cast<unsigned long long>(cells), seconds, report.passes,
+                  static_cast<long long>(report.rounds), static_cast<long long>(report.patches),
+                  static_cast<unsigned long long>(after.exchanges - before.exchanges),
+                  static_cast<unsigned long long>(after.reductions - before.reductions),
+                  static_cast<long long>(messages), megabytes_sent,
+                  static_cast<unsigned long long>(checksum));
+  }
+  const std::int64_t own = most(dsc.number_of_own_cells()), held = most(dsc.number_of_held_cells()),
+                     bytes = most(dsc.memory()),
+                     peak = most(std::uint64_t(megabytes("VmHWM") * 1e6));
+  if (prints)
+    std::printf("\nprocess with the most: %lld own tetrahedra, %lld held, %.0f MB of the complex, "
+                "%.0f MB peak of the process\n",
+                static_cast<long long>(own), static_cast<long long>(held), double(bytes) / 1e6,
+                double(peak) / 1e6);
+}
+
+} // namespace
+} // namespace dsc_benchmark
+
+int main(int argc, char** argv) {
+  MPI_Init(&argc, &argv);
+  CLI::App app("Moves a sphere on several processes");
+  dsc_benchmark::Options options;
+  app.add_option("--motion", options.motion, "offset, rotate or enright")
+      ->check(CLI::IsMember({"offset", "rotate", "enright"}));
+  app.add_option("--n", options.n, "The sphere has 20 n^2 triangles before it is refined");
+  app.add_option("--refinements", options.refinements, "Each gives eight times as many tetrahedra");
+  app.add_option("--steps", options.steps, "Number of steps");
+  CLI11_PARSE(app, argc, argv);
+  dsc_benchmark::run(options);
+  MPI_Finalize();
+}

@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Deformable_simplicial_complexes, written for CGAL
+// (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_SCOTCH_PARTITIONER_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_SCOTCH_PARTITIONER_H
+
+#include <CGAL/license/Deformable_simplicial_complexes.h>
+
+#include <CGAL/Deformable_simplicial_complexes/Communicator.h>
+#include <CGAL/Deformable_simplicial_complexes/Distributed_graph.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+
+#include <mpi.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <ptscotch.h>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Partitioner that minimizes the number of edges between ranks, by PT-Scotch (C. Chevalier,
+F. Pellegrini, *PT-Scotch: a tool for efficient parallel graph ordering*, 2008). The header needs
+the component `Mpi` of the package, built with PT-Scotch.
+*/
+class Scotch_partitioner
+{
+public:
+  /// Constructs a partitioner for the ranks of an MPI communicator.
+  explicit Scotch_partitioner(MPI_Comm communicator = MPI_COMM_WORLD)
+      : m_communicator(communicator) {}
+
+  /// Returns the new owner of each own vertex. Collective.
+  /// \param communicator a communicator with the same ranks
+  /// \param graph the graph
+  /// \throws Error on all ranks if PT-Scotch fails
+  template <int d>
+  std::vector<int> operator()(Communicator& communicator, const Distributed_graph<d>& graph) const {
+    const auto n = SCOTCH_Num(graph.weights.size());
+    std::vector<SCOTCH_Num> begin(graph.begin.begin(), graph.begin.end()),
+        neighbors(graph.neighbors.begin(), graph.neighbors.end()),
+        weights(graph.weights.begin(), graph.weights.end()), parts(std::size_t(n) + 1, 0);
+    neighbors.push_back(0); // no null pointers for empty ranks
+    weights.push_back(0);
+    SCOTCH_Dgraph scotch;
+    SCOTCH_Strat strategy;
+    bool has_failed = SCOTCH_dgraphInit(&scotch, m_communicator) != 0;
+    SCOTCH_stratInit(&strategy);
+    SCOTCH_randomReset(); // the same partition in each run
+    has_failed = has_failed ||
+                 SCOTCH_dgraphBuild(&scotch, 0, n, n, begin.data(), begin.data() + 1,
+                                    weights.data(), nullptr, begin.back(), begin.back(),
+                                    neighbors.data(), nullptr, nullptr) != 0 ||
+                 SCOTCH_dgraphPart(&scotch, communicator.size(), &strategy, parts.data()) != 0;
+    SCOTCH_stratExit(&strategy);
+    SCOTCH_dgraphExit(&scotch);
+    communicator.agree_on_error(
+        has_failed ? "PT-Scotch cannot divide the complex: use another partitioner" : "");
+    return {parts.begin(), parts.begin() + n};
+  }
+
+private:
+  MPI_Comm m_communicator;
+};
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_SCOTCH_PARTITIONER_H

@@ -1,0 +1,140 @@
+#include "program.h"
+
+#include <cstddef>
+#include <sstream>
+#include <string>
+#include <vector>
+
+// Runs of several processes that hold a complex together.
+namespace {
+
+using program::Json;
+using program::Outcome;
+
+// Returns the number of lines that begin with a text.
+std::size_t lines(const std::string& text, const std::string& begin) {
+  std::istringstream in(text);
+  std::size_t result = 0;
+  for (std::string line; std::getline(in, line);)
+    result += line.rfind(begin, 0) == 0;
+  return result;
+}
+
+class Mpi_runs : public program::Program_test
+{
+protected:
+  void SetUp() override {
+    Program_test::SetUp();
+    write("cube.off", program::box(-1, -1, -1, 1, 1, 1));
+  }
+
+  static std::string mpirun(int processes) { return DSC_MPIRUN " " + std::to_string(processes); }
+
+  // Returns the steps of a report without the times.
+  Json steps(const std::string& file) const {
+    Json result = report(file).at("steps");
+    for (Json& step : result) {
+      step.erase("seconds");
+      step.erase("sweeps");
+    }
+    return result;
+  }
+};
+
+TEST_F(Mpi_runs, give_the_same_complex_for_any_number_of_processes) {
+  const std::vector<std::string> commands = {
+      "rotate cube.off --triangles 500 --axis 1,2,3 --angle 9 --steps 2",
+      "offset cube.off --triangles 500 --distance -0.5e --steps 8",
+      "enright --triangles 800 --dt .05 --steps 6",
+      "mean-curvature cube.off --triangles 500 --steps 3",
+      "advect --velocity 'sin(7*y),sin(9*z),cos(8*x)' cube.off --triangles 500 --dt .02 --steps "
+      "3"};
+  for (const std::string& command : commands) {
+    SCOPED_TRACE(command);
+    Json expected;
+    for (int processes : {1, 2, 3}) {
+      const Outcome outcome = run(command + " --report report.json", mpirun(processes));
+      ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+      EXPECT_EQ(lines(outcome.out, "dsc: step"), 1u) << outcome.out;
+      if (processes == 1)
+        expected = steps("report.json");
+      else
+        EXPECT_EQ(steps("report.json"), expected) << processes;
+    }
+  }
+}
+
+TEST_F(Mpi_runs, agree_with_one_process) {
+  const std::string command = "mean-curvature cube.off --triangles 500 --tolerance 0 --steps 3";
+  ASSERT_EQ(run(command + " --report two.json", mpirun(2)).exit_code, 0);
+  ASSERT_EQ(run(command + " --report one.json").exit_code, 0);
+  const Json one = steps("one.json"), two = steps("two.json");
+  for (std::size_t k = 0; k < one.size(); ++k) {
+    const double volume = program::label_of(one[k], 1).at("volume");
+    // One process also adapts the mesh.
+    EXPECT_NEAR(program::label_of(two[k], 1).at("volume"), volume, 1e-2 * volume);
+  }
+}
+
+TEST_F(Mpi_runs, resume_with_another_number_of_processes) {
+  const std::string command = "offset cube.off --triangles 500 --distance 0.3e ";
+  ASSERT_EQ(run(command + "--steps 4 --report all.json", mpirun(2)).exit_code, 0);
+  ASSERT_EQ(run(command + "--steps 2 --output run", mpirun(3)).exit_code, 0);
+  const std::string resume = "offset --resume run/checkpoint.dsc --steps 2 --output run ";
+  const Outcome outcome = run(resume + "--report rest.json", mpirun(2));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(steps("rest.json").back(), steps("all.json").back());
+  EXPECT_TRUE(program::fs::exists(path("run/volume_000004.pvtu")));
+  EXPECT_TRUE(program::fs::exists(path("run/interface_000004_1.vtu")));
+  // One process without mpirun names the remedy, and several can resume the run of one.
+  const Outcome alone = run(resume);
+  EXPECT_EQ(alone.exit_code, 1);
+  EXPECT_NE(alone.err.find("mpirun"), std::string::npos) << alone.err;
+  ASSERT_EQ(run(command + "--steps 1 --output one").exit_code, 0);
+  EXPECT_EQ(run("offset --resume one/checkpoint.dsc --steps 1", mpirun(2)).exit_code, 0);
+}
+
+TEST_F(Mpi_runs, print_errors_once) {
+  for (const std::string arguments :
+       {"offset missing.off --distance 1", "offset cube.off --distanse 1",
+        "offset --resume missing.dsc", "zalesak", "offset cube.off --distance 1 --move-faces",
+        "offset cube.off --distance 0.1e --steps 1 --report no/folder.json",
+        "rotate cube.off --axis 0,0,1 --angle 5 --improve-interface",
+        "advect --velocity 'x/0,0,0' cube.off --triangles 200"}) {
+    SCOPED_TRACE(arguments);
+    const Outcome outcome = run(arguments, mpirun(2));
+    EXPECT_NE(outcome.exit_code, 0);
+    EXPECT_EQ(lines(outcome.err, "dsc: "), 1u) << outcome.err;
+  }
+}
+
+// One process is killed in a step. All processes end, and the run continues from the checkpoint
+// with another number of processes.
+TEST_F(Mpi_runs, continue_after_a_process_was_killed) {
+  const std::string command = "offset cube.off --triangles 2000 --distance 0.1e ";
+  const std::string rest = command + "--steps 100000 --output run";
+  const Outcome killed = run(
+      rest + " : -n 1 timeout --preserve-status -s KILL 4 '" DSC_PROGRAM "' " + rest, mpirun(1));
+  EXPECT_NE(killed.exit_code, 0);
+  EXPECT_NE(killed.err.find("illed"), std::string::npos) << killed.err; // mpirun names the signal
+  const Outcome resumed =
+      run("offset --resume run/checkpoint.dsc --steps 1 --report rest.json", mpirun(3));
+  ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
+  const Json last = steps("rest.json").back();
+  const int step = last.at("step");
+  ASSERT_EQ(
+      run(command + "--steps " + std::to_string(step) + " --report all.json", mpirun(2)).exit_code,
+      0);
+  EXPECT_EQ(last, steps("all.json").back());
+}
+
+// One process gets the signal, and all of them stop.
+TEST_F(Mpi_runs, stop_together) {
+  const std::string rest = "offset cube.off --triangles 2000 --distance 0.01e --steps 100000";
+  const Outcome outcome = run(rest + " : -n 1 '" DSC_PROGRAM "' " + rest,
+                              mpirun(1) + " timeout --preserve-status -s INT 4");
+  EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
+  EXPECT_EQ(lines(outcome.err, "dsc: interrupted"), 1u) << outcome.err;
+}
+
+} // namespace
