@@ -65,7 +65,7 @@ void Output_folder::keep_until(double time) {
 
 void Output_folder::write(const Tracked_complex& complex, const Run_position& position,
                           const std::string& metadata) {
-  if (position.time > m_last_time) {
+  if (complex.agreed(position.time > m_last_time)) {
     const std::string extension = complex.grid_extension();
     const std::string volume = file(numbered("volume_%06u", position.step) + extension);
     const std::string interface = file(numbered("interface_%06u", position.step) + extension);
@@ -74,13 +74,13 @@ void Output_folder::write(const Tracked_complex& complex, const Run_position& po
     complex.write_picture(file(numbered("picture_%06u", position.step)));
     if (m_subdivisions > 0)
       complex.write_subdivided(file(numbered("smooth_%06u.ply", position.step)), m_subdivisions);
-    complex.write_once([&] {
+    complex.run_once([&] {
       m_volume.append(position.time, volume);
       m_interface.append(position.time, interface);
     });
     m_last_time = position.time;
   }
-  if (!holds(position)) {
+  if (complex.agreed(!holds(position))) {
     complex.write_checkpoint(checkpoint(), metadata);
     m_checkpoint_time = position.time;
   }

@@ -71,8 +71,9 @@ struct Temporary_files
 } // namespace
 
 bool dsc::is_started_by_mpi() {
-  // variables of Open MPI, and of MPICH and its relatives
-  return std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr || std::getenv("PMI_SIZE") != nullptr;
+  // variables of Open MPI, of MPICH and its relatives, and of PMIx
+  return std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr || std::getenv("PMI_SIZE") != nullptr ||
+         std::getenv("PMIX_RANK") != nullptr;
 }
 
 int dsc::run_program(int argc, char** argv,

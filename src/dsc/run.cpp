@@ -25,6 +25,7 @@
 #include <cstdio>
 #include <iostream>
 #include <memory>
+#include <new>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -192,6 +193,7 @@ public:
 private:
   void advance();
   void write_files();
+  void save_after_error();
   void report_interruption();
 
   Run_options m_options;
@@ -199,7 +201,8 @@ private:
   std::unique_ptr<Tracked_complex> m_complex;
   Run_position m_position;
   double m_time_step = 0;
-  std::optional<Start_distance> m_from_start;
+  std::optional<Start_distance> m_from_start; // on one process
+  bool m_measures_distance = false;
   std::optional<Report> m_report; // if requested
   unsigned m_done = 0;
   std::size_t m_unfinished = 0, m_stopped_at_boundary = 0;
@@ -228,7 +231,8 @@ void Run::start() {
   std::string changes;
   m_complex = start_or_resume(m_options, m_position, repairs, changes);
   // Precedes all output, because it may need another program.
-  m_from_start = start_distance(m_options, m_position);
+  m_complex->run_once([&] { m_from_start = start_distance(m_options, m_position); });
+  m_measures_distance = m_complex->agreed(m_from_start.has_value());
   if (!m_options.output.quiet) {
     if (!changes.empty())
       print_changes(m_position, changes);
@@ -238,7 +242,7 @@ void Run::start() {
     throw Usage_error(
         "--picture applies only in space; in the plane, use --output to write pictures");
   if (m_folder && !m_options.resume.empty())
-    m_folder->keep_until(m_position.time);
+    m_complex->run_once([&] { m_folder->keep_until(m_position.time); });
 
   m_time_step = m_complex->time_step(m_options.step.motion);
   if (!(m_position.time + m_time_step > m_position.time))
@@ -247,7 +251,7 @@ void Run::start() {
   if (!m_options.output.report.empty()) {
     m_report.emplace(m_options, m_position.start, repairs, m_complex->sweep_seconds());
     m_report->add(m_position, Step_outcome(), m_complex->statistics());
-    m_complex->write_once([&] { m_report->write_now_and_then(); });
+    m_complex->run_once([&] { m_report->write_now_and_then(); });
   }
   write_files();
 }
@@ -260,9 +264,11 @@ void Run::write_files() {
 void Run::advance() {
   Step_outcome outcome = step_with_room(*m_complex, m_options, m_position.time);
   const double time = m_position.time + m_time_step;
-  if (m_from_start && is_whole_period(time, m_time_step, period(m_options.step.motion)))
-    outcome.distance_to_start =
-        m_from_start->of(m_complex->interface_points(), m_complex->mean_edge());
+  if (m_measures_distance && is_whole_period(time, m_time_step, period(m_options.step.motion))) {
+    const std::vector<Surface_point> points = m_complex->interface_points();
+    if (m_from_start)
+      outcome.distance_to_start = m_from_start->of(points, m_complex->mean_edge());
+  }
   m_complex->forget();
   ++m_done;
   ++m_position.step;
@@ -273,7 +279,7 @@ void Run::advance() {
   m_seconds += outcome.seconds;
   if (m_report) { // statistics take long
     m_report->add(m_position, outcome, m_complex->statistics());
-    m_complex->write_once([&] { m_report->write_now_and_then(); });
+    m_complex->run_once([&] { m_report->write_now_and_then(); });
   }
   if (m_position.step % m_options.output.every == 0)
     write_files();
@@ -293,17 +299,28 @@ void Run::do_steps() {
   } catch (const CGAL::Deformable_simplicial_complexes::Interrupted_error&) {
     m_complex->go_back();
     agree_on_interrupts();
+  } catch (const std::bad_alloc&) {
+    // Other processes wait in the step, so this one cannot write with them.
+    progress.clear();
+    if (!m_complex->is_whole())
+      throw;
+    save_after_error();
+    throw;
   } catch (...) {
     // After an error of any kind in a step, the previous steps are kept.
     progress.clear();
-    m_complex->go_back();
-    write_files();
-    if (m_report)
-      m_complex->write_once([&] { m_report->write(); });
+    save_after_error();
     throw;
   }
   progress.clear();
   write_files();
+}
+
+void Run::save_after_error() {
+  m_complex->go_back();
+  write_files();
+  if (m_report)
+    m_complex->run_once([&] { m_report->write(); });
 }
 
 void Run::report_interruption() {
@@ -320,7 +337,7 @@ int Run::finish() {
   if (stopped)
     report_interruption();
   if (m_report)
-    m_complex->write_once([&] { m_report->write(); });
+    m_complex->run_once([&] { m_report->write(); });
   if (!m_options.output.picture.empty())
     m_complex->write(m_options.output.picture);
   if (!m_options.output.quiet) {

@@ -43,8 +43,8 @@ struct Run_options
   Output_options output;
 };
 
-/// Replaces the functions that build and read the complexes of runs, so that several processes hold
-/// a complex together. All processes run the same steps. \param start as start_complex()
+/// Replaces the functions that build and read the complexes of runs, so that a complex is
+/// distributed among processes. All processes run the same steps. \param start as start_complex()
 /// \param resume as track_checkpoint()
 void share_complexes(std::unique_ptr<Tracked_complex> (*start)(const Run_options&, Repairs&),
                      std::unique_ptr<Tracked_complex> (*resume)(const std::string& path,

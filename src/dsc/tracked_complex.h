@@ -32,9 +32,15 @@ public:
 
   virtual int dimension() const = 0;
 
-  /// Writes a file of a run. Several processes can hold a complex together: all of them call the
-  /// same functions, and one of them writes. If `write()` throws there, all of them throw.
-  virtual void write_once(const std::function<void()>& write) const { write(); }
+  /// Calls a function on one process. A complex can be distributed among processes, which all call
+  /// the same functions; one of them writes files. If `function()` throws, all of them throw.
+  virtual void run_once(const std::function<void()>& function) const { function(); }
+
+  /// Returns whether this process holds the whole complex.
+  virtual bool is_whole() const { return true; }
+
+  /// Returns the answer of the process on which `run_once()` calls functions.
+  virtual bool agreed(bool answer) const { return answer; }
 
   /// Returns the extension of the files of `write_volume_vtu()` and `write_interface_vtu()`.
   virtual std::string grid_extension() const { return ".vtu"; }

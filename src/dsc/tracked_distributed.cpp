@@ -23,7 +23,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <exception>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -114,6 +113,8 @@ struct Step
   Report operator()(const Curvature_flow& flow) const {
     if (flow.keeps_volumes)
       refuse("--keep-volumes");
+    if (flow.tolerance)
+      refuse("--tolerance");
     const double scale = complex.normalization().scale;
     const double dt = Time_step{complex.mean_interface_edge() * scale}(flow) / (scale * scale);
     return DSC::advect_interface(complex, DSC::Mean_curvature_flow(), 0, dt, options());
@@ -124,6 +125,8 @@ private:
   using Field = std::function<Vector(const Point&, double)>;
 
   Report follow(const Field& field, const Advection& advection) const {
+    if (advection.tolerance)
+      refuse("--tolerance");
     Complex frame; // of the coordinates
     frame.set_normalization(complex.normalization());
     return advect(DSC::Velocity_in_user_coordinates_3<Complex, Field>(frame, field), time,
@@ -150,16 +153,15 @@ std::string with_extension(const std::string& path) {
 
 } // namespace
 
-void Tracked_distributed::write_once(const std::function<void()>& write) const {
-  std::string error;
-  if (is_first()) {
-    try {
-      write();
-    } catch (const std::exception& e) {
-      error = e.what();
-    }
-  }
-  complex.communicator().agree_on_error(error);
+void Tracked_distributed::run_once(const std::function<void()>& function) const {
+  complex.communicator().call_together([&] {
+    if (is_first())
+      function();
+  });
+}
+
+bool Tracked_distributed::agreed(bool answer) const {
+  return complex.communicator().reduced(Operation::maximum, is_first() && answer ? 1 : 0) != 0;
 }
 
 double Tracked_distributed::mean_edge() const {
@@ -250,18 +252,29 @@ double Tracked_distributed::worst_quality() const {
 
 std::vector<Surface_point> Tracked_distributed::interface_points() const {
   const auto interface_ = complex.interface_here();
-  std::map<int, std::vector<std::array<double, 3>>> lists;
+  struct Numbered_point
+  {
+    std::uint64_t id;
+    std::array<double, 3> point;
+  };
+  std::map<int, std::vector<Numbered_point>> lists;
   for (std::size_t i = 0; i < interface_.positions.size(); ++i)
     if (complex.mesh().is_own(interface_.indices[i])) {
       const Point p =
           DSC::internal::in_user_coordinates<Complex>(complex.mesh(), interface_.positions[i]);
-      lists[0].push_back({p.x(), p.y(), p.z()});
+      lists[0].push_back(
+          {complex.mesh().piece.vertex(interface_.indices[i]).id, {p.x(), p.y(), p.z()}});
     }
-  std::vector<Surface_point> result;
+  std::vector<Numbered_point> all;
   DSC::internal::exchange_lists(complex.communicator(), lists, [&](int, const auto& points) {
-    for (const auto& p : points)
-      result.emplace_back(p[0], p[1], p[2]);
+    all.insert(all.end(), points.begin(), points.end());
   });
+  // Sums over the points must not depend on the partition.
+  std::sort(all.begin(), all.end(),
+            [](const Numbered_point& a, const Numbered_point& b) { return a.id < b.id; });
+  std::vector<Surface_point> result;
+  for (const Numbered_point& p : all)
+    result.emplace_back(p.point[0], p.point[1], p.point[2]);
   return result;
 }
 
@@ -280,7 +293,7 @@ double Tracked_distributed::sweep_seconds() const {
 void Tracked_distributed::write_whole(
     const std::function<void(const Tracked_complex_3&)>& write) const {
   const Tracked_complex_3 whole(complex.gather());
-  write_once([&] { write(whole); });
+  run_once([&] { write(whole); });
 }
 
 void Tracked_distributed::write(const std::string& path) const {

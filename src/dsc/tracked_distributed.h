@@ -16,7 +16,7 @@
 
 namespace dsc {
 
-/// A complex that several processes hold together. All functions are collective. A file is written
+/// A complex that is distributed among processes. All functions are collective. A file is written
 /// by the first process, or a piece of it by each process.
 class Tracked_distributed : public Tracked_complex
 {
@@ -29,7 +29,9 @@ public:
   Tracked_distributed(DSC::Communicator& communicator, void (*divide)(Distributed&))
       : complex(communicator), m_divide(divide) {}
 
-  void write_once(const std::function<void()>& write) const override;
+  void run_once(const std::function<void()>& function) const override;
+  bool is_whole() const override { return complex.communicator().size() == 1; }
+  bool agreed(bool answer) const override;
   std::string grid_extension() const override { return ".pvtu"; }
   int dimension() const override { return 3; }
   double time_step(const Motion& motion) const override;

@@ -16,6 +16,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,7 +27,7 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Messages between the ranks that hold a distributed complex together. All functions are collective:
+Messages between the ranks of a distributed complex. All functions are collective:
 each rank calls the same functions in the same order.
 
 A class derives from this class for each way to send messages: `Mpi_communicator` for processes,
@@ -66,7 +67,7 @@ public:
   /// Returns the number of ranks.
   virtual int size() const = 0;
 
-  /// Sends messages, and returns the messages that this rank receives, by increasing sender. A rank
+  /// Sends messages, and returns the messages that this rank receives, ordered by sender. A rank
   /// may send to itself, and sends at most one message to each rank.
   std::vector<Message> exchange(std::vector<Message> messages) {
     ++m_traffic.exchanges;
@@ -78,7 +79,7 @@ public:
     return do_exchange(std::move(messages));
   }
 
-  /// Returns the bytes of all ranks, by rank.
+  /// Returns the bytes of each rank, ordered by rank.
   std::vector<Bytes> all_gather(const Bytes& bytes) {
     ++m_traffic.reductions;
     if (size() > 1)
@@ -87,7 +88,7 @@ public:
   }
 
   /// Replaces each number by the sum, minimum or maximum of the numbers of all ranks at this place.
-  /// \pre All ranks give as many numbers, and no sum overflows.
+  /// \pre All ranks pass the same number of numbers, and no sum overflows.
   void reduce(Operation operation, std::vector<std::int64_t>& numbers) {
     ++m_traffic.reductions;
     if (size() > 1)
@@ -115,16 +116,32 @@ public:
     throw Error(std::string(text.begin(), text.end()));
   }
 
+  /// Calls a function on each rank. If it throws on one of them, all ranks throw.
+  /// \param function function object without arguments. It must not call functions of the
+  ///        communicator, or they must throw on all ranks or on none.
+  /// \throws Error on all ranks with the message of the first rank whose function throws a
+  ///         `std::exception`
+  /// \throws Interrupted_error on all ranks if a function throws it
+  template <class Function> void call_together(const Function& function) {
+    std::string error;
+    bool is_interrupted = false;
+    try {
+      function();
+    } catch (const Interrupted_error&) {
+      is_interrupted = true;
+    } catch (const std::exception& e) {
+      error = e.what();
+      if (error.empty())
+        error = "unknown error";
+    }
+    agree_on_error(error);
+    agree_on_interrupt(is_interrupted);
+  }
+
   /// Calls `Progress_scope::check()` on all ranks. If it throws on one of them, all ranks throw.
   /// \throws Interrupted_error if the callback of a scope of a rank returned `false`
   void check_progress() {
-    bool is_interrupted = false;
-    try {
-      Progress_scope::check();
-    } catch (const Interrupted_error&) {
-      is_interrupted = true;
-    }
-    agree_on_interrupt(is_interrupted);
+    call_together([] { Progress_scope::check(); });
   }
 
   /// Throws `Interrupted_error` on all ranks if a rank is interrupted.

@@ -44,12 +44,12 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-A deformable simplicial complex that several ranks hold together. Each vertex has an owner. A rank
+A deformable simplicial complex that is distributed among ranks. Each vertex has an owner. A rank
 holds all cells around its vertices, and a cell is owned by the owner of its vertex with the least
 id. Vertices have ids that do not depend on the ranks.
 
-The functions of this package give the same complex, bit by bit, for any number of ranks and any
-partition. `checksum()` tells whether two distributed complexes are equal.
+The functions of this package give a bitwise identical complex for any number of ranks and any
+partition. Equal complexes have equal checksums.
 
 All member functions are collective unless they say otherwise: all ranks call them in the same
 order.
@@ -82,10 +82,14 @@ public:
   equal size.
 
   \param complex the complex, on the first rank; other ranks give any complex
+
+  n log n in the number of cells, on the first rank.
   */
   void distribute(const Complex& complex) {
     std::vector<int> owners;
-    if (m_mesh.rank() == 0) {
+    communicator().call_together([&] {
+      if (m_mesh.rank() != 0)
+        return;
       std::vector<Approximate_point> positions;
       for (auto v : complex.vertices())
         positions.push_back(complex.position(v));
@@ -94,7 +98,7 @@ public:
       const auto order = internal::hilbert_order<typename Complex::Space>(positions);
       for (std::size_t i = 0; i < n; ++i)
         owners[order[i]] = int(i * size / n);
-    }
+    });
     distribute(complex, [&](std::size_t i) { return owners[i]; });
   }
 
@@ -103,12 +107,19 @@ public:
 
   \param complex the complex, on the first rank; other ranks give any complex
   \param owner function object `int owner(i)` that returns the owner of the vertex `i` of
-         `complex.vertices()`; called on the first rank only
+         `complex.vertices()`; called on the first rank only. It must not throw.
+  \throws Error on all ranks if `owner` returns a number outside [0, `communicator().size()`); the
+          complex is then unchanged
+
+  n log n in the number of cells, on the first rank.
   */
   void distribute(const Complex& complex, const Owner& owner);
 
-  /// Gives each vertex a new owner. Vertices and cells move to their ranks.
-  /// \param owner function object `int owner(id, position)`; called for the vertices of this rank
+  /// Gives each vertex a new owner. The vertices and their cells are sent to the new owners. n log
+  /// n in the number of cells of a rank.
+  /// \param owner function object `int owner(id, position)`; called for the vertices of this rank, in
+  ///        the order of `graph()`
+  /// \pre `owner` returns a number in [0, size()) and does not throw
   template <class New_owner> void migrate(const New_owner& owner);
 
   /// Returns the work of the rank with the most work, relative to the mean of all ranks: 1 if the
@@ -120,12 +131,13 @@ public:
   Distributed_graph<Complex_::dimension> graph() const;
 
   /*!
-  Divides the complex again if the work of the ranks differs.
+  Repartitions the complex if `imbalance()` exceeds a limit.
 
   \param partitioner function object that returns the new owner of each own vertex, such as
          `Curve_partitioner` or `Scotch_partitioner`
-  \param limit the complex is divided if `imbalance()` is larger
-  \return whether the complex was divided
+  \param limit the limit, at least 1
+  \return whether the complex was repartitioned
+  \throws what the partitioner throws; the complex is then unchanged
   */
   template <class Partitioner = Curve_partitioner>
   bool rebalance(const Partitioner& partitioner = Partitioner(), double limit = 1.2) {
@@ -137,11 +149,15 @@ public:
     return true;
   }
 
-  /// Returns the whole complex on the first rank, and an empty complex on the others.
+  /// Returns the whole complex on the first rank, and an empty complex on the others. Points,
+  /// cells, labels and normalization are kept; the state of remeshing is not. n log n in the number
+  /// of cells, on the first rank.
+  /// \throws Error on all ranks if the complex cannot be assembled; the distributed complex is
+  ///         unchanged
   Complex gather() const;
 
-  /// Returns a number that is equal for equal complexes: a hash of the points, labels and cells of
-  /// all ranks, which does not depend on the partition.
+  /// Returns a hash of the vertices and cells of all ranks, including ids, labels and the state of
+  /// remeshing. It does not depend on the partition. Linear in the number of cells of a rank.
   std::uint64_t checksum() const;
 
   /// Returns the number of cells of all ranks.
@@ -169,7 +185,7 @@ public:
       result += m_mesh.piece.has_cell(c);
     return result;
   }
-  /// Returns the number of bytes that this rank uses for the complex, about. Not collective.
+  /// Returns the approximate number of bytes that this rank uses for the complex. Not collective.
   std::size_t memory() const { return m_mesh.piece.memory(); }
 
   /// Returns the number of connected components of a label. Not collective.
@@ -180,7 +196,8 @@ public:
     return result;
   }
 
-  /// Returns the mean length of the interface edges when the complex was built. Not collective.
+  /// Returns the mean length of the interface edges when the complex was built. `refine_3()` halves
+  /// it. Not collective.
   double mean_interface_edge() const { return m_mesh.mean_interface_edge; }
 
   /// Returns the map to user coordinates, see `Labelled_complex::Normalization`. Not collective.
@@ -193,8 +210,9 @@ public:
   }
 
   /*!
-  The vertices of the interface that this rank holds, and all facets around its own vertices, as
-  velocities see them. Vertices are ordered by their ids; handles in the snapshot are null.
+  The part of the interface on this rank: all interface vertices that it holds, and all interface
+  facets around its own vertices. Interface velocities receive the snapshot. Vertices are ordered by
+  their ids; handles in the snapshot are null.
   */
   struct Interface
   {
@@ -206,8 +224,8 @@ public:
   /// Returns the interface that this rank holds.
   Interface interface_here() const;
 
-  /// Returns whether this rank owns a facet of its interface: whether it owns the vertex with the
-  /// least id. Each facet has one owner. Not collective.
+  /// Returns whether this rank owns a facet. The owner of its vertex with the least id owns the
+  /// facet. Not collective.
   bool owns(const Interface& interface_,
             const typename Interface_snapshot<Complex>::Facet& facet) const {
     const auto first = *std::min_element(facet.vertices.begin(), facet.vertices.end());
@@ -229,13 +247,14 @@ public:
   /// here, and linear in the number of cells.
   std::vector<Label_measures> label_measures() const;
 
-  /// What a motion changes on this rank.
+  /// The vertices, cells and components of this rank, which a motion changes.
   class State
   {
     friend Distributed_complex;
     internal::Piece<dimension> m_piece;
     internal::Known_components m_components;
     internal::Global_id m_next_id;
+    bool m_are_components_known;
   };
   /// Returns the state on this rank. Not collective.
   State state() const {
@@ -243,13 +262,17 @@ public:
     result.m_piece = m_mesh.piece;
     result.m_components = m_mesh.components;
     result.m_next_id = m_mesh.next_id;
+    result.m_are_components_known = m_mesh.are_components_known;
     return result;
   }
-  /// Returns to the state that all ranks had when they called `state()`. Not collective.
+  /// Restores the state of this rank. All ranks must restore states of the same time before the
+  /// next collective call. Not collective.
+  /// \pre `distribute()`, `refine_3()` and `read_checkpoint()` were not called since
   void restore(const State& state) {
     m_mesh.piece = state.m_piece;
     m_mesh.components = state.m_components;
     m_mesh.next_id = state.m_next_id;
+    m_mesh.are_components_known = state.m_are_components_known;
     m_mesh.find_ghosts();
   }
 
@@ -303,6 +326,7 @@ private:
     m_mesh.components.clear();
     internal::Distributed_components<Complex>(m_mesh, internal::Label_totals(m_mesh.domain_measure))
         .update(m_mesh.components);
+    m_mesh.are_components_known = true;
   }
 
   Mesh m_mesh;
@@ -312,8 +336,9 @@ template <class Complex>
 void Distributed_complex<Complex>::distribute(const Complex& complex, const Owner& owner) {
   Common common = {};
   internal::Placement<d> placement;
-  std::string error;
-  if (m_mesh.rank() == 0) {
+  communicator().call_together([&] {
+    if (m_mesh.rank() != 0)
+      return;
     const auto handles = complex.vertices();
     std::vector<Vertex> vertices(handles.size());
     internal::Extent<d> box;
@@ -323,7 +348,7 @@ void Distributed_complex<Complex>::distribute(const Complex& complex, const Owne
       v.id = i;
       v.owner = owner(i);
       if (v.owner < 0 || v.owner >= communicator().size())
-        error = "the owner of a vertex is not one of the ranks: use 0 to size - 1";
+        throw Error("the owner of a vertex is not one of the ranks: use 0 to size - 1");
       v.point = coordinates_of<d>(complex.position(handles[i]));
       box.add(v.point);
       v.spacing = handles[i]->spacing();
@@ -340,16 +365,14 @@ void Distributed_complex<Complex>::distribute(const Complex& complex, const Owne
       cells.back().data.noted_quality = c->noted_quality();
       cells.back().data.failures = c->failures();
     }
-    if (error.empty())
-      placement.add(vertices, cells);
+    placement.add(vertices, cells);
     common = {coordinates_of<d>(complex.normalization().translation),
               complex.normalization().scale,
               complex.mean_interface_edge(),
               complex.minimum_interface_edge(),
               box.measure(),
               internal::Global_id(handles.size())};
-  }
-  communicator().agree_on_error(error);
+  });
   set_common(common);
   place(placement);
   find_components();
@@ -443,9 +466,10 @@ template <class Complex> Complex Distributed_complex<Complex>::gather() const {
   std::vector<Communicator::Message> messages;
   messages.push_back({0, writer.take()});
   Complex result;
-  std::string error;
   const auto arrived = communicator().exchange(std::move(messages));
-  if (m_mesh.rank() == 0) {
+  communicator().call_together([&] {
+    if (m_mesh.rank() != 0)
+      return;
     vertices.clear();
     cells.clear();
     for (const auto& message : arrived) {
@@ -472,14 +496,10 @@ template <class Complex> Complex Distributed_complex<Complex>::gather() const {
         indices.back()[i] = numbers.at(c.vertices[i]);
       labels.push_back(c.data.label);
     }
-    try {
+    if (!indices.empty())
       result.assign(points, indices, labels);
-      result.set_normalization(m_mesh.normalization);
-    } catch (const Error& e) {
-      error = e.what();
-    }
-  }
-  communicator().agree_on_error(error);
+    result.set_normalization(m_mesh.normalization);
+  });
   return result;
 }
 
@@ -576,7 +596,8 @@ template <class Complex> auto Distributed_complex<Complex>::interface_here() con
 
 template <class Complex>
 auto Distributed_complex<Complex>::label_measures() const -> std::vector<Label_measures> {
-  static constexpr int bits = 56; // of the units of measures; sums of ranks do not overflow
+  // Exponents of the units of measures, relative to the box; sums do not overflow.
+  static constexpr int bits = 56, interface_bits = 36;
   using Space = typename Complex::Space;
   std::vector<Label_measures> result;
   for (const auto& [number, component] : m_mesh.components)
@@ -600,7 +621,7 @@ auto Distributed_complex<Complex>::label_measures() const -> std::vector<Label_m
   std::vector<std::int64_t> numbers(4 * kept, 0);
   const double volume_unit = std::ldexp(m_mesh.domain_measure, -bits);
   const double side = std::pow(m_mesh.domain_measure, 1. / d);
-  const double interface_unit = std::ldexp(m_mesh.domain_measure / side, -bits);
+  const double interface_unit = std::ldexp(m_mesh.domain_measure / side, -interface_bits);
   for (Index c = 0; c < m_mesh.piece.cell_bound(); ++c)
     if (m_mesh.is_own_cell(c)) {
       const std::size_t i = 4 * place(m_mesh.piece.cell(c).data.label);

@@ -33,19 +33,21 @@ own vertices. The vertices of all ranks are numbered by rank.
 */
 template <int d> struct Distributed_graph
 {
-  std::vector<std::int64_t> first;     ///< number of the first vertex of each rank, and of all
-  std::vector<std::int64_t> begin;     ///< of the neighbors of each own vertex, and the end
-  std::vector<std::int64_t> neighbors; ///< numbers of the neighbors
-  std::vector<std::int64_t> weights;   ///< work at each own vertex, greater than 0
+  std::vector<std::int64_t> first; ///< number of the first vertex of each rank; the last entry is
+                                   ///< the number of all vertices
+  std::vector<std::int64_t> begin; ///< index in `neighbors` of the first neighbor of each own
+                                   ///< vertex; the last entry is the size
+  std::vector<std::int64_t> neighbors;          ///< numbers of the neighbors
+  std::vector<std::int64_t> weights;            ///< work at each own vertex, greater than 0
   std::vector<std::array<double, d>> positions; ///< of the own vertices, in the unit cube
 };
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Partitioner that divides the vertices along a space-filling curve, the Morton curve. The parts have
-equal weights, up to the weight of a vertex. Takes n log n in the number of own vertices, and a
-constant number of reductions of one number for each rank.
+Partitioner that divides the vertices along a space-filling curve, the Morton curve. The weights of
+the parts differ by at most the weight of the vertices with one key. n log n in the number of own
+vertices, and a constant number of reductions.
 */
 struct Curve_partitioner
 {

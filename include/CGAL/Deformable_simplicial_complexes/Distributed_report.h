@@ -47,8 +47,8 @@ template <class Complex> struct Distributed_report
   size_type relabeled = 0;           ///< cells that changed their label
   /// one for each label before or after, by increasing label
   std::vector<typename Deformation_report<Complex>::Label_change> labels;
-  /// changes of components between begin and end, at a place where the topology of the label
-  /// changed
+  /// changes of components between the begin and the end of the motion. `where` is a point at which
+  /// a patch changed the topology of this label; the origin if there is none.
   std::vector<Topology_event<Complex>> events;
 };
 

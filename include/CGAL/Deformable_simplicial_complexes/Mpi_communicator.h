@@ -12,6 +12,7 @@
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Communicator.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
 #include <mpi.h>
 
@@ -31,10 +32,12 @@ namespace Deformable_simplicial_complexes {
 
 Messages between processes through MPI. The header needs the component `Mpi` of the package.
 
-A message is as long as memory permits; it is sent in blocks of at most 2^30 bytes. The receivers of
-an exchange are not known beforehand: the ranks agree by a nonblocking barrier that all messages
-arrived (Hoefler, Siebert, Lumsdaine: *Scalable communication protocols for dynamic sparse data
-exchange*, 2010). So the time of an exchange does not grow linearly with the number of ranks.
+Messages of `exchange()` can have any size; they are sent in blocks of at most 2^30 bytes.
+`all_gather()` throws `Error` for more than 2^31 - 1 bytes of all ranks together. Errors of MPI end
+the program. The receivers of an exchange are not known beforehand: the ranks agree by a nonblocking
+barrier that all messages arrived (Hoefler, Siebert, Lumsdaine: *Scalable communication protocols
+for dynamic sparse data exchange*, 2010). So the time of an exchange does not grow linearly with the
+number of ranks.
 */
 class Mpi_communicator : public Communicator
 {
@@ -120,9 +123,16 @@ private:
   }
 
   std::vector<Bytes> do_all_gather(const Bytes& bytes) override {
-    std::vector<int> sizes(m_size), first(m_size, 0);
-    int size = int(bytes.size());
-    MPI_Allgather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, m_communicator);
+    std::vector<std::int64_t> long_sizes(m_size);
+    const auto long_size = std::int64_t(bytes.size());
+    MPI_Allgather(&long_size, 1, MPI_INT64_T, long_sizes.data(), 1, MPI_INT64_T, m_communicator);
+    if (std::accumulate(long_sizes.begin(), long_sizes.end(), std::int64_t(0)) > INT_MAX)
+      throw Error(
+          "the ranks exchange more than 2^31 - 1 bytes at once: there are too many components "
+          "of labels"); // on all ranks
+    const std::vector<int> sizes(long_sizes.begin(), long_sizes.end());
+    std::vector<int> first(m_size, 0);
+    const int size = int(long_size);
     std::partial_sum(sizes.begin(), sizes.end() - 1, first.begin() + 1);
     Bytes all(std::size_t(first.back()) + std::size_t(sizes.back()));
     MPI_Allgatherv(bytes.data(), size, MPI_BYTE, all.data(), sizes.data(), first.data(), MPI_BYTE,

@@ -19,6 +19,7 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <ptscotch.h>
 #include <vector>
 
@@ -30,7 +31,7 @@ namespace Deformable_simplicial_complexes {
 
 Partitioner that minimizes the number of edges between ranks, by PT-Scotch (C. Chevalier,
 F. Pellegrini, *PT-Scotch: a tool for efficient parallel graph ordering*, 2008). The header needs
-the component `Mpi` of the package, built with PT-Scotch.
+the component `Mpi` of the package, built with PT-Scotch. The partition is the same in each run.
 */
 class Scotch_partitioner
 {
@@ -40,11 +41,16 @@ public:
       : m_communicator(communicator) {}
 
   /// Returns the new owner of each own vertex. Collective.
-  /// \param communicator a communicator with the same ranks
+  /// \param communicator a communicator with the ranks of the MPI communicator, in the same order
   /// \param graph the graph
   /// \throws Error on all ranks if PT-Scotch fails
   template <int d>
   std::vector<int> operator()(Communicator& communicator, const Distributed_graph<d>& graph) const {
+    constexpr auto most = std::int64_t(std::numeric_limits<SCOTCH_Num>::max());
+    communicator.agree_on_error(graph.first.back() > most || graph.begin.back() > most
+                                    ? "the complex is too large for the integers of PT-Scotch: use "
+                                      "another partitioner"
+                                    : "");
     const auto n = SCOTCH_Num(graph.weights.size());
     std::vector<SCOTCH_Num> begin(graph.begin.begin(), graph.begin.end()),
         neighbors(graph.neighbors.begin(), graph.neighbors.end()),
@@ -56,10 +62,11 @@ public:
     bool has_failed = SCOTCH_dgraphInit(&scotch, m_communicator) != 0;
     SCOTCH_stratInit(&strategy);
     SCOTCH_randomReset(); // the same partition in each run
-    has_failed = has_failed ||
-                 SCOTCH_dgraphBuild(&scotch, 0, n, n, begin.data(), begin.data() + 1,
-                                    weights.data(), nullptr, begin.back(), begin.back(),
-                                    neighbors.data(), nullptr, nullptr) != 0 ||
+    has_failed =
+        has_failed || SCOTCH_dgraphBuild(&scotch, 0, n, n, begin.data(), begin.data() + 1,
+                                         weights.data(), nullptr, begin.back(), begin.back(),
+                                         neighbors.data(), nullptr, nullptr) != 0;
+    has_failed = communicator.reduced(Communicator::Operation::maximum, has_failed ? 1 : 0) != 0 ||
                  SCOTCH_dgraphPart(&scotch, communicator.size(), &strategy, parts.data()) != 0;
     SCOTCH_stratExit(&strategy);
     SCOTCH_dgraphExit(&scotch);

@@ -25,9 +25,10 @@ namespace Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Options of the motions of a distributed complex: those of `deform_interface()`. A patch of the
-complex is improved as a complex of the type `Part`, which `topology_control` sees. The flow of
-space is not taken from the options.
+Options of the motions of a distributed complex, with the names of the options of
+`deform_interface()`. `flow` and `flow_moves_all` have no effect. `topology_control` and `visitor`
+see a patch, which is a complex of the type `Part`, on the rank that improves the patch. Their
+results must not depend on the rest of the complex.
 
 \tparam Complex a distributed complex
 */
@@ -38,23 +39,29 @@ template <class Complex> using Distributed_options = Deformation_options<typenam
 
 Moves the vertices of the interface to destinations, as `deform_interface()` does on one rank.
 
-A pass moves all vertices simultaneously, as far as no cell inverts. Cells of low quality and
+A pass moves all vertices simultaneously, without inverting a cell. Cells of low quality and
 vertices that did not arrive are then improved in patches, see `Part_domain`: each patch is gathered
-on one rank and treated as `deform_interface()` treats a complex. Patches that overlap follow each
-other in rounds. The result does not depend on the number of ranks or on the partition.
+on one rank and treated as `deform_interface()` treats a complex. Overlapping patches are improved
+in different rounds. The result does not depend on the number of ranks or on the partition.
 
 \param dsc the complex
 \param interface_ the interface that this rank holds
-\param destinations one for each vertex of the interface here; those of vertices of other ranks have
-       no effect
+\param destinations one destination for each vertex of `interface_`; destinations of vertices of other
+       ranks have no effect
 \param options the options. `number_of_threads` is used within a patch.
-\param flow flow of space, see the parameter `flow` of `deform_interface()`; it returns the
+\param flow destinations of points of space, see the parameter `flow` of `deform_interface()`; it returns the
        destinations of points, and may be empty
 \return the report, equal on all ranks
-\throws Invalid_destination_error on all ranks if a destination of a rank is not finite; the complex
-        is then unchanged
-\throws Error on all ranks if an option is out of its range, or a function of the user throws on a
-        rank; the complex is valid then
+\throws Error on all ranks if an option is out of its range, a destination of a vertex that its rank
+        owns is not finite, the number of destinations differs from the number of vertices, or
+`flow` throws or returns a wrong number of points on a rank; the complex is then unchanged, or a
+        part of its vertices has moved
+\throws Error on all ranks if `topology_control` or another function of the options throws on a rank
+\throws Interrupted_error on all ranks if a rank is interrupted
+
+After an exception, the complex is valid. `Distributed_complex::restore()` returns to an earlier
+state. Collective.
+
 \pre the complex has not changed since the interface was taken
 */
 template <class Complex>

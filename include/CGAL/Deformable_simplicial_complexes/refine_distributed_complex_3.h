@@ -51,7 +51,7 @@ public:
     m_mesh.mean_interface_edge /= 2;
     m_mesh.minimum_interface_edge /= 2;
     m_mesh.find_ghosts();
-    renumber_vertices(m_mesh, Global_id(1) << 63);
+    renumber_vertices(m_mesh, (m_mesh.next_id + 2) << 31);
   }
 
 private:
@@ -136,20 +136,21 @@ private:
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Divides each tetrahedron of a distributed complex into eight. All edges become half as long, and the
-interface keeps its shape. No rank holds the whole complex, so a coarse complex that one rank can
-build is refined to a size that no rank could hold. Linear in the number of cells of a rank.
+Divides each tetrahedron of a distributed complex into eight. Each edge is split at its midpoint,
+and the interface keeps its shape. No rank holds the whole complex, so a coarse complex that one
+rank can build is refined to a size that no rank could hold. `mean_interface_edge()` is halved.
+Linear in the number of cells of a rank, with memory for the old and the new piece. Collective.
 
 \param dsc the complex; its domain must be a box
-\throws Error on all ranks if the domain is not a box, there are more than 2^31 vertices, or a
-        coordinate of a midpoint is rounded so that a cell is not positively oriented; the complex
-        is then unchanged
-
-Collective.
+\throws Error on all ranks if the domain is not a box, there are 2^31 or more vertices, or a
+        coordinate of a midpoint is rounded so that a cell is
+not positively oriented; the complex is then unchanged
 */
 template <class Complex> void refine_3(Distributed_complex<Complex>& dsc) {
   auto& mesh = dsc.mesh();
   std::string error;
+  if (mesh.next_id >= internal::Piece_refiner_3<Complex>::bound)
+    internal::renumber_vertices(mesh, mesh.next_id);
   if (mesh.next_id >= internal::Piece_refiner_3<Complex>::bound)
     error = "the complex has too many vertices to be refined";
   for (std::uint32_t v = 0; v < mesh.piece.vertex_bound(); ++v)

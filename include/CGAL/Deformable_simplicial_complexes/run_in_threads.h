@@ -148,8 +148,9 @@ its ranks are threads or processes.
 
 \param size the number of ranks, at least 1
 \param function function object, called as `function(Communicator&)` once for each rank
-\throws the exception of the first rank whose function throws; the other ranks end at their next
-        call of the communicator
+\throws the exception of the lowest rank whose function throws. The function of another rank is left by
+        an internal exception at its next call of the communicator, so it must not catch `...`
+        without rethrowing.
 */
 template <class Function> void run_in_threads(int size, const Function& function) {
   internal::Thread_exchange exchange(size);

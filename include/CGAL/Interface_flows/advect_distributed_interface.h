@@ -11,6 +11,7 @@
 #include <CGAL/license/Interface_flows.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Distributed_complex.h>
+#include <CGAL/Deformable_simplicial_complexes/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_distributed_interface.h>
 #include <CGAL/Interface_flows/Integration_scheme.h>
 #include <CGAL/Interface_flows/Mean_curvature_flow.h>
@@ -19,9 +20,7 @@
 
 #include <array>
 #include <cstddef>
-#include <exception>
 #include <functional>
-#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -44,16 +43,15 @@ public:
                   const std::vector<typename Complex::Approximate_point>& positions, double t,
                   std::vector<typename Complex::Approximate_vector>& velocities) const {
     static constexpr int d = Complex::dimension;
-    std::string error;
-    try {
+    m_mesh.communicator->call_together([&] {
       m_velocity(snapshot, positions, t, velocities);
       if (velocities.size() != positions.size())
-        error = "the number of velocities differs from the number of interface vertices: give one "
-                "velocity for each vertex";
-    } catch (const std::exception& e) {
-      error = e.what();
-    }
-    m_mesh.communicator->agree_on_error(error);
+        throw Error("the number of velocities differs from the number of interface vertices: give "
+                    "one velocity for each vertex");
+      for (std::size_t i = 0; i < velocities.size(); ++i)
+        if (m_mesh.is_own(m_interface.indices[i]) && !has_finite_coordinates(velocities[i]))
+          throw Error("a velocity is not finite: correct the velocity");
+    });
     std::vector<std::array<double, d>> values(m_mesh.piece.vertex_bound());
     for (std::size_t i = 0; i < velocities.size(); ++i)
       values[m_interface.indices[i]] = coordinates_of<d>(velocities[i]);
@@ -84,7 +82,11 @@ Moves the interface with a velocity for one time step, as `advect_interface()` d
 \param scheme the method that integrates velocities; `Integration_scheme::adaptive` chooses the same
        substeps for all vertices, which would depend on the rank, and is not available
 \return the report, equal on all ranks
-\throws Error as `deform_interface_to()`
+\throws Error on all ranks if the velocity throws on a rank, returns a wrong number of values, or
+        `scheme` is `adaptive`; the complex is then unchanged
+\throws Error, Interrupted_error as `deform_interface_to()`
+
+Collective.
 */
 template <class Complex, class Velocity>
 Distributed_report<Complex>
@@ -101,19 +103,15 @@ advect_interface(Distributed_complex<Complex>& dsc, const Velocity& velocity, do
                                        0.);
   };
   Points destinations;
-  std::string error;
-  try {
+  dsc.communicator().call_together([&] {
     if constexpr (internal::is_velocity_field<Complex, Velocity> ||
                   internal::is_flow_map<Complex, Velocity> ||
                   internal::is_interface_step<Complex, Velocity>)
       destinations = destinations_with(velocity);
-    else
+    else // throws on all ranks or on none
       destinations = destinations_with(
           internal::Shared_velocity<Complex, Velocity>(dsc, interface_, velocity));
-  } catch (const std::exception& e) {
-    error = e.what();
-  }
-  dsc.communicator().agree_on_error(error);
+  });
   std::function<Points(const Points&)> flow;
   if constexpr (internal::is_flow_of_space<Complex, Velocity>)
     flow = [&](const Points& points) {
@@ -125,9 +123,9 @@ advect_interface(Distributed_complex<Complex>& dsc, const Velocity& velocity, do
 /*!
 \ingroup PkgInterfaceFlowsRef
 
-Moves the interface by mean curvature for one time step, as `advect_interface()` does on one rank. The
-conjugate gradient method solves the systems on all ranks together. The result is the same, bit by
-bit, for any number of ranks.
+Moves the interface by mean curvature for one time step, as `advect_interface()` does on one rank.
+The conjugate gradient method solves the systems on all ranks together. The result is bitwise
+identical for any number of ranks.
 
 \param dsc the complex
 \param flow the flow; it must not preserve volumes
@@ -137,6 +135,9 @@ bit, for any number of ranks.
 \return the report, equal on all ranks
 \throws Error on all ranks if the flow preserves volumes, `dt` is negative, or a system cannot be
         solved, see `Mean_curvature_flow`; the complex is then unchanged
+\throws Error, Interrupted_error as `deform_interface_to()`
+
+Collective.
 */
 template <class Complex>
 Distributed_report<Complex>
@@ -151,8 +152,8 @@ advect_interface(Distributed_complex<Complex>& dsc, const Mean_curvature_flow& f
   const auto interface_ = dsc.interface_here();
   options.interface_energy = flow.energy();
   return deform_interface_to(
-      dsc, interface_,
-      internal::mean_curvature_destinations(dsc, interface_, flow.energy(), dt), options);
+      dsc, interface_, internal::mean_curvature_destinations(dsc, interface_, flow.energy(), dt),
+      options);
 }
 
 } // namespace Deformable_simplicial_complexes

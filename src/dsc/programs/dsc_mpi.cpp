@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The program of the commands that move an interface, if `mpirun` starts the program `dsc`. All
-// processes hold the complex together and run the same steps. Only the first process writes
-// messages.
+// The program of the commands that move an interface, if `mpirun` starts the program `dsc`. The
+// complex is distributed among the processes, which run the same steps. Only the first process
+// writes messages.
 
 #include "../commands/commands.h"
 #include "../errors.h"
@@ -93,7 +93,8 @@ std::unique_ptr<dsc::Tracked_complex> resume(const std::string& path, std::strin
 } // namespace
 
 int main(int argc, char** argv) {
-  MPI_Init(&argc, &argv);
+  int threads = 0;
+  MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &threads); // one thread calls MPI
   int code = 0;
   {
     dsc::Mpi_processes processes(true);

@@ -18,6 +18,7 @@
 
 namespace dsc {
 
+/// Returns the rank of this process in `MPI_COMM_WORLD`.
 inline int rank_of_process() {
   int result = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &result);
@@ -31,8 +32,8 @@ inline bool any_process(bool value) {
   return result != 0;
 }
 
-/// A scope in which the first process prints messages, and the others only if they alone fail. MPI
-/// must be initialized.
+/// Redirects messages: only the first process prints. Another process prints its messages only if
+/// it fails and the others do not end. MPI must be initialized.
 class Mpi_processes
 {
 public:
@@ -56,8 +57,9 @@ public:
   void end(int code) {
     std::cerr.rdbuf(m_terminal);
     // The first process prints its message itself. It can take long to write files after an error
-    // that all processes meet.
-    const auto patience = std::chrono::seconds(rank_of_process() == 0 ? 5 : 300);
+    // or an interrupt that all processes meet.
+    const auto patience =
+        std::chrono::seconds(rank_of_process() == 0 && code != exit_code_of_interrupt ? 5 : 300);
     const auto begin = std::chrono::steady_clock::now();
     MPI_Request request;
     MPI_Ibarrier(m_ends, &request);
@@ -65,8 +67,7 @@ public:
       MPI_Test(&request, &have_ended, MPI_STATUS_IGNORE);
       if (have_ended != 0)
         break;
-      if (code != 0 && code != exit_code_of_interrupt &&
-          std::chrono::steady_clock::now() - begin > patience) {
+      if (code != 0 && std::chrono::steady_clock::now() - begin > patience) {
         std::fputs(m_messages.str().c_str(), stderr);
         MPI_Abort(MPI_COMM_WORLD, code);
       }

@@ -12,6 +12,7 @@
 #include <CGAL/Deformable_simplicial_complexes/IO/PVTU.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/VTU_3.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/distributed_checkpoint.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/State.h>
 #include <CGAL/Deformable_simplicial_complexes/refine_distributed_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/run_in_threads.h>
@@ -27,6 +28,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -237,8 +239,8 @@ TEST(Distributed_complex, Has_the_mean_curvature_of_a_complex_on_one_rank) {
     Distributed dsc(communicator);
     dsc.distribute(start);
     const auto interface_ = dsc.interface_here();
-    const auto found = DSC::internal::mean_curvature_destinations(
-        dsc, interface_, DSC::Interface_energy(), .002);
+    const auto found =
+        DSC::internal::mean_curvature_destinations(dsc, interface_, DSC::Interface_energy(), .002);
     const DSC::Interface_snapshot<Complex> snapshot(start);
     std::vector<Point> expected;
     DSC::Mean_curvature_flow()(snapshot, snapshot.positions(start), 0, .002, expected);
@@ -355,6 +357,52 @@ TEST(Distributed_complex, Is_refined_without_changing_the_interface) {
       EXPECT_NEAR(gathered.mean_interface_edge(), dsc.mean_interface_edge(), 1e-12);
     }
   });
+}
+
+TEST(Distributed_complex, May_be_empty_or_have_no_interface) {
+  const Complex one_label = make_complex(grid(2, small_meshes::uniform));
+  for (const Complex& start : {Complex(), one_label})
+    DSC::run_in_threads(3, [&](DSC::Communicator& communicator) {
+      const Temporary_folder folder;
+      Distributed dsc(communicator);
+      dsc.distribute(start);
+      const std::uint64_t before = dsc.checksum();
+      const Report report = offset(dsc, .1);
+      EXPECT_TRUE(report.complete);
+      EXPECT_EQ(report.passes, 0u);
+      EXPECT_TRUE(advect_interface(dsc, DSC::Mean_curvature_flow(), 0, .1).complete);
+      EXPECT_EQ(dsc.checksum(), before);
+      dsc.rebalance();
+      EXPECT_EQ(dsc.number_of_cells(), start.number_of_cells());
+      EXPECT_EQ(dsc.label_measures().size(), start.labels().size());
+      EXPECT_EQ(dsc.gather().number_of_cells(),
+                communicator.rank() == 0 ? start.number_of_cells() : 0);
+      CGAL::IO::write_PVTU(folder / "cells.pvtu", dsc);
+      CGAL::IO::write_interface_PVTU(folder / "interface.pvtu", dsc);
+      CGAL::IO::write_checkpoint(folder / "checkpoint.dsc", dsc);
+    });
+}
+
+// Many labels, of which most share no cell.
+TEST(Distributed_complex, May_have_many_labels) {
+  const Complex start = make_complex(grid(6, [](const auto& p) {
+    return int(std::floor(3 * (p.x() + 1))) + 6 * int(std::floor(3 * (p.y() + 1))) +
+           36 * int(std::floor(3 * (p.z() + 1)));
+  }));
+  std::vector<std::uint64_t> checksums;
+  for (int ranks : {1, 3}) {
+    DSC::run_in_threads(ranks, [&](DSC::Communicator& communicator) {
+      Distributed dsc(communicator);
+      dsc.distribute(start);
+      const Report report = advect_interface(dsc, DSC::Mean_curvature_flow(), 0, .002);
+      const std::uint64_t checksum = dsc.checksum();
+      EXPECT_EQ(report.labels.size(), 216u);
+      EXPECT_EQ(dsc.label_measures().size(), 216u);
+      if (communicator.rank() == 0)
+        checksums.push_back(checksum);
+    });
+  }
+  EXPECT_EQ(checksums[0], checksums[1]);
 }
 
 TEST(Distributed_complex, Topology_changes_can_be_forbidden) {
@@ -486,10 +534,66 @@ TEST(Distributed_complex, Errors_on_one_rank_are_thrown_on_all_ranks) {
                 return communicator.rank() == 0 ? Vector(nan, 0, 0) : Vector(.01, 0, 0);
               }),
               "");
+    EXPECT_NE(
+        message_of([&](const DSC::Interface_snapshot<Complex>&, const std::vector<Point>& positions,
+                       double, std::vector<Vector>& velocities) {
+          const double nan = std::numeric_limits<double>::quiet_NaN();
+          velocities.assign(positions.size(),
+                            communicator.rank() == 0 ? Vector(nan, 0, 0) : Vector(.01, 0, 0));
+        }),
+        "");
     DSC::Distributed_options<Distributed> options;
     options.quality_threshold = communicator.rank() == 1 ? 2 : .2;
     EXPECT_THROW(advect_interface(dsc, DSC::Normal_offset{.01}, 0, 1, options), DSC::Error);
     EXPECT_EQ(dsc.checksum(), before);
+  });
+}
+
+// A rank is interrupted in a step. All ranks return to the state before the step and go on.
+TEST(Distributed_complex, Interrupts_of_one_rank_stop_all_ranks) {
+  const Case c = cases()[3];
+  const Result one = run(c, {"one rank", 1, {}});
+  DSC::run_in_threads(3, [&](DSC::Communicator& communicator) {
+    Distributed dsc(communicator);
+    dsc.distribute(c.start);
+    for (int step = 0; step < 3; ++step) {
+      const auto before = dsc.state();
+      {
+        int calls = 0;
+        const DSC::Progress_scope scope(
+            [&](const char*) { return communicator.rank() != 1 || ++calls < 3 + 40 * step; },
+            std::chrono::milliseconds(0));
+        EXPECT_THROW(c.step(dsc, step), DSC::Interrupted_error);
+      }
+      dsc.restore(before);
+      c.step(dsc, step);
+      EXPECT_EQ(dsc.checksum(), one.checksums[step]);
+    }
+  });
+}
+
+// The complex stays valid after an error in a patch, and later events name all changes.
+TEST(Distributed_complex, Goes_on_after_an_error_in_a_patch) {
+  DSC::run_in_threads(3, [&](DSC::Communicator& communicator) {
+    Distributed dsc(communicator);
+    dsc.distribute(make_complex(grid(8, small_meshes::two_balls)));
+    DSC::Distributed_options<Distributed> options;
+    bool has_thrown = false;
+    options.topology_control = [](const Distributed::Part&, Distributed::Part::Cell_handle,
+                                  int) -> bool { throw std::runtime_error("no control"); };
+    for (int step = 0; step < 10; ++step) {
+      try {
+        advect_interface(dsc, DSC::Normal_offset{.05}, 0, 1,
+                         has_thrown ? DSC::Distributed_options<Distributed>() : options);
+      } catch (const DSC::Error& e) {
+        EXPECT_STREQ(e.what(), "no control");
+        has_thrown = true;
+      }
+      const Complex gathered = dsc.gather();
+      EXPECT_TRUE(communicator.rank() > 0 || gathered.is_valid(true));
+    }
+    EXPECT_TRUE(has_thrown);
+    EXPECT_EQ(dsc.number_of_components(1), 1u);
   });
 }
 

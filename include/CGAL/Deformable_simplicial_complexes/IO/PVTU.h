@@ -20,7 +20,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <exception>
 #include <filesystem>
 #include <ostream>
 #include <string>
@@ -40,38 +39,32 @@ inline std::string piece_path(const std::string& path, int rank) {
 // the cell arrays in the list. An error on one rank is thrown on all ranks.
 inline void write_pieces(const std::string& path, Communicator& communicator,
                          const Vtu_document& document, const std::string& cell_arrays) {
-  std::string error;
-  try {
+  communicator.call_together([&] {
     replace_file_by_stream(piece_path(path, communicator.rank()),
                            [&](std::ostream& out) { document.write(out); });
-  } catch (const std::exception& e) {
-    error = e.what();
-  }
-  communicator.agree_on_error(error); // the list names complete files only
-  if (communicator.rank() == 0) {
-    try {
-      replace_file_by_stream(path, [&](std::ostream& out) {
-        out << "<?xml version=\"1.0\"?>\n"
-               "<VTKFile type=\"PUnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
-               "header_type=\"UInt64\">\n"
-               "  <PUnstructuredGrid GhostLevel=\"0\">\n"
-               "    <PCellData>\n"
-            << cell_arrays
-            << "    </PCellData>\n"
-               "    <PPoints>\n"
-               "      <PDataArray type=\"Float64\" Name=\"points\" NumberOfComponents=\"3\"/>\n"
-               "    </PPoints>\n";
-        for (int r = 0; r < communicator.size(); ++r)
-          out << "    <Piece Source=\""
-              << std::filesystem::path(piece_path(path, r)).filename().string() << "\"/>\n";
-        out << "  </PUnstructuredGrid>\n"
-               "</VTKFile>\n";
-      });
-    } catch (const std::exception& e) {
-      error = e.what();
-    }
-  }
-  communicator.agree_on_error(error);
+  });
+  // All pieces are complete.
+  communicator.call_together([&] {
+    if (communicator.rank() != 0)
+      return;
+    replace_file_by_stream(path, [&](std::ostream& out) {
+      out << "<?xml version=\"1.0\"?>\n"
+             "<VTKFile type=\"PUnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+             "header_type=\"UInt64\">\n"
+             "  <PUnstructuredGrid GhostLevel=\"0\">\n"
+             "    <PCellData>\n"
+          << cell_arrays
+          << "    </PCellData>\n"
+             "    <PPoints>\n"
+             "      <PDataArray type=\"Float64\" Name=\"points\" NumberOfComponents=\"3\"/>\n"
+             "    </PPoints>\n";
+      for (int r = 0; r < communicator.size(); ++r)
+        out << "    <Piece Source=\""
+            << std::filesystem::path(piece_path(path, r)).filename().string() << "\"/>\n";
+      out << "  </PUnstructuredGrid>\n"
+             "</VTKFile>\n";
+    });
+  });
 }
 
 template <class Complex>
@@ -90,13 +83,15 @@ namespace IO {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Writes all cells of a distributed complex for ParaView. Each rank writes its own cells to a file of
-its own, named as `path` with the number of the rank and the extension `.vtu`. The first rank writes
-`path`, which lists them. The cell data are `label`, `quality`, and `rank`, the owner. Collective.
+Writes all cells of a distributed complex for ParaView. For `a.pvtu`, the rank 3 writes its own
+cells to `a_3.vtu`. The first rank writes `path`, which lists the files. Points have user
+coordinates. Linear in the number of own cells. The cell data are `label`, `quality`, and `rank`,
+the owner. Collective.
 
-\param path name of the list, with the extension `.pvtu`; its folder must exist
+\param path name of the list, with the extension `.pvtu`; its folder must exist on all ranks
 \param complex the complex
-\throws Deformable_simplicial_complexes::Error on all ranks if a file cannot be written
+\throws Deformable_simplicial_complexes::Error on all ranks if a file cannot be written; an older list
+        is then unchanged, but some of its files may be replaced
 */
 template <class Complex>
 void write_PVTU(const std::string& path,

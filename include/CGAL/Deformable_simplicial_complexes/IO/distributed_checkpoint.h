@@ -22,10 +22,10 @@ namespace IO {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Writes a distributed complex to one file. A run that continues from the file gives the same complex,
-bit by bit, for any number of ranks. The first rank writes the file; it holds one piece of another
-rank at a time. A temporary file in the same folder is written and renamed when complete, so if a
-process ends while writing, the previous checkpoint is unchanged. Collective.
+Writes a distributed complex to one file. A run that continues from the file gives a bitwise
+identical complex for any number of ranks. The first rank writes the file; it holds one piece of
+another rank at a time. A temporary file in the same folder is written and renamed when complete, so
+if a process ends while writing, the previous checkpoint is unchanged. Collective.
 
 The file has the byte order of the machine. Each piece has a checksum.
 

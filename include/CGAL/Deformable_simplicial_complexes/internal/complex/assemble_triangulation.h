@@ -156,8 +156,7 @@ void join_infinite_cells(typename Space::Triangulation_data_structure& tds,
 
 // Creates cells between given vertices in an empty data structure, and sets their adjacency.
 // `vertices[0]` is the existing infinite vertex. Throws `Invalid_cells_error` unless each facet has
-// exactly two cells, one on each side. In a part of a complex, infinite cells may share their
-// facets with several others.
+// exactly two cells, one on each side. Facets of infinite cells of a part may have more cells.
 template <class Space>
 std::vector<typename Space::Cell_handle>
 create_cells(typename Space::Triangulation_data_structure& tds,

@@ -348,10 +348,9 @@ auto CGAL_DSC_CLASS::assign_part(const State& part) -> std::vector<Vertex_handle
   for (size_type i = 0; i < part.cells.size(); ++i) {
     cells[i]->set_label(part.cell_labels[i]);
     cells[i]->set_failures(part.failures[i]);
+    cells[i]->set_noted_quality(part.noted_qualities[i]);
   }
   result.initialize_caches();
-  for (size_type i = 0; i < part.cells.size(); ++i)
-    cells[i]->set_noted_quality(part.noted_qualities[i]);
   swap(result);
   return {vertices.begin() + 1, vertices.end()};
 }

@@ -51,7 +51,8 @@ public:
   using Flow = typename Distributed_motion<Complex>::Flow;
   using Report = Distributed_report<Complex>;
 
-  Distributed_deformer(Mesh& mesh, const Options& options) : m_mesh(mesh), m_options(options) {
+  Distributed_deformer(Mesh& mesh, const Options& options)
+      : m_mesh(mesh), m_options(options), m_most_passes(options.maximum_number_of_passes) {
     std::string error;
     try {
       options.check();
@@ -59,7 +60,8 @@ public:
       error = e.what();
     }
     mesh.communicator->agree_on_error(error);
-    m_options.maximum_number_of_passes = passes_of_patch;
+    m_options.maximum_number_of_passes =
+        (std::min)(passes_of_patch, options.maximum_number_of_passes);
     m_options.flow = nullptr;
   }
 
@@ -97,13 +99,16 @@ public:
   // Moves the vertices. Returns the report.
   Report run(const Flow& flow) {
     static constexpr double same = .99; // maximum ratio of distances that counts as progress
-    static constexpr unsigned most = 20, most_idle = 2;
+    static constexpr unsigned most_idle = 2;
     Report report;
     begin_labels(report);
+    if (!m_mesh.are_components_known) // the events of a motion that ended with an exception
+      find_events(report);
+    m_mesh.are_components_known = false;
     double last = std::numeric_limits<double>::infinity();
     unsigned idle = 0;
     measure_remaining(report);
-    while (report.unfinished > 0 && idle < most_idle && report.passes < most) {
+    while (report.unfinished > 0 && idle < most_idle && report.passes < m_most_passes) {
       ++report.passes;
       Distributed_motion<Complex> motion(m_mesh);
       motion.run(report.passes == 1 ? flow : Flow());
@@ -116,6 +121,7 @@ public:
     report.complete = report.unfinished == 0;
     if (report.patches > 0)
       find_events(report);
+    m_mesh.are_components_known = true;
     end_labels(report);
     std::vector<std::int64_t> numbers = {0, m_stopped_at_boundary};
     for (Index c = 0; c < m_mesh.piece.cell_bound(); ++c)
@@ -130,7 +136,7 @@ public:
 private:
   using Operation = Communicator::Operation;
 
-  static constexpr float forgetting = .5; // of the work of earlier motions
+  static constexpr float forgetting = .5;        // of the work of earlier motions
   static constexpr unsigned passes_of_patch = 3; // more passes follow after the next motion
 
   // Finds the box that is the domain.
@@ -200,18 +206,21 @@ private:
     }
   }
 
-  // Closes the destinations of vertices that left the interface. Finds the number of the other open
-  // ones, and their distances.
+  // Clears `is_open` of vertices that left the interface. Finds the number of the remaining
+  // vertices and their remaining displacements.
   void measure_remaining(Report& report) {
     const std::vector<std::uint8_t> is_interface = m_mesh.interface_flags();
-    std::int64_t unfinished = 0;
+    std::int64_t unfinished = 0, vanished = 0;
     double longest = 0;
     std::vector<std::array<double, 1>> distances;
     for (Index v = 0; v < m_mesh.piece.vertex_bound(); ++v) {
       if (!m_mesh.piece.has_vertex(v))
         continue;
       auto& vertex = m_mesh.piece.vertex(v);
-      vertex.is_open = vertex.is_open && is_interface[v];
+      if (vertex.is_open && !is_interface[v]) {
+        vertex.is_open = false;
+        vanished += m_mesh.is_own(v);
+      }
       if (!vertex.is_open || !m_mesh.is_own(v))
         continue;
       ++unfinished;
@@ -223,6 +232,7 @@ private:
       longest = (std::max)(longest, distances.back()[0]);
     }
     report.unfinished = m_mesh.communicator->reduced(Operation::sum, unfinished);
+    report.vanished += m_mesh.communicator->reduced(Operation::sum, vanished);
     report.longest_remaining = maximum_of_ranks(*m_mesh.communicator, longest);
     m_remaining = Exact_sums<1>(*m_mesh.communicator)(distances)[0];
   }
@@ -331,7 +341,8 @@ private:
   }
 
   Mesh& m_mesh;
-  Options m_options;
+  Options m_options; // of the patches
+  unsigned m_most_passes;
   std::array<double, d> m_lower, m_upper; // of the domain
   bool m_is_box = false;
   std::int64_t m_stopped_at_boundary = 0;

@@ -11,6 +11,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/coordinates.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Failure_memory.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/patches/Distributed_extension.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/ranks/Distributed_mesh.h>
@@ -32,11 +33,11 @@ namespace internal {
 
 /*
 The simultaneous motion of Algorithm 1 on a distributed complex. Vertices of the interface move
-towards their destinations, and free vertices follow the flow of space and the harmonic extension of
+towards their destinations, and free vertices follow the given flow and the harmonic extension of
 the deviation from it. Where a cell would be inverted or fall below the quality floor, the
 displacements of its vertices are halved, and the displacements around them are reduced as
-`Displacement_reduction` does. The reduction has a unique result, which does not depend on the order
-of the ranks. What remains to be moved is left to the patches.
+`Displacement_reduction` does. The reduction has a unique result, which does not depend on the
+ranks. Patches later move the vertices with a remaining displacement.
 */
 template <class Complex> class Distributed_motion
 {
@@ -171,7 +172,13 @@ private:
           vertices.push_back(v);
           positions.push_back(m_mesh.position(v));
         }
-      const std::vector<Position> destinations = flow(positions);
+      std::vector<Position> destinations;
+      m_mesh.communicator->call_together([&] {
+        destinations = flow(positions);
+        if (destinations.size() != positions.size())
+          throw Error("the number of destinations of the flow differs from the number of points: "
+                      "give one destination for each point");
+      });
       for (std::size_t i = 0; i < vertices.size(); ++i) {
         for (int k = 0; k < d; ++k)
           flows[vertices[i]][k] = destinations[i][k] - positions[i][k];

@@ -51,22 +51,26 @@ struct Part_of<Deformable_simplicial_complex_2<Traits, Tds, Domain>>
 
 using Patch_key = std::uint64_t; // greater than 0
 
-// Returns the key of the patch that improves a cell: of the cube of space that contains its
-// barycenter. `edge` is the mean edge of the interface. Cells with edges far above it have larger
-// cubes. The leading bits of a key tell whether the coordinates of the cube are odd: cubes of one
-// kind do not touch, so most of them can be improved in the same round.
+// Returns the key of the cube that contains the barycenter of a cell. The patch of this cube
+// improves the cell. `edge` is the mean edge of the interface. Cells with edges far above it have
+// larger cubes. The leading bits of a key tell whether the coordinates of the cube are odd: cubes
+// of one kind do not touch, so most of them can be improved in the same round.
 template <class Complex>
 Patch_key patch_key(const std::array<typename Complex::Approximate_point, Complex::corners>& p,
                     double edge) {
-  // Edge length of a cube, in edges; up to twice as long. Smaller cubes have relatively larger
-  // surroundings, and more of them overlap.
+  // Largest edge length of a cube, in mean interface edges; the smallest one is half of it. Smaller
+  // cubes have relatively larger surroundings, and more of them overlap.
   static constexpr double edges = 32;
   static constexpr int d = Complex::dimension;
   double longest = 0;
   for (int i = 0; i <= d; ++i)
     for (int j = 0; j < i; ++j)
       longest = (std::max)(longest, (p[i] - p[j]).squared_length());
-  const int level = (std::max)(std::ilogb(std::sqrt(longest)), std::ilogb(edge) + 1);
+  // Few sizes of cubes, because cubes of different sizes overlap.
+  static constexpr int step = 2; // ratio of the sizes, as an exponent of 2
+  const int base = std::ilogb(edge) + 1;
+  const int above = (std::max)(0, std::ilogb(std::sqrt(longest)) - base);
+  const int level = base + (above + step - 1) / step * step;
   std::uint64_t key = mixed(std::uint64_t(level)), parities = 0;
   for (int axis = 0; axis < d; ++axis) {
     double sum = 0;
@@ -100,7 +104,7 @@ template <int d> struct Topology_place
 /*
 A part of a distributed complex that a rank takes, improves as if it were a complex of its own, and
 puts back: the cells around the active cells of a cube of space. The result depends on these cells
-only. The vertices on the cut stay where they are.
+only. Vertices on the cut do not move.
 */
 template <class Complex> class Patch
 {
@@ -298,9 +302,11 @@ private:
         ids.push_back(data.id);
       }
       data.point = coordinates_of<d>(part.position(v));
-      data.spacing = v->spacing();
-      if (!is_cut(v))
+      // Other patches of the round can share a vertex on the cut, so its data stays.
+      if (!is_cut(v)) {
+        data.spacing = v->spacing();
         data.work += 1;
+      }
       data.is_open =
           data.is_open && data.point != data.destination && (part.is_interface(v) || is_cut(v));
       m_after.push_back(data);
@@ -353,8 +359,9 @@ private:
         v.owner = rank;
   }
 
-  // Replaces the components of the part by those of the complex: a component of the part belongs to
-  // the component of its first old cell. Component 0 is new.
+  // Replaces the components of the part by those of the complex. An unchanged cell keeps its
+  // component. Another cell gets the least component among the unchanged cells of its component
+  // of the part, or 0 if there are none.
   void find_components() {
     std::vector<std::pair<Global_id, Global_id>> known; // of the part, of the complex
     std::size_t k = 0;

@@ -9,7 +9,6 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PATCHES_PATCH_ROUNDS_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PATCHES_PATCH_ROUNDS_H
 
-#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/patches/Patch.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/ranks/Distributed_mesh.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/ranks/Piece.h>
@@ -20,10 +19,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <exception>
 #include <map>
 #include <set>
-#include <string>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -34,7 +31,7 @@ namespace internal {
 
 /*
 Improves the active cells of a distributed complex in rounds. In a round, each cube of space that
-contains active cells proposes a patch: the cells within a few rings around these cells. Among
+contains active cells proposes a patch: these cells and two rings of cells around them. Among
 patches that overlap, the one with the largest key wins. Each winner is gathered on one rank,
 improved there, and put back on all ranks that hold its cells. The keys and the patches depend on
 the complex only. So the result does not depend on the number of ranks or on the partition.
@@ -59,18 +56,10 @@ public:
       ++m_counts.rounds;
       find_winners();
       std::map<Patch_key, Patch<Complex>> patches = gather();
-      std::string error;
-      bool is_interrupted = false;
-      try {
+      m_mesh.communicator->call_together([&] {
         for (auto& [key, patch] : patches)
           patch.run(m_mesh, m_options, m_counts, m_pass, m_places);
-      } catch (const Interrupted_error&) {
-        is_interrupted = true;
-      } catch (const std::exception& e) {
-        error = e.what();
-      }
-      m_mesh.communicator->agree_on_error(error);
-      m_mesh.communicator->agree_on_interrupt(is_interrupted);
+      });
       number_vertices(patches);
       commit(patches);
     }
@@ -90,61 +79,86 @@ private:
     Patch_key key;
   };
 
-  // Finds the active cells, and for each vertex the largest key of the patches whose active cells
-  // are within `rings` and within `reach`. Returns whether there is an active cell on any rank.
-  bool propose() {
-    const Index n = m_mesh.piece.vertex_bound();
+  // Finds the active cells. Patches deactivate cells and activate none, so after the first round
+  // only the cells of the last round can be active.
+  void find_active_cells() {
+    std::vector<Index> cells;
+    if (m_counts.rounds == 0) {
+      for (Index c = 0; c < m_mesh.piece.cell_bound(); ++c)
+        cells.push_back(c);
+    } else {
+      for (const Active_cell& active : m_active)
+        cells.push_back(active.cell);
+    }
     m_active.clear();
-    m_near.assign(n, 0);
-    m_far.assign(n, 0);
-    std::vector<Index> changed;
-    for (Index c = 0; c < m_mesh.piece.cell_bound(); ++c) {
+    for (Index c : cells) {
       if (!m_mesh.piece.has_cell(c) || !m_mesh.piece.cell(c).data.is_active)
         continue;
       std::array<typename Complex::Approximate_point, d + 1> p;
       for (int i = 0; i <= d; ++i)
         p[i] = m_mesh.position(m_mesh.piece.cell(c).vertices[i]);
       m_active.push_back({c, patch_key<Complex>(p, m_mesh.mean_interface_edge)});
-      for (Index v : m_mesh.piece.cell(c).vertices)
-        if (m_far[v] < m_active.back().key) {
-          m_far[v] = m_active.back().key;
-          changed.push_back(v);
-        }
     }
+  }
+
+  // Finds the active cells, and for each vertex the largest key of the patches whose active cells
+  // are within `rings` and within `reach`. Returns whether there is an active cell on any rank.
+  bool propose() {
+    find_active_cells();
     if (m_mesh.communicator->reduced(Operation::maximum, !m_active.empty()) == 0)
       return false;
+    const Index n = m_mesh.piece.vertex_bound();
+    m_near.assign(n, 0);
+    m_far.assign(n, 0);
+    m_raised.assign(n, 0);
+    m_is_touched.assign(n, 0);
+    m_touched.clear();
+    std::vector<Index> changed;
+    for (const Active_cell& active : m_active)
+      for (Index v : m_mesh.piece.cell(active.cell).vertices)
+        if (m_far[v] < active.key) {
+          m_far[v] = active.key;
+          changed.push_back(v);
+        }
     // A ghost can have active cells that only other ranks hold.
     m_mesh.ghosts.update(m_far, [&](Index v) { changed.push_back(v); });
-    m_touched = changed;
+    touch(changed);
     for (int step = 1; step <= reach; ++step) {
       spread(changed);
-      m_touched.insert(m_touched.end(), changed.begin(), changed.end());
+      touch(changed);
       if (step == rings)
         for (Index v : m_touched)
           m_near[v] = m_far[v];
     }
-    std::sort(m_touched.begin(), m_touched.end());
-    m_touched.erase(std::unique(m_touched.begin(), m_touched.end()), m_touched.end());
     return true;
+  }
+
+  // Appends vertices to the vertices with a key, each once.
+  void touch(const std::vector<Index>& vertices) {
+    for (Index v : vertices)
+      if (!m_is_touched[v]) {
+        m_is_touched[v] = 1;
+        m_touched.push_back(v);
+      }
   }
 
   // Raises the key of each vertex to the largest key of its neighbors. `changed` are the vertices
   // with keys that the last call raised; they are replaced.
   void spread(std::vector<Index>& changed) {
-    std::sort(changed.begin(), changed.end());
-    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
-    std::vector<std::pair<Index, Patch_key>> raised;
+    std::vector<Index> raised;
     for (Index v : changed)
       m_mesh.for_each_neighbor(v, [&](Index w) {
-        if (m_far[w] < m_far[v])
-          raised.emplace_back(w, m_far[v]);
+        if (m_far[w] < m_far[v] && m_raised[w] < m_far[v]) {
+          if (m_raised[w] == 0)
+            raised.push_back(w);
+          m_raised[w] = m_far[v];
+        }
       });
-    changed.clear();
-    for (const auto& [v, key] : raised)
-      if (m_far[v] < key) {
-        m_far[v] = key;
-        changed.push_back(v);
-      }
+    for (Index v : raised) {
+      m_far[v] = m_raised[v];
+      m_raised[v] = 0;
+    }
+    changed.swap(raised);
     m_mesh.ghosts.update(m_far, [&](Index v) { changed.push_back(v); });
   }
 
@@ -407,9 +421,11 @@ private:
   std::uint32_t m_pass;
   std::vector<Topology_place<d>>& m_places;
   std::vector<Active_cell> m_active;
-  std::vector<Patch_key> m_near, m_far; // by vertex; 0 if no patch is near
-  std::vector<Index> m_touched;         // vertices with a key
-  std::map<Patch_key, int> m_winners;   // known to this rank, and the ranks that improve them
+  std::vector<Patch_key> m_near, m_far;   // by vertex; 0 if no patch is near
+  std::vector<Patch_key> m_raised;        // keys that `spread()` is about to give; 0 outside it
+  std::vector<Index> m_touched;           // vertices with a key
+  std::vector<std::uint8_t> m_is_touched; // by vertex
+  std::map<Patch_key, int> m_winners;     // known to this rank, and the ranks that improve them
   Patch_counts m_counts;
 };
 

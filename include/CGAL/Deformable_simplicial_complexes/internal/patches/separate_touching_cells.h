@@ -22,9 +22,10 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Gives each vertex at which the cells are not connected through facets one copy for each connected
-// set of its cells. The vertices of the cells are replaced. Returns the original of each vertex;
-// the first ones are the original vertices themselves.
+// Duplicates vertices at which the boundary of the cells is non-manifold. The cells around a vertex
+// form sets that are connected through facets; each set except the first one gets a copy of the
+// vertex. The vertices of the cells are replaced. Returns the original of each vertex; the first
+// ones are the original vertices themselves.
 template <std::size_t corners>
 std::vector<std::size_t>
 separate_touching_cells(std::size_t number_of_vertices,

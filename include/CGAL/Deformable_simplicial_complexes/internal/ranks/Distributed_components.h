@@ -45,10 +45,10 @@ public:
   Distributed_components(Mesh& mesh, const Label_totals& totals)
       : m_mesh(mesh), m_totals(totals), m_sets(mesh.piece.cell_bound()) {}
 
-  // Numbers the components. A component keeps its number; among several that merged, the least
-  // number is kept; among those that one was divided into, the one with the least cell keeps the
-  // number. Cells with the number 0 are new. `known` are the components before, and is replaced.
-  // Returns the changes.
+  // Numbers the components. A component keeps its number. A merged component gets the least number
+  // of its parts that is still free. If a component is split, the part with the least hash of a
+  // cell keeps the number. Cells with the number 0 are new. `known` are the components before, and
+  // is replaced. Returns the changes.
   std::vector<Component_event> update(Known_components& known) {
     unite_neighbors();
     describe_own_components();

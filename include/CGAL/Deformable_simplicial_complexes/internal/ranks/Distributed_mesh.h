@@ -141,6 +141,7 @@ template <class Complex> struct Distributed_mesh
   Global_id next_id = 0;     // of new vertices
   double domain_measure = 1; // of the box around the complex when it was built; unit of volumes
   Known_components components;
+  bool are_components_known = true; // false during a motion, and after an exception in it
 };
 
 } // namespace internal

@@ -24,7 +24,7 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // Returns the maximum of a number of all ranks.
-// \pre The number is not negative and finite.
+// \pre The number is finite and not negative.
 inline double maximum_of_ranks(Communicator& communicator, double number) {
   std::int64_t bits; // nonnegative doubles are ordered as their bits
   std::memcpy(&bits, &number, sizeof(bits));
@@ -45,8 +45,8 @@ public:
 
   explicit Exact_sums(Communicator& communicator) : m_communicator(communicator) {}
 
-  // Returns the n sums of all numbers that the ranks give. Sums of numbers that are not finite are
-  // not numbers.
+  // Returns the n sums of all numbers that the ranks give. A sum is NaN if one of its numbers is
+  // not finite.
   Numbers operator()(const std::vector<Numbers>& numbers) {
     using Operation = Communicator::Operation;
     static constexpr int bits = 60;       // of the largest number

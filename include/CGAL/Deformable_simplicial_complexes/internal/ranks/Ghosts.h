@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstring>
 #include <map>
 #include <utility>
 #include <vector>
@@ -66,7 +67,7 @@ public:
     exchange_lists(*m_communicator, lists, [&](int rank, const std::vector<Value>& list) {
       const std::vector<Index>& ghosts = m_ghosts.at(rank);
       for (std::size_t i = 0; i < list.size(); ++i)
-        if (values[ghosts[i]] != list[i]) {
+        if (std::memcmp(&values[ghosts[i]], &list[i], sizeof(Value)) != 0) { // -0. differs from 0.
           values[ghosts[i]] = list[i];
           changed(ghosts[i]);
         }

@@ -9,6 +9,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_RANKS_PIECE_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_RANKS_PIECE_H
 
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -179,6 +181,8 @@ public:
     Index c;
     if (m_free_cells.empty()) {
       c = Index(m_cells.size());
+      if (c == none)
+        throw Error("a rank holds 2^32 - 1 cells: use more ranks");
       m_cells.emplace_back();
     } else {
       c = m_free_cells.back();

@@ -26,7 +26,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Cells on their way to the ranks that hold them: the owners of their vertices.
+// Cells to be sent to the owners of their vertices.
 template <int d> class Placement
 {
 public:

@@ -23,7 +23,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <exception>
 #include <fstream>
 #include <ostream>
 #include <string>
@@ -33,7 +32,7 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// A checkpoint of a distributed complex is a sequence of blocks: what all ranks know, followed by
+// A checkpoint of a distributed complex is a sequence of blocks: a header, followed by
 // the vertices and cells of each rank. A block is its size, its checksum and its bytes.
 
 template <int d> std::array<char, 8> magic_of_blocks() {
@@ -69,7 +68,7 @@ inline void write_block(std::ostream& out, const Communicator::Bytes& bytes) {
   out.write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(size));
 }
 
-// Reads a block. `left` is the number of bytes of the file that are left, and is reduced. Throws
+// Reads a block. `left` is the number of remaining bytes of the file; it is decreased. Throws
 // Error if the file is too short or the checksum is wrong.
 inline Communicator::Bytes read_block(std::istream& in, const std::string& path,
                                       std::uint64_t& left) {
@@ -112,6 +111,23 @@ template <class Complex> Communicator::Bytes bytes_of_piece(const Distributed_me
 }
 
 template <class Complex>
+Communicator::Bytes head_of_checkpoint(const Distributed_mesh<Complex>& mesh,
+                                       const std::string& metadata) {
+  static constexpr int d = Complex::dimension;
+  Message_writer head;
+  head.write(Checkpoint_head<d>{version_of_blocks, std::uint32_t(mesh.communicator->size()),
+                                coordinates_of<d>(mesh.normalization.translation),
+                                mesh.normalization.scale, mesh.mean_interface_edge,
+                                mesh.minimum_interface_edge, mesh.domain_measure, mesh.next_id});
+  std::vector<Checkpoint_component> components;
+  for (const auto& [number, component] : mesh.components)
+    components.push_back({number, component.label, component.volume});
+  head.write(components);
+  head.write(std::vector<char>(metadata.begin(), metadata.end()));
+  return head.take();
+}
+
+template <class Complex>
 void write_checkpoint_blocks(const std::string& path, const Distributed_mesh<Complex>& mesh,
                              const std::string& metadata) {
   static constexpr int d = Complex::dimension;
@@ -125,66 +141,56 @@ void write_checkpoint_blocks(const std::string& path, const Distributed_mesh<Com
     auto arrived = communicator.exchange(std::move(messages));
     return arrived.empty() ? Communicator::Bytes() : std::move(arrived.front().bytes);
   };
-  std::string error;
   int sent = 0; // pieces
-  if (mesh.rank() == 0) {
+  communicator.call_together([&] {
     try {
-      Message_writer head;
-      head.write(Checkpoint_head<d>{version_of_blocks, std::uint32_t(communicator.size()),
-                                    coordinates_of<d>(mesh.normalization.translation),
-                                    mesh.normalization.scale, mesh.mean_interface_edge,
-                                    mesh.minimum_interface_edge, mesh.domain_measure,
-                                    mesh.next_id});
-      std::vector<Checkpoint_component> components;
-      for (const auto& [number, component] : mesh.components)
-        components.push_back({number, component.label, component.volume});
-      head.write(components);
-      head.write(std::vector<char>(metadata.begin(), metadata.end()));
-      replace_file_by_stream(path, [&](std::ostream& out) {
-        const auto magic = magic_of_blocks<d>();
-        out.write(magic.data(), magic.size());
-        write_block(out, head.take());
-        while (sent < communicator.size())
-          write_block(out, next_piece(sent++));
-      });
-    } catch (const std::exception& e) {
-      error = e.what();
+      if (mesh.rank() == 0)
+        replace_file_by_stream(path, [&](std::ostream& out) {
+          const auto magic = magic_of_blocks<d>();
+          out.write(magic.data(), magic.size());
+          write_block(out, head_of_checkpoint(mesh, metadata));
+          while (sent < communicator.size())
+            write_block(out, next_piece(sent++));
+        });
+    } catch (...) {
+      // The other ranks send their pieces, even if the first one can no longer write.
+      while (sent < communicator.size())
+        next_piece(sent++);
+      throw;
     }
-  }
-  // The other ranks send their pieces, even if the first one can no longer write.
-  while (sent < communicator.size())
-    next_piece(sent++);
-  communicator.agree_on_error(error);
+    while (sent < communicator.size())
+      next_piece(sent++);
+  });
 }
 
 template <class Complex>
 std::string read_checkpoint_blocks(const std::string& path, Distributed_mesh<Complex>& mesh) {
   static constexpr int d = Complex::dimension;
   Communicator& communicator = *mesh.communicator;
-  mesh.piece = Piece<d>();
-  mesh.components.clear();
+  const auto clear = [&] {
+    mesh.piece = Piece<d>();
+    mesh.components.clear();
+    mesh.find_ghosts();
+  };
+  clear();
   std::ifstream in;
   std::uint64_t left = 0;
   Communicator::Bytes block;
-  std::string error;
-  if (mesh.rank() == 0) {
-    try {
-      in = open_input(path, ".dsc");
-      in.seekg(0, std::ios::end);
-      left = std::uint64_t(in.tellg());
-      in.seekg(0);
-      std::array<char, 8> magic = {};
-      in.read(magic.data(), magic.size());
-      if (!in || magic != magic_of_blocks<d>())
-        throw Error(path + " is not a checkpoint of a distributed complex in " + std::to_string(d) +
-                    " dimensions: choose another file");
-      left -= magic.size();
-      block = read_block(in, path, left);
-    } catch (const std::exception& e) {
-      error = e.what();
-    }
-  }
-  communicator.agree_on_error(error);
+  communicator.call_together([&] {
+    if (mesh.rank() != 0)
+      return;
+    in = open_input(path, ".dsc");
+    in.seekg(0, std::ios::end);
+    left = std::uint64_t(in.tellg());
+    in.seekg(0);
+    std::array<char, 8> magic = {};
+    in.read(magic.data(), magic.size());
+    if (!in || magic != magic_of_blocks<d>())
+      throw Error(path + " is not a checkpoint of a distributed complex in " + std::to_string(d) +
+                  " dimensions: choose another file");
+    left -= magic.size();
+    block = read_block(in, path, left);
+  });
   const Communicator::Bytes bytes = communicator.all_gather(block).front();
   Message_reader reader(bytes);
   const auto head = reader.template read<Checkpoint_head<d>>();
@@ -207,8 +213,10 @@ std::string read_checkpoint_blocks(const std::string& path, Distributed_mesh<Com
   };
   for (std::uint32_t i = 0; i < head.number_of_pieces; ++i) {
     Placement<d> placement;
-    if (mesh.rank() == 0) {
-      try {
+    try {
+      communicator.call_together([&] {
+        if (mesh.rank() != 0)
+          return;
         const Communicator::Bytes piece = read_block(in, path, left);
         Message_reader piece_reader(piece);
         auto vertices = piece_reader.template read_list<Piece_vertex<d>>();
@@ -216,14 +224,20 @@ std::string read_checkpoint_blocks(const std::string& path, Distributed_mesh<Com
         for (Piece_vertex<d>& v : vertices)
           v.owner = owner(v);
         placement.add(vertices, cells);
-      } catch (const std::exception& e) {
-        error = e.what();
-      }
+      });
+    } catch (...) {
+      clear();
+      throw;
     }
-    communicator.agree_on_error(error);
     placement.send(communicator, mesh.piece);
   }
   mesh.find_ghosts();
+  // A checkpoint that was written after an exception in a motion has new components.
+  bool has_new_cells = false;
+  for (std::uint32_t c = 0; c < mesh.piece.cell_bound(); ++c)
+    has_new_cells = has_new_cells || mesh.piece.cell(c).data.component == 0;
+  mesh.are_components_known =
+      communicator.reduced(Communicator::Operation::maximum, has_new_cells ? 1 : 0) == 0;
   return std::string(metadata.begin(), metadata.end());
 }
 

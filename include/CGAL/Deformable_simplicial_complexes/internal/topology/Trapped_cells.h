@@ -88,7 +88,9 @@ public:
       Progress_scope::check();
       if (is_small_component(c, component, large)) {
         const Label label = surrounding_label(component);
-        if (label == c->label() || !complete(component, label) || !may_change_topology(c, label))
+        if (label == c->label() || !complete(component, label) ||
+            std::any_of(component.begin(), component.end(), is_at_cut) ||
+            !may_change_topology(c, label))
           continue;
         record(component, label);
         relabel(component, label);
