@@ -14,6 +14,7 @@
 #include <CGAL/Deformable_simplicial_complexes/IO/distributed_checkpoint.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/State.h>
+#include <CGAL/Deformable_simplicial_complexes/assign_distributed_cells.h>
 #include <CGAL/Deformable_simplicial_complexes/refine_distributed_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/run_in_threads.h>
 #include <CGAL/Interface_flows/Normal_offset.h>
@@ -40,6 +41,7 @@
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -357,6 +359,61 @@ TEST(Distributed_complex, Is_refined_without_changing_the_interface) {
       EXPECT_NEAR(gathered.mean_interface_edge(), dsc.mean_interface_edge(), 1e-12);
     }
   });
+}
+
+// Each rank gives some cells of a mesh.
+TEST(Distributed_complex, Is_assembled_from_cells_of_all_ranks) {
+  const auto mesh = grid(4, small_meshes::ball);
+  const Complex whole = make_complex(mesh);
+  std::vector<std::uint64_t> checksums;
+  const auto cells_of = [&](int rank, int ranks) {
+    DSC::Cells_of_rank<Complex> result;
+    for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+      result.ids.push_back(1000 + 3 * v);
+      result.points.emplace_back(mesh.points[v].x(), mesh.points[v].y(), mesh.points[v].z());
+    }
+    for (std::size_t c = 0; c < mesh.tetrahedra.size(); ++c)
+      if (int(DSC::internal::mixed(c) % unsigned(ranks)) == rank) {
+        result.cells.push_back(mesh.tetrahedra[c]);
+        result.labels.push_back(mesh.labels[c]);
+      }
+    return result;
+  };
+  for (int ranks : {1, 2, 5}) {
+    DSC::run_in_threads(ranks, [&](DSC::Communicator& communicator) {
+      Distributed dsc(communicator);
+      assign_cells(dsc, cells_of(communicator.rank(), ranks));
+      EXPECT_EQ(dsc.number_of_cells(), whole.number_of_cells());
+      EXPECT_NEAR(dsc.mean_interface_edge(), whole.mean_interface_edge(), 1e-12);
+      EXPECT_NEAR(dsc.mesh().minimum_interface_edge, whole.minimum_interface_edge(), 1e-12);
+      offset(dsc, .05);
+      const std::uint64_t checksum = dsc.checksum();
+      const Complex gathered = dsc.gather();
+      if (communicator.rank() > 0)
+        return;
+      checksums.push_back(checksum);
+      EXPECT_TRUE(gathered.is_valid(true));
+      EXPECT_EQ(gathered.number_of_components(1), 1u);
+    });
+  }
+  EXPECT_EQ(checksums[1], checksums[0]);
+  EXPECT_EQ(checksums[2], checksums[0]);
+  const auto expect_error = [&](const auto& damage) {
+    DSC::run_in_threads(3, [&](DSC::Communicator& communicator) {
+      Distributed dsc(communicator);
+      auto cells = cells_of(communicator.rank(), 3);
+      if (communicator.rank() == 1)
+        damage(cells);
+      EXPECT_THROW(assign_cells(dsc, cells), DSC::Error);
+      EXPECT_EQ(dsc.number_of_cells(), 0u);
+    });
+  };
+  expect_error([](auto& cells) { cells.labels.pop_back(); });
+  expect_error([](auto& cells) { cells.cells.pop_back(), cells.labels.pop_back(); });
+  expect_error([](auto& cells) { std::swap(cells.cells[0][0], cells.cells[0][1]); });
+  expect_error([](auto& cells) { cells.cells[0][0] = cells.ids.size(); });
+  expect_error(
+      [](auto& cells) { cells.points[0] = Point(std::numeric_limits<double>::infinity(), 0, 0); });
 }
 
 TEST(Distributed_complex, May_be_empty_or_have_no_interface) {
