@@ -39,9 +39,10 @@ check_benchmarks() {
 }
 
 check_headers() {
-  scripts/install_dependencies.sh petsc-dev libopenmpi-dev pkg-config
+  scripts/install_dependencies.sh petsc-dev libopenmpi-dev libptscotch-dev pkg-config
   local of_petsc
   read -ra of_petsc <<<"$(pkg-config --cflags-only-I PETSc ompi-c)"
+  of_petsc+=(-I/usr/include/scotch)
   test/headers_alone.sh '*.h' "$jobs" g++ "${flags[@]}" "${of_petsc[@]/#-I/-isystem}"
 }
 

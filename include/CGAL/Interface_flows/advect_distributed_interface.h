@@ -129,7 +129,6 @@ identical for any number of ranks.
 
 \param dsc the complex
 \param flow the flow; it must not preserve volumes
-\param t the time at the beginning of the step, not used
 \param dt the length of the step, not negative
 \param options the options. `interface_energy` is replaced by the energy of the flow.
 \return the report, equal on all ranks
