@@ -1,5 +1,5 @@
-// Moves the interface of a complex that is distributed among three ranks. The ranks are threads here. With
-// Mpi_communicator, they are processes, which need not run on one machine.
+// Moves the interface of a complex that is distributed among three ranks. The ranks are threads
+// here. With Mpi_communicator, they are processes, which need not run on one machine.
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Distributed_complex.h>
@@ -8,7 +8,8 @@
 #include <CGAL/Interface_flows/Normal_offset.h>
 #include <CGAL/Interface_flows/advect_distributed_interface.h>
 
-#include <array>
+#include <CGAL/Bbox_3.h>
+
 #include <cmath>
 #include <iostream>
 
@@ -17,9 +18,8 @@ using Complex = CGAL::Deformable_simplicial_complex_3<>;
 
 int main() {
   // two balls in a box
-  const std::array<double, 6> box = {-2, -1, -1, 2, 1, 1};
-  const Complex start =
-      DSC::make_deformable_simplicial_complex_3<Complex>(box, .15, [](const auto& p) {
+  const Complex start = DSC::make_deformable_simplicial_complex_3<Complex>(
+      CGAL::Bbox_3(-2, -1, -1, 2, 1, 1), .15, [](const auto& p) {
         const double x = std::abs(p.x()) - .6;
         return x * x + p.y() * p.y() + p.z() * p.z() < .16 ? 1 : 0;
       });
@@ -37,7 +37,7 @@ int main() {
     const auto measures = complex.label_measures(); // all ranks call this function
     const Complex whole = complex.gather();
     if (ranks.rank() == 0)
-      std::cout << "volume " << measures.back().measure << ", "
-                << whole.number_of_components(1) << " component\n";
+      std::cout << "volume " << measures.back().measure << ", " << whole.number_of_components(1)
+                << " component\n";
   });
 }
