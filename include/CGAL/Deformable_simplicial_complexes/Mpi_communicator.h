@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -84,6 +85,7 @@ private:
     MPI_Request barrier = MPI_REQUEST_NULL;
     for (bool is_waiting = false;;) {
       receive_one(result);
+      std::this_thread::yield(); // processes may share cores
       int is_done = 0;
       if (is_waiting) {
         MPI_Test(&barrier, &is_done, MPI_STATUS_IGNORE);
