@@ -57,19 +57,28 @@ public:
         weights(graph.weights.begin(), graph.weights.end()), parts(std::size_t(n) + 1, 0);
     neighbors.push_back(0); // no null pointers for empty ranks
     weights.push_back(0);
-    SCOTCH_Dgraph scotch;
+    // One thread: with several threads, PT-Scotch can wait forever unless MPI permits calls from
+    // all threads.
+    SCOTCH_Context context;
+    SCOTCH_contextInit(&context);
+    SCOTCH_contextThreadSpawn(&context, 1, nullptr);
+    SCOTCH_Dgraph scotch, bound;
     SCOTCH_Strat strategy;
-    bool has_failed = SCOTCH_dgraphInit(&scotch, m_communicator) != 0;
+    bool has_failed = SCOTCH_dgraphInit(&scotch, m_communicator) != 0 ||
+                      SCOTCH_dgraphInit(&bound, m_communicator) != 0;
     SCOTCH_stratInit(&strategy);
     SCOTCH_randomReset(); // the same partition in each run
-    has_failed =
-        has_failed || SCOTCH_dgraphBuild(&scotch, 0, n, n, begin.data(), begin.data() + 1,
-                                         weights.data(), nullptr, begin.back(), begin.back(),
-                                         neighbors.data(), nullptr, nullptr) != 0;
+    has_failed = has_failed ||
+                 SCOTCH_dgraphBuild(&scotch, 0, n, n, begin.data(), begin.data() + 1,
+                                    weights.data(), nullptr, begin.back(), begin.back(),
+                                    neighbors.data(), nullptr, nullptr) != 0 ||
+                 SCOTCH_contextBindDgraph(&context, &scotch, &bound) != 0;
     has_failed = communicator.reduced(Communicator::Operation::maximum, has_failed ? 1 : 0) != 0 ||
-                 SCOTCH_dgraphPart(&scotch, communicator.size(), &strategy, parts.data()) != 0;
+                 SCOTCH_dgraphPart(&bound, communicator.size(), &strategy, parts.data()) != 0;
     SCOTCH_stratExit(&strategy);
+    SCOTCH_dgraphExit(&bound);
     SCOTCH_dgraphExit(&scotch);
+    SCOTCH_contextExit(&context);
     communicator.agree_on_error(
         has_failed ? "PT-Scotch cannot divide the complex: use another partitioner" : "");
     return {parts.begin(), parts.begin() + n};
