@@ -52,7 +52,7 @@ TEST_F(Mpi_runs, give_the_same_complex_for_any_number_of_processes) {
   for (const std::string& command : commands) {
     SCOPED_TRACE(command);
     Json expected;
-    for (int processes : {1, 2, 5}) { // five are divided again by PT-Scotch
+    for (int processes : {1, 2, 5}) {
       const Outcome outcome = run(command + " --report report.json", mpirun(processes));
       ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
       EXPECT_EQ(lines(outcome.out, "dsc: step"), 1u) << outcome.out;
