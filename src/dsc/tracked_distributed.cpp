@@ -23,7 +23,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <map>
 #include <string>
@@ -145,11 +144,6 @@ private:
     return result;
   }
 };
-
-/// Returns the path of a file with the extension `.pvtu`.
-std::string with_extension(const std::string& path) {
-  return std::filesystem::path(path).replace_extension(".pvtu").string();
-}
 
 } // namespace
 
@@ -305,11 +299,11 @@ void Tracked_distributed::write_subdivided(const std::string& path, int subdivis
 }
 
 void Tracked_distributed::write_interface_vtu(const std::string& path) const {
-  CGAL::IO::write_interface_PVTU(with_extension(path), complex);
+  CGAL::IO::write_interface_PVTU(path, complex);
 }
 
 void Tracked_distributed::write_volume_vtu(const std::string& path) const {
-  CGAL::IO::write_PVTU(with_extension(path), complex);
+  CGAL::IO::write_PVTU(path, complex);
 }
 
 void Tracked_distributed::write_checkpoint(const std::string& path,

@@ -134,6 +134,9 @@ public:
       if (error.empty())
         error = "unknown error";
     }
+    // One reduction if nothing was thrown: iterations of solvers call this function.
+    if (reduced(Operation::maximum, is_interrupted || !error.empty()) == 0)
+      return;
     agree_on_error(error);
     agree_on_interrupt(is_interrupted);
   }

@@ -53,19 +53,13 @@ public:
 
   Distributed_deformer(Mesh& mesh, const Options& options)
       : m_mesh(mesh), m_options(options), m_most_passes(options.maximum_number_of_passes) {
-    std::string error;
-    try {
-      options.check();
-    } catch (const Error& e) {
-      error = e.what();
-    }
-    mesh.communicator->agree_on_error(error);
+    mesh.communicator->call_together([&] { options.check(); });
     m_options.maximum_number_of_passes =
         (std::min)(passes_of_patch, options.maximum_number_of_passes);
     m_options.flow = nullptr;
   }
 
-  // Sets the destinations of vertices. Those of ghosts are taken from their owners.
+  // Sets the destinations of vertices. The owner of a ghost gives its destination.
   // Throws Error on all ranks if a destination is not finite; nothing changes then.
   void set_destinations(const std::vector<Index>& vertices,
                         const std::vector<Position>& destinations) {
@@ -120,7 +114,9 @@ public:
     }
     report.complete = report.unfinished == 0;
     if (report.patches > 0)
-      find_events(report);
+      find_events(report); // measures volumes, too
+    else
+      find_volumes();
     m_mesh.are_components_known = true;
     end_labels(report);
     std::vector<std::int64_t> numbers = {0, m_stopped_at_boundary};
@@ -289,7 +285,6 @@ private:
 
   void end_labels(Report& report) {
     using Kind = Component_event::Kind;
-    find_volumes();
     for_each_component(report, [](auto& change, const auto&) { ++change.after; });
     for (const Component_event& event : report.events) {
       auto& change = change_of(event.label, report);

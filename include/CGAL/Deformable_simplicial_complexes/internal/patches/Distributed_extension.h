@@ -47,8 +47,8 @@ public:
         add_row(v);
   }
 
-  // Replaces the displacements of free vertices. On input, those of other vertices are known, and
-  // those of free vertices are 0.
+  // Replaces the displacements of free vertices. On input, displacements of other vertices are
+  // known, and displacements of free vertices are 0.
   void extend(std::vector<Vector>& displacements) {
     static constexpr double part = 5e-3; // relative reduction of the residuals
     static constexpr int maximum_number_of_iterations = 200;

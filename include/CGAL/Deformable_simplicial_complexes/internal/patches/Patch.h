@@ -264,7 +264,7 @@ private:
     return vertices;
   }
 
-  // Returns the vertices with a motion. Only those of the core may still move.
+  // Returns the vertices with a motion. Only vertices of the core may still move.
   std::vector<Moved_vertex<Part>>
   moved_vertices(const Part& part,
                  const std::vector<typename Part::Vertex_handle>& vertices) const {

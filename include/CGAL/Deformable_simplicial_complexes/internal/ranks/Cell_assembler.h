@@ -170,16 +170,9 @@ private:
 
   // Returns the number of cells with all of the vertices except the vertex `except`.
   int number_of_cells(Index v, const std::array<Index, d + 1>& vertices, int except) const {
-    int result = 0;
-    for (Index c : m_mesh.piece.star(v)) {
-      const auto& others = m_mesh.piece.cell(c).vertices;
-      bool has_all = true;
-      for (int k = 0; k <= d; ++k)
-        has_all = has_all && (k == except ||
-                              std::find(others.begin(), others.end(), vertices[k]) != others.end());
-      result += has_all;
-    }
-    return result;
+    const auto& star = m_mesh.piece.star(v);
+    return int(std::count_if(star.begin(), star.end(),
+                             [&](Index c) { return m_mesh.piece.has_facet(c, vertices, except); }));
   }
 
   // Throws on all ranks unless the cells have the volume of the box.
@@ -241,19 +234,12 @@ private:
 
   // Returns whether the facet opposite to a vertex of a cell around v has another label behind it.
   bool is_interface(Index cell, Index v, int opposite) const {
-    const auto& vertices = m_mesh.piece.cell(cell).vertices;
-    for (Index c : m_mesh.piece.star(v)) {
-      if (c == cell || m_mesh.piece.cell(c).data.label == m_mesh.piece.cell(cell).data.label)
-        continue;
-      const auto& others = m_mesh.piece.cell(c).vertices;
-      bool has_all = true;
-      for (int k = 0; k <= d; ++k)
-        has_all = has_all && (k == opposite ||
-                              std::find(others.begin(), others.end(), vertices[k]) != others.end());
-      if (has_all)
-        return true;
-    }
-    return false;
+    const auto& piece = m_mesh.piece;
+    const auto& star = piece.star(v);
+    return std::any_of(star.begin(), star.end(), [&](Index c) {
+      return piece.cell(c).data.label != piece.cell(cell).data.label &&
+             piece.has_facet(c, piece.cell(cell).vertices, opposite);
+    });
   }
 
   Mesh& m_mesh;

@@ -89,22 +89,13 @@ private:
         continue;
       const auto& vertices = piece.cell(c).vertices;
       for (int i = 0; i <= d; ++i) {
-        const Index apex = vertices[i], corner = vertices[(i + 1) % (d + 1)];
+        const Index corner = vertices[(i + 1) % (d + 1)];
         for (Index n : piece.star(corner))
           if (n < c && piece.cell(n).data.label == piece.cell(c).data.label &&
-              has_facet(n, vertices, apex))
+              piece.has_facet(n, vertices, i))
             m_sets.join(n, c);
       }
     }
-  }
-
-  // Returns whether a cell has all of the vertices except one.
-  bool has_facet(Index c, const std::array<Index, d + 1>& vertices, Index except) const {
-    const auto& own = m_mesh.piece.cell(c).vertices;
-    for (Index v : vertices)
-      if (v != except && std::find(own.begin(), own.end(), v) == own.end())
-        return false;
-    return true;
   }
 
   void describe_own_components() {
@@ -185,9 +176,8 @@ private:
     }
     for (const Origin& origin : origins)
       m_wholes[sets.find(origin.number)].origins.insert(origin.component);
-    m_first_here = first[m_mesh.rank()];
     for (std::size_t i = 0; i < m_shares.size(); ++i)
-      m_whole_of_share.push_back(sets.find(m_first_here + i));
+      m_whole_of_share.push_back(sets.find(first[m_mesh.rank()] + i));
   }
 
   // Gives the components their numbers, and finds the events.
@@ -265,7 +255,6 @@ private:
   std::vector<Link> m_links;
   std::map<std::size_t, Whole> m_wholes; // by their sets
   std::vector<std::size_t> m_whole_of_share;
-  std::size_t m_first_here = 0;
 };
 
 } // namespace internal

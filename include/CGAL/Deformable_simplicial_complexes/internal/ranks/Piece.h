@@ -33,7 +33,7 @@ inline std::uint64_t mixed(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-// Everything that belongs to a vertex, as it is stored and sent.
+// The data of a vertex, as stored and sent.
 template <int d> struct Piece_vertex
 {
   Global_id id;
@@ -222,6 +222,15 @@ public:
     return std::any_of(cells.begin(), cells.end(), [&](Index c) {
       return m_cells[c].data.label != m_cells[cells.front()].data.label;
     });
+  }
+
+  // Returns whether a cell has all of the vertices of another cell except the vertex `opposite`.
+  bool has_facet(Index c, const std::array<Index, corners>& vertices, int opposite) const {
+    const auto& own = m_cells[c].vertices;
+    for (int i = 0; i < corners; ++i)
+      if (i != opposite && std::find(own.begin(), own.end(), vertices[i]) == own.end())
+        return false;
+    return true;
   }
 
   // Returns the bytes that the piece occupies, about.
