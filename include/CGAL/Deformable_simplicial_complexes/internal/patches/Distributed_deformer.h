@@ -191,7 +191,6 @@ private:
 
   bool has_small_angle(Index c) const {
     if constexpr (d == 3) {
-      static constexpr double sine_of_regular = 0.94280904158206336; // 2 sqrt(2) / 3
       return apply_to_corners<d + 1>(
                  Minimum_sine_3(),
                  [&](int i) { return m_mesh.position(m_mesh.piece.cell(c).vertices[i]); }) *

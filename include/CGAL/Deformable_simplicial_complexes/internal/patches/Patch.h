@@ -189,6 +189,7 @@ public:
 
 private:
   static constexpr Global_id provisional = Global_id(1) << 63;
+  static constexpr std::size_t none = std::size_t(-1); // no cell
 
   static bool less_id(const Patch_vertex& a, const Patch_vertex& b) {
     return a.data.id < b.data.id;
@@ -325,13 +326,22 @@ private:
       m_cells_after.push_back(cell);
     }
     std::sort(m_cells_after.begin(), m_cells_after.end(), less_vertices<d>);
+    match_cells();
     // Active cells of other patches stay active.
-    std::size_t k = 0;
-    for (std::size_t c = 0; c < m_cells_before.size(); ++c) {
-      while (k < m_cells_after.size() && less_vertices(m_cells_after[k], m_cells_before[c]))
-        ++k;
-      if (k < m_cells_after.size() && m_cells_after[k].vertices == m_cells_before[c].vertices)
+    for (std::size_t k = 0; k < m_cells_after.size(); ++k)
+      if (const std::size_t c = m_old_of_new[k]; c != none)
         m_cells_after[k].data.is_active = m_cells_before[c].data.is_active && !m_is_core[c];
+  }
+
+  // Finds the cells that are there before and after. Both lists are sorted.
+  void match_cells() {
+    m_old_of_new.assign(m_cells_after.size(), none);
+    std::size_t c = 0;
+    for (std::size_t k = 0; k < m_cells_after.size(); ++k) {
+      while (c < m_cells_before.size() && less_vertices(m_cells_before[c], m_cells_after[k]))
+        ++c;
+      if (c < m_cells_before.size() && m_cells_before[c].vertices == m_cells_after[k].vertices)
+        m_old_of_new[k] = c;
     }
   }
 
@@ -363,27 +373,25 @@ private:
   // component. Another cell gets the least component among the unchanged cells of its component
   // of the part, or 0 if there are none.
   void find_components() {
+    const auto unchanged = [&](std::size_t k) -> const Cell* {
+      const std::size_t c = m_old_of_new[k];
+      return c != none && m_cells_before[c].data.label == m_cells_after[k].data.label
+                 ? &m_cells_before[c]
+                 : nullptr;
+    };
     std::vector<std::pair<Global_id, Global_id>> known; // of the part, of the complex
-    std::size_t k = 0;
-    for (const Cell& c : m_cells_after) {
-      while (k < m_cells_before.size() && less_vertices(m_cells_before[k], c))
-        ++k;
-      if (k < m_cells_before.size() && m_cells_before[k].vertices == c.vertices &&
-          m_cells_before[k].data.label == c.data.label)
-        known.emplace_back(c.data.component, m_cells_before[k].data.component);
-    }
+    for (std::size_t k = 0; k < m_cells_after.size(); ++k)
+      if (const Cell* old = unchanged(k))
+        known.emplace_back(m_cells_after[k].data.component, old->data.component);
     std::sort(known.begin(), known.end());
-    k = 0;
-    for (Cell& c : m_cells_after) {
-      while (k < m_cells_before.size() && less_vertices(m_cells_before[k], c))
-        ++k;
-      const bool is_old = k < m_cells_before.size() && m_cells_before[k].vertices == c.vertices &&
-                          m_cells_before[k].data.label == c.data.label;
-      const auto it = std::lower_bound(known.begin(), known.end(),
-                                       std::make_pair(c.data.component, Global_id(0)));
-      c.data.component = is_old ? m_cells_before[k].data.component
-                         : it != known.end() && it->first == c.data.component ? it->second
-                                                                              : 0;
+    for (std::size_t k = 0; k < m_cells_after.size(); ++k) {
+      Global_id& component = m_cells_after[k].data.component;
+      const auto it =
+          std::lower_bound(known.begin(), known.end(), std::make_pair(component, Global_id(0)));
+      const Cell* const old = unchanged(k);
+      component = old != nullptr                                ? old->data.component
+                  : it != known.end() && it->first == component ? it->second
+                                                                : 0;
     }
   }
 
@@ -409,6 +417,7 @@ private:
   std::vector<Vertex> m_after;
   std::vector<bool> m_is_core, m_is_core_vertex;
   std::vector<std::size_t> m_originals, m_time_stamps; // of the vertices of the part
+  std::vector<std::size_t> m_old_of_new; // cell before, for each cell after; none for a new cell
   std::size_t m_number_of_new = 0;
 };
 

@@ -400,19 +400,16 @@ private:
   // Returns the sums of the numbers of all ranks.
   Patch_counts totals() const {
     Patch_counts result = m_counts;
-    std::vector<std::int64_t> numbers = {result.patches,   result.split,     result.collapsed,
-                                         result.flipped,   result.smoothed,  result.inserted,
-                                         result.relocated, result.relabeled, result.vanished};
+    const auto members = {&result.patches,   &result.split,     &result.collapsed,
+                          &result.flipped,   &result.smoothed,  &result.inserted,
+                          &result.relocated, &result.relabeled, &result.vanished};
+    std::vector<std::int64_t> numbers;
+    for (const std::int64_t* member : members)
+      numbers.push_back(*member);
     m_mesh.communicator->reduce(Operation::sum, numbers);
-    result.patches = numbers[0];
-    result.split = numbers[1];
-    result.collapsed = numbers[2];
-    result.flipped = numbers[3];
-    result.smoothed = numbers[4];
-    result.inserted = numbers[5];
-    result.relocated = numbers[6];
-    result.relabeled = numbers[7];
-    result.vanished = numbers[8];
+    auto next = numbers.begin();
+    for (std::int64_t* member : members)
+      *member = *next++;
     return result;
   }
 
