@@ -6,12 +6,14 @@
 
 #include "angle_statistics.h"
 #include "errors.h"
+#include "motion_options.h"
 #include "velocity_expressions.h"
 
 #include <CGAL/Deformable_simplicial_complexes/IO/PVTU.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/distributed_checkpoint.h>
 #include <CGAL/Interface_flows/Mean_curvature_flow.h>
 #include <CGAL/Interface_flows/Normal_offset.h>
+#include <CGAL/Interface_flows/advect_distributed_adaptively.h>
 #include <CGAL/Interface_flows/advect_distributed_interface.h>
 #include <CGAL/Interface_flows/interface_flows_3.h>
 #include <CGAL/Interface_flows/velocity_fields_3.h>
@@ -25,6 +27,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -37,6 +40,7 @@ using Complex = Tracked_distributed::Complex;
 using Distributed = Tracked_distributed::Distributed;
 using Point = Complex::Approximate_point_3;
 using Vector = Complex::Approximate_vector_3;
+using Options = DSC::Adaptive_advection_options<Distributed::Part>;
 using Operation = DSC::Communicator::Operation;
 
 [[noreturn]] void refuse(const char* what) {
@@ -112,11 +116,10 @@ struct Step
   Report operator()(const Curvature_flow& flow) const {
     if (flow.keeps_volumes)
       refuse("--keep-volumes");
-    if (flow.tolerance)
-      refuse("--tolerance");
     const double scale = complex.normalization().scale;
     const double dt = Time_step{complex.mean_interface_edge() * scale}(flow) / (scale * scale);
-    return DSC::advect_interface(complex, DSC::Mean_curvature_flow(), 0, dt, options());
+    return follow(DSC::Mean_curvature_flow(), time / (scale * scale), dt, flow.tolerance,
+                  Options(true));
   }
 
 private:
@@ -124,24 +127,24 @@ private:
   using Field = std::function<Vector(const Point&, double)>;
 
   Report follow(const Field& field, const Advection& advection) const {
-    if (advection.tolerance)
-      refuse("--tolerance");
     Complex frame; // of the coordinates
     frame.set_normalization(complex.normalization());
-    return advect(DSC::Velocity_in_user_coordinates_3<Complex, Field>(frame, field), time,
-                  advection.dt, advection.scheme);
+    Options options;
+    options.advection.scheme = advection.scheme;
+    return follow(DSC::Velocity_in_user_coordinates_3<Complex, Field>(frame, field), time,
+                  advection.dt, advection.tolerance, options);
   }
 
-  template <class Flow>
-  Report advect(const Flow& flow, double t, double dt,
-                DSC::Integration_scheme scheme = DSC::Integration_scheme::rk2) const {
-    return DSC::advect_interface(complex, flow, t, dt, options(), scheme);
+  template <class Velocity>
+  Report follow(const Velocity& velocity, double t, double dt,
+                const std::optional<double>& tolerance, Options options) const {
+    complete(options, tolerance, false, threads);
+    return DSC::advect_adaptively(complex, velocity, t, dt, options);
   }
 
-  DSC::Distributed_options<Distributed> options() const {
-    DSC::Distributed_options<Distributed> result;
-    result.number_of_threads = threads;
-    return result;
+  template <class Flow> Report advect(const Flow& flow, double t, double dt) const {
+    return DSC::advect_interface(complex, flow, t, dt,
+                                 advection_options<Distributed::Part>(threads).deformation);
   }
 };
 

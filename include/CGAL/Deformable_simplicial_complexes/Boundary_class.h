@@ -47,6 +47,10 @@ struct Boundary_class
     return axis == dimension;
   }
 
+  /// Returns whether cells around the vertex are missing, because the complex is a part of a larger
+  /// complex.
+  static bool is_cut(Bits sides) { return (sides & cut) != 0; }
+
   /// Returns whether the set `sides` contains all sides of the set `others`.
   static bool contains(Bits sides, Bits others) { return (sides & others) == others; }
 };

@@ -35,12 +35,6 @@
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
-namespace internal {
-
-template <class Complex> class Interface_adaptation;
-
-} // namespace internal
-
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
@@ -86,10 +80,28 @@ public:
       throw Error("the feature angle is out of range: use 0 to 180 degrees");
     const Interface_snapshot<Complex> interface_(dsc);
     const auto positions = interface_.positions(dsc);
-    const internal::Curvature_lengths<Complex> lengths(interface_, positions, tolerance, shortest,
-                                                       feature_angle);
-    *this =
-        Curvature_sizing_field(interface_, positions, lengths.graded(longest, gradation), longest);
+    const internal::Curvature_lengths<Complex> lengths(
+        interface_, positions,
+        internal::Smooth_normals<Complex>(interface_, positions, feature_angle), tolerance,
+        shortest);
+    *this = Curvature_sizing_field(positions, lengths.graded(longest, gradation), longest,
+                                   interface_.domain.template periods<d>());
+  }
+
+  /// Constructs the field from known target edge lengths. n log n in the number of points.
+  /// \param points the points
+  /// \param lengths a target edge length for each point, positive
+  /// \param longest the target edge length everywhere if there are no points
+  /// \param periods of a torus; 0 in a ball
+  Curvature_sizing_field(const std::vector<Point>& points, const std::vector<double>& lengths,
+                         double longest, const std::array<double, d>& periods = {})
+      : m_longest(longest), m_periods(periods) {
+    std::vector<Sized_point> sized;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      sized.emplace_back(points[i], lengths[i]);
+    m_tree = std::make_shared<Tree>(sized.begin(), sized.end());
+    if (!sized.empty())
+      m_tree->build();
   }
 
   /// Returns the target edge length at p, which is that of the nearest vertex. If two vertices are
@@ -115,21 +127,6 @@ public:
   }
 
 private:
-  template <class> friend class Interface_adaptation;
-
-  // Constructs the field from known target edge lengths of the vertices of an interface.
-  template <class Snapshot>
-  Curvature_sizing_field(const Snapshot& interface_, const std::vector<Point>& positions,
-                         const std::vector<double>& lengths, double longest)
-      : m_longest(longest), m_periods(interface_.domain.template periods<d>()) {
-    std::vector<Sized_point> points;
-    for (std::size_t i = 0; i < positions.size(); ++i)
-      points.emplace_back(positions[i], lengths[i]);
-    m_tree = std::make_shared<Tree>(points.begin(), points.end());
-    if (!points.empty())
-      m_tree->build();
-  }
-
   using Sized_point = std::pair<Point, double>;
   using Point_traits = std::conditional_t<d == 2, Search_traits_2<Simple_cartesian<double>>,
                                           Search_traits_3<Simple_cartesian<double>>>;

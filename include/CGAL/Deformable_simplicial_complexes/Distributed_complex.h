@@ -232,6 +232,20 @@ public:
     return m_mesh.is_own(interface_.indices[first]);
   }
 
+  /// Replaces the values of vertices of other ranks by those of their owners. Linear in the number of
+  /// vertices here.
+  /// \param interface_ the interface
+  /// \param values a trivially copyable value for each vertex of the interface
+  template <class Value>
+  void share(const Interface& interface_, std::vector<Value>& values) const {
+    std::vector<Value> of_index(m_mesh.piece.vertex_bound());
+    for (std::size_t i = 0; i < values.size(); ++i)
+      of_index[interface_.indices[i]] = values[i];
+    m_mesh.ghosts.update(of_index);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      values[i] = of_index[interface_.indices[i]];
+  }
+
   /// Measures of a label, equal on all ranks.
   struct Label_measures
   {

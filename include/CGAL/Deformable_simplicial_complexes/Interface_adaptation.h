@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <type_traits>
 #include <vector>
@@ -97,6 +98,65 @@ template <int dimension> struct Adaptation_rule
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
+The edges of an interface that are much longer or shorter than their target edge length.
+
+\tparam dimension dimension of the complex, 2 or 3
+*/
+template <int dimension> struct Interface_wear
+{
+  std::int64_t edges = 0, ///< number of all edges
+      short_ones = 0,     ///< number of edges that are too short
+      long_ones = 0;      ///< number of edges that are too long
+
+  /// Counts an edge.
+  /// \param length the length of the edge
+  /// \param target, target_if_flat the target edge length, with both upper bounds of
+  ///        `Adaptation_rule`
+  void add(double length, double target, double target_if_flat) {
+    ++edges;
+    short_ones += length < Adaptation_rule<dimension>::collapse * target;
+    long_ones += length > Adaptation_rule<dimension>::split * target_if_flat;
+  }
+
+  /// Returns whether there are so many of these edges that the interface is worn.
+  bool is_large() const {
+    using Rule = Adaptation_rule<dimension>;
+    return double(long_ones) > Rule::many_long_ones * double(edges) ||
+           double(short_ones) > Rule::many_short_ones * double(edges);
+  }
+};
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Returns the options of `improve_interface()` that adapt an interface to target edge lengths.
+Vertices are not smoothed, and the cells are not optimized; the next deformation does this.
+
+\param field the target edge lengths; it must outlive the options
+\param options the options of the adaptation
+*/
+template <class Complex>
+Interface_improvement_options<Complex>
+remeshing_options(const Curvature_sizing_field<Complex::dimension>& field,
+                  const Adaptation_options& options) {
+  using Rule = Adaptation_rule<Complex::dimension>;
+  Interface_improvement_options<Complex> result;
+  result.sizing_field = std::cref(field);
+  result.interface_split_length = Rule::split;
+  result.interface_collapse_length = Rule::collapse;
+  result.swept_volume = Rule::swept_volume;
+  result.curved_splits = true;
+  result.aggressiveness = 0;
+  result.feature_angle = options.feature_angle;
+  result.split_junctions = options.splits_junctions;
+  result.interface_energy = options.interface_energy;
+  result.quality_threshold = 0; // the deformation optimizes cells
+  return result;
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
 Returns whether a motion of the vertices changes the length of an edge of the interface. A rigid
 motion does not, up to rounding and the errors of time integration. Linear in the size of the
 interface.
@@ -141,25 +201,22 @@ public:
                        const Adaptation_options& options)
       : m_interface(interface_), m_positions(interface_.positions(complex)),
         m_edge(complex.mean_interface_edge()), m_options(options),
-        m_lengths(interface_, m_positions, options.tolerance * m_edge, Rule::shortest * m_edge,
-                  options.feature_angle),
+        m_lengths(interface_, m_positions,
+                  internal::Smooth_normals<Complex>(interface_, m_positions, options.feature_angle),
+                  options.tolerance * m_edge, Rule::shortest * m_edge),
         m_sizes(sizes(Rule::longest)) {}
 
   /// Returns whether the interface is worn: too many of its edges are much longer than their target
   /// edge length, or much shorter. n log n in the size of the interface.
   bool is_worn() const {
     const std::vector<double> sizes_if_flat = sizes(Rule::longest_if_flat * Rule::longest);
-    std::size_t edges = 0, short_ones = 0, long_ones = 0;
+    Interface_wear<Complex::dimension> wear;
     internal::for_each_edge_of(m_interface.facets(), [&](std::size_t a, std::size_t b) {
-      const double length =
-          std::sqrt((m_interface.domain.near(m_positions[a], m_positions[b]) - m_positions[a])
-                        .squared_length());
-      ++edges;
-      short_ones += length < Rule::collapse * (std::min)(m_sizes[a], m_sizes[b]);
-      long_ones += length > Rule::split * (std::min)(sizes_if_flat[a], sizes_if_flat[b]);
+      wear.add(std::sqrt((m_interface.domain.near(m_positions[a], m_positions[b]) - m_positions[a])
+                             .squared_length()),
+               (std::min)(m_sizes[a], m_sizes[b]), (std::min)(sizes_if_flat[a], sizes_if_flat[b]));
     });
-    return double(long_ones) > Rule::many_long_ones * double(edges) ||
-           double(short_ones) > Rule::many_short_ones * double(edges);
+    return wear.is_large();
   }
 
   /// Splits long edges at points of the smooth surface and collapses short edges, by
@@ -173,19 +230,10 @@ public:
   ///         out of its range; the complex is then unchanged. An exception of the visitor and
   ///         `Interrupted_error` leave a valid complex.
   Improvement_report apply(Complex& complex, Any_visitor<Complex>* visitor) const {
-    const Curvature_sizing_field<Complex::dimension> field(m_interface, m_positions, m_sizes,
-                                                           Rule::longest * m_edge);
-    Interface_improvement_options<Complex> options;
-    options.sizing_field = std::cref(field);
-    options.interface_split_length = Rule::split;
-    options.interface_collapse_length = Rule::collapse;
-    options.swept_volume = Rule::swept_volume;
-    options.curved_splits = true;
-    options.aggressiveness = 0;
-    options.feature_angle = m_options.feature_angle;
-    options.split_junctions = m_options.splits_junctions;
-    options.interface_energy = m_options.interface_energy;
-    options.quality_threshold = 0; // the deformation optimizes cells
+    const Curvature_sizing_field<Complex::dimension> field(
+        m_positions, m_sizes, Rule::longest * m_edge,
+        m_interface.domain.template periods<Complex::dimension>());
+    auto options = remeshing_options<Complex>(field, m_options);
     options.visitor = visitor;
     return improve_interface(complex, options);
   }

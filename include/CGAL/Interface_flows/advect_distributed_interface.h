@@ -17,6 +17,7 @@
 #include <CGAL/Interface_flows/Mean_curvature_flow.h>
 #include <CGAL/Interface_flows/internal/curvature/Distributed_curvature_system.h>
 #include <CGAL/Interface_flows/internal/paths/interface_paths.h>
+#include <CGAL/Interface_flows/internal/paths/velocity_properties.h>
 
 #include <array>
 #include <cstddef>
@@ -37,34 +38,81 @@ public:
 
   Shared_velocity(const Distributed& dsc, const typename Distributed::Interface& interface_,
                   const Velocity& velocity)
-      : m_mesh(dsc.mesh()), m_interface(interface_), m_velocity(velocity) {}
+      : m_dsc(dsc), m_interface(interface_), m_velocity(velocity) {}
 
   void operator()(const Interface_snapshot<Complex>& snapshot,
                   const std::vector<typename Complex::Approximate_point>& positions, double t,
                   std::vector<typename Complex::Approximate_vector>& velocities) const {
     static constexpr int d = Complex::dimension;
-    m_mesh.communicator->call_together([&] {
+    m_dsc.communicator().call_together([&] {
       m_velocity(snapshot, positions, t, velocities);
       if (velocities.size() != positions.size())
         throw Error("the number of velocities differs from the number of interface vertices: give "
                     "one velocity for each vertex");
       for (std::size_t i = 0; i < velocities.size(); ++i)
-        if (m_mesh.is_own(m_interface.indices[i]) && !has_finite_coordinates(velocities[i]))
+        if (m_dsc.mesh().is_own(m_interface.indices[i]) && !has_finite_coordinates(velocities[i]))
           throw Error("a velocity is not finite: correct the velocity");
     });
-    std::vector<std::array<double, d>> values(m_mesh.piece.vertex_bound());
+    std::vector<std::array<double, d>> values;
+    for (const auto& velocity : velocities)
+      values.push_back(coordinates_of<d>(velocity));
+    m_dsc.share(m_interface, values);
     for (std::size_t i = 0; i < velocities.size(); ++i)
-      values[m_interface.indices[i]] = coordinates_of<d>(velocities[i]);
-    m_mesh.ghosts.update(values);
-    for (std::size_t i = 0; i < velocities.size(); ++i)
-      velocities[i] = vector_of<Complex>(values[m_interface.indices[i]]);
+      velocities[i] = vector_of<Complex>(values[i]);
   }
 
 private:
-  const Distributed_mesh<Complex>& m_mesh;
+  const Distributed& m_dsc;
   const typename Distributed::Interface& m_interface;
   const Velocity& m_velocity;
 };
+
+inline void require_distributed_scheme(Integration_scheme scheme) {
+  if (scheme == Integration_scheme::adaptive)
+    throw Error("the adaptive scheme is not available on several ranks: use rk2 or rk4");
+}
+
+template <class Velocity> void require_distributed_flow(const Velocity& velocity) {
+  if (preserves_volumes(velocity))
+    throw Error("flows on several ranks do not preserve volumes: use one rank");
+}
+
+// Returns the destinations of the vertices of the interface here in a time step.
+// \throws Error on all ranks as `advect_interface()`
+template <class Complex, class Velocity>
+std::vector<typename Complex::Approximate_point>
+distributed_destinations(const Distributed_complex<Complex>& dsc,
+                         const typename Distributed_complex<Complex>::Interface& interface_,
+                         const Velocity& velocity, double t, double dt, Integration_scheme scheme) {
+  require_distributed_scheme(scheme);
+  const auto destinations_with = [&](const auto& v) {
+    return find_destinations(interface_.snapshot, interface_.positions, v, t, dt, scheme, 0.);
+  };
+  std::vector<typename Complex::Approximate_point> destinations;
+  dsc.communicator().call_together([&] {
+    if constexpr (is_velocity_field<Complex, Velocity> || is_flow_map<Complex, Velocity> ||
+                  is_interface_step<Complex, Velocity>)
+      destinations = destinations_with(velocity);
+    else // throws on all ranks or on none
+      destinations =
+          destinations_with(Shared_velocity<Complex, Velocity>(dsc, interface_, velocity));
+  });
+  return destinations;
+}
+
+// Returns the destinations after a step of mean curvature flow.
+// \throws Error on all ranks as `advect_interface()`
+template <class Complex>
+std::vector<typename Complex::Approximate_point>
+distributed_destinations(const Distributed_complex<Complex>& dsc,
+                         const typename Distributed_complex<Complex>::Interface& interface_,
+                         const Mean_curvature_flow& flow, double /*t*/, double dt,
+                         Integration_scheme /*scheme*/) {
+  require_distributed_flow(flow);
+  if (!(dt >= 0))
+    throw Error("mean curvature flow cannot go back in time: use a time step of 0 or more");
+  return mean_curvature_destinations(dsc, interface_, flow.energy(), dt);
+}
 
 } // namespace internal
 
@@ -95,23 +143,9 @@ advect_interface(Distributed_complex<Complex>& dsc, const Velocity& velocity, do
                      Distributed_options<Distributed_complex<Complex>>(),
                  Integration_scheme scheme = Integration_scheme::rk2) {
   using Points = std::vector<typename Complex::Approximate_point>;
-  if (scheme == Integration_scheme::adaptive)
-    throw Error("the adaptive scheme is not available on several ranks: use rk2 or rk4");
   const auto interface_ = dsc.interface_here();
-  const auto destinations_with = [&](const auto& v) {
-    return internal::find_destinations(interface_.snapshot, interface_.positions, v, t, dt, scheme,
-                                       0.);
-  };
-  Points destinations;
-  dsc.communicator().call_together([&] {
-    if constexpr (internal::is_velocity_field<Complex, Velocity> ||
-                  internal::is_flow_map<Complex, Velocity> ||
-                  internal::is_interface_step<Complex, Velocity>)
-      destinations = destinations_with(velocity);
-    else // throws on all ranks or on none
-      destinations = destinations_with(
-          internal::Shared_velocity<Complex, Velocity>(dsc, interface_, velocity));
-  });
+  const Points destinations =
+      internal::distributed_destinations(dsc, interface_, velocity, t, dt, scheme);
   std::function<Points(const Points&)> flow;
   if constexpr (internal::is_flow_of_space<Complex, Velocity>)
     flow = [&](const Points& points) {
@@ -140,18 +174,15 @@ Collective.
 */
 template <class Complex>
 Distributed_report<Complex>
-advect_interface(Distributed_complex<Complex>& dsc, const Mean_curvature_flow& flow, double /*t*/,
+advect_interface(Distributed_complex<Complex>& dsc, const Mean_curvature_flow& flow, double t,
                  double dt,
                  Distributed_options<Distributed_complex<Complex>> options =
                      Distributed_options<Distributed_complex<Complex>>()) {
-  if (flow.preserves_volumes())
-    throw Error("mean curvature flow on several ranks does not preserve volumes: use one rank");
-  if (!(dt >= 0))
-    throw Error("mean curvature flow cannot go back in time: use a time step of 0 or more");
   const auto interface_ = dsc.interface_here();
   options.interface_energy = flow.energy();
   return deform_interface_to(
-      dsc, interface_, internal::mean_curvature_destinations(dsc, interface_, flow.energy(), dt),
+      dsc, interface_,
+      internal::distributed_destinations(dsc, interface_, flow, t, dt, Integration_scheme::rk2),
       options);
 }
 

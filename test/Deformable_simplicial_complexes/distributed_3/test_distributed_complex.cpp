@@ -14,10 +14,13 @@
 #include <CGAL/Deformable_simplicial_complexes/IO/distributed_checkpoint.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/State.h>
+#include <CGAL/Deformable_simplicial_complexes/adapt_distributed_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/assign_distributed_cells.h>
 #include <CGAL/Deformable_simplicial_complexes/refine_distributed_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/run_in_threads.h>
 #include <CGAL/Interface_flows/Normal_offset.h>
+#include <CGAL/Interface_flows/advect_adaptively.h>
+#include <CGAL/Interface_flows/advect_distributed_adaptively.h>
 #include <CGAL/Interface_flows/advect_distributed_interface.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_flows/interface_flows_3.h>
@@ -112,6 +115,16 @@ std::vector<Case> cases() {
                                               DSC::Integration_scheme::rk4);
                     },
                     5});
+  result.push_back({"Enright, adapted", unit_cube,
+                    [](Distributed& dsc, int step) {
+                      return advect_adaptively(dsc, DSC::Enright_velocity_3(3), .1 * step, .1);
+                    },
+                    9});
+  result.push_back({"mean curvature, adapted", make_complex(grid(8, small_meshes::eight_phases)),
+                    [](Distributed& dsc, int step) {
+                      return advect_adaptively(dsc, DSC::Mean_curvature_flow(), .005 * step, .005);
+                    },
+                    4});
   return result;
 }
 
@@ -225,6 +238,82 @@ TEST(Distributed_complex, Moves_as_a_complex_on_one_rank_does) {
   };
   EXPECT_GT(worst(distributed.complex), .2 * worst(c.start));
   EXPECT_GT(distributed.complex.number_of_cells(), c.start.number_of_cells() / 2);
+}
+
+// The flow stretches the interface, so both get more and smaller facets.
+TEST(Distributed_complex, Is_adapted_as_a_complex_on_one_rank_is) {
+  Case c = cases()[6]; // Enright
+  const std::size_t before = c.start.interface_vertices().size();
+  const Result distributed = run(c, {"three ranks", 3, {}});
+  for (int step = 0; step < c.steps; ++step)
+    DSC::advect_adaptively(c.start, DSC::Enright_velocity_3(3), .1 * step, .1);
+  const auto vertices = double(c.start.interface_vertices().size());
+  EXPECT_GT(vertices, 1.2 * double(before));
+  EXPECT_NEAR(double(distributed.complex.interface_vertices().size()), vertices, .2 * vertices);
+  EXPECT_NEAR(distributed.complex.volume(1), c.start.volume(1), .02 * c.start.volume(1));
+  const auto cells = double(c.start.number_of_cells());
+  EXPECT_NEAR(double(distributed.complex.number_of_cells()), cells, .2 * cells);
+}
+
+TEST(Distributed_complex, Has_the_target_edge_lengths_of_a_complex_on_one_rank) {
+  const Complex start = cases()[6].start;
+  const DSC::Interface_snapshot<Complex> snapshot(start);
+  const auto positions = snapshot.positions(start);
+  const double edge = start.mean_interface_edge();
+  using Rule = DSC::Adaptation_rule<3>;
+  const std::vector<double> expected =
+      DSC::internal::Curvature_lengths<Complex>(
+          snapshot, positions, DSC::internal::Smooth_normals<Complex>(snapshot, positions, 180),
+          .04 * edge, Rule::shortest * edge)
+          .graded(Rule::longest * edge, Rule::gradation);
+  EXPECT_LT(*std::min_element(expected.begin(), expected.end()), Rule::longest * edge);
+  const auto vertices = start.vertices();
+  DSC::run_in_threads(4, [&](DSC::Communicator& communicator) {
+    Distributed dsc(communicator);
+    dsc.distribute(start, [](std::size_t i) { return int(DSC::internal::mixed(i) % 4); });
+    const auto interface_ = dsc.interface_here();
+    const DSC::internal::Distributed_adaptation<Complex> adaptation(dsc, interface_, {.04, 180});
+    for (std::size_t i = 0; i < interface_.indices.size(); ++i) {
+      // The ids are the numbers of the vertices of `start`.
+      const auto id = dsc.mesh().piece.vertex(interface_.indices[i]).id;
+      const auto place =
+          std::find(snapshot.vertices.begin(), snapshot.vertices.end(), vertices[id]);
+      ASSERT_NE(place, snapshot.vertices.end());
+      EXPECT_NEAR(adaptation.target_lengths()[i],
+                  expected[std::size_t(place - snapshot.vertices.begin())], 1e-12);
+    }
+    EXPECT_EQ(adaptation.is_worn(),
+              DSC::Interface_adaptation<Complex>(start, snapshot, {.04, 180}).is_worn());
+  });
+}
+
+TEST(Distributed_complex, Detail_off_the_interface_is_controlled) {
+  const Complex start = make_complex(grid(8, small_meshes::ball));
+  Complex alone = start;
+  DSC::Detail_options<Complex> options_alone;
+  options_alone.collapse_length = 2;
+  DSC::internal::run_detail_control(alone, options_alone);
+  const auto cells = double(alone.number_of_cells());
+  DSC::run_in_threads(3, [&](DSC::Communicator& communicator) {
+    Distributed dsc(communicator);
+    dsc.distribute(start);
+    DSC::Detail_options<Distributed::Part> options;
+    options.collapse_length = 2;
+    const auto first = control_detail(dsc, options);
+    EXPECT_GT(first.collapsed, 0u);
+    EXPECT_NEAR(double(dsc.number_of_cells()), cells, .1 * cells);
+    // What failed is not tried again.
+    const auto again = control_detail(dsc, options);
+    EXPECT_EQ(again.collapsed + again.split, 0u);
+    const Complex gathered = dsc.gather();
+    if (communicator.rank() == 0) {
+      EXPECT_TRUE(gathered.is_valid(true));
+      EXPECT_EQ(gathered.interface_vertices().size(), start.interface_vertices().size());
+      EXPECT_NEAR(gathered.volume(1), start.volume(1), 1e-12);
+    }
+    options.change_interface = true;
+    EXPECT_THROW(control_detail(dsc, options), DSC::Error);
+  });
 }
 
 TEST(Distributed_complex, Rotates_without_changing_the_mesh) {

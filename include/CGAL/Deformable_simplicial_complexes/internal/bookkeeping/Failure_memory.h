@@ -25,7 +25,13 @@ namespace internal {
 // rest, smoothing that changes the shape of a cell clears its flags.
 
 // The algorithms that record failures, each with a flag of its own.
-enum Attempt : std::uint8_t { to_improve_quality = 1, to_remove_small_angles = 2 };
+enum Attempt : std::uint8_t {
+  to_improve_quality = 1,
+  to_remove_small_angles = 2,
+  // on several ranks only:
+  to_control_detail = 4,
+  to_adapt_interface = 8
+};
 
 template <class Cell_handle> bool is_exhausted(Cell_handle c, Attempt attempt) {
   return (c->failures() & attempt) != 0;

@@ -37,11 +37,31 @@ void for_each_edge_of(const Facets& facets, const Function& function) {
         function(facet.vertices[i], facet.vertices[j]);
 }
 
+// The normals of an interface. Vertices on sharp edges, and vertices where more than two labels meet,
+// have none.
+template <class Complex> struct Smooth_normals
+{
+  using Points = std::vector<typename Complex::Approximate_point>;
+
+  std::vector<typename Complex::Approximate_vector> normals;
+  std::vector<char> is_smooth; // whether a vertex has a normal
+
+  // The feature angle is in degrees.
+  Smooth_normals(const Interface_snapshot<Complex>& interface_, const Points& positions,
+                 double feature_angle)
+      : normals(Interface_bends<Complex>::normals(interface_, positions)) {
+    const std::vector<char> is_on_junction = vertices_on_junctions(interface_);
+    const auto is_on_feature = Interface_bends<Complex>::on_features(
+        interface_, positions, feature_angle * (CGAL_PI / 180));
+    for (std::size_t v = 0; v < normals.size(); ++v)
+      is_smooth.push_back(!is_on_junction[v] && !is_on_feature[v]);
+  }
+};
+
 /*
 Target edge lengths at the vertices of an interface, from its curvature. The distance of an edge of
 length h from the smooth surface is about curvature * h^2 / 8; the target edge length is the one for
-which this distance equals the tolerance. Vertices on sharp edges, and vertices where more than two
-labels meet, have no normal and thus no curvature. The feature angle is in degrees.
+which this distance equals the tolerance. Vertices without a normal have no curvature.
 */
 template <class Complex> class Curvature_lengths
 {
@@ -49,23 +69,17 @@ public:
   using Snapshot = Interface_snapshot<Complex>;
   using Points = std::vector<typename Complex::Approximate_point>;
 
-  Curvature_lengths(const Snapshot& interface_, const Points& positions, double tolerance,
-                    double shortest, double feature_angle)
+  Curvature_lengths(const Snapshot& interface_, const Points& positions,
+                    const Smooth_normals<Complex>& bends, double tolerance, double shortest)
       : m_lengths(positions.size(), std::numeric_limits<double>::infinity()) {
-    using Bends = Interface_bends<Complex>;
-    const auto normals = Bends::normals(interface_, positions);
-    const std::vector<char> is_on_junction = vertices_on_junctions(interface_);
-    const std::vector<char> is_on_feature =
-        Bends::on_features(interface_, positions, feature_angle * (CGAL_PI / 180));
-    const auto has_normal = [&](std::size_t v) { return !is_on_junction[v] && !is_on_feature[v]; };
     m_first.assign(positions.size() + 1, 0);
     for_each_edge_of(interface_.facets(), [&](std::size_t a, std::size_t b) {
       ++m_first[a];
       ++m_first[b];
-      if (!has_normal(a) || !has_normal(b))
+      if (!bends.is_smooth[a] || !bends.is_smooth[b])
         return;
       const auto edge = interface_.domain.near(positions[a], positions[b]) - positions[a];
-      const double bend = std::abs((normals[b] - normals[a]) * edge); // curvature * squared length
+      const double bend = std::abs((bends.normals[b] - bends.normals[a]) * edge); // curvature * squared length
       if (!(bend > 0))
         return;
       const double length =
@@ -85,16 +99,22 @@ public:
   }
 
   // Returns the target edge lengths, at most `longest`, with a bounded gradation: the lengths at
-  // the ends of an edge differ by at most `gradation` times the length of the edge. The vertices
-  // are visited by increasing length, as in Dijkstra's algorithm.
+  // the ends of an edge differ by at most `gradation` times the length of the edge.
   std::vector<double> graded(double longest, double gradation) const {
-    using Entry = std::pair<double, std::size_t>; // the length at a vertex, and the vertex
     std::vector<double> lengths = m_lengths;
+    for (double& length : lengths)
+      length = (std::min)(length, longest);
+    grade(lengths, gradation);
+    return lengths;
+  }
+
+  // Reduces lengths at the vertices until their gradation is bounded. The vertices are visited by
+  // increasing length, as in Dijkstra's algorithm.
+  void grade(std::vector<double>& lengths, double gradation) const {
+    using Entry = std::pair<double, std::size_t>; // the length at a vertex, and the vertex
     std::vector<Entry> entries;
-    for (std::size_t v = 0; v < lengths.size(); ++v) {
-      lengths[v] = (std::min)(lengths[v], longest);
+    for (std::size_t v = 0; v < lengths.size(); ++v)
       entries.emplace_back(lengths[v], v);
-    }
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue(std::greater<>(),
                                                                          std::move(entries));
     while (!queue.empty()) {
@@ -111,7 +131,6 @@ public:
         }
       }
     }
-    return lengths;
   }
 
 private:

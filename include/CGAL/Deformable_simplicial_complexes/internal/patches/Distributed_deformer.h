@@ -10,11 +10,14 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PATCHES_DISTRIBUTED_DEFORMER_H
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Distributed_report.h>
 #include <CGAL/Deformable_simplicial_complexes/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Failure_memory.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Label_totals.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/deformation/deform.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/patches/Distributed_motion.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/patches/Patch_rounds.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/ranks/Distributed_components.h>
@@ -47,7 +50,8 @@ public:
   using Mesh = Distributed_mesh<Complex>;
   using Index = typename Mesh::Index;
   using Position = typename Complex::Approximate_point;
-  using Options = Deformation_options<typename Part_of<Complex>::Type>;
+  using Part = typename Part_of<Complex>::Type;
+  using Options = Deformation_options<Part>;
   using Flow = typename Distributed_motion<Complex>::Flow;
   using Report = Distributed_report<Complex>;
 
@@ -107,7 +111,10 @@ public:
       Distributed_motion<Complex> motion(m_mesh);
       motion.run(report.passes == 1 ? flow : Flow());
       activate(motion.moved());
-      add(Patch_rounds<Complex>(m_mesh, m_options, report.passes, m_places).run(), report);
+      add(Patch_rounds<Complex>(
+              m_mesh, [this](auto& patch) { treat(patch); }, report.passes, m_places)
+              .run(),
+          report);
       measure_remaining(report);
       idle = m_remaining > same * last ? idle + 1 : 0;
       last = m_remaining;
@@ -199,6 +206,21 @@ private:
     } else {
       return m_options.minimum_angle > 0;
     }
+  }
+
+  // Continues the motion in a patch. Only vertices of active cells may still move.
+  void treat(Treated_patch<Complex>& patch) const {
+    std::vector<Moved_vertex<Part>> moved;
+    for (const auto& v : patch.vertices)
+      if (v.data.has_motion)
+        moved.push_back({v.handle, point_at<Part>(v.data.before),
+                         point_at<Part>(v.data.destination),
+                         v.data.is_open && v.is_core && patch.part.is_interface(v.handle)});
+    Deformation_report<Part> report = resume_deformation(patch.part, moved, patch.core, m_options);
+    add_operations(report, patch.counts);
+    patch.counts.relocated += std::int64_t(report.relocated);
+    patch.counts.relabeled += std::int64_t(report.relabeled);
+    patch.events = std::move(report.events);
   }
 
   // Clears `is_open` of vertices that left the interface. Finds the number of the remaining

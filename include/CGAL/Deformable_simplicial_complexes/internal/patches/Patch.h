@@ -15,12 +15,12 @@
 #include <CGAL/Deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
-#include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
-#include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Part_domain.h>
 #include <CGAL/Deformable_simplicial_complexes/State.h>
+#include <CGAL/Deformable_simplicial_complexes/Topology_event.h>
 #include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/deformation/deform.h>
+#include <CGAL/Deformable_simplicial_complexes/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/patches/separate_touching_cells.h>
 
 #include <algorithm>
@@ -29,6 +29,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -87,9 +88,41 @@ Patch_key patch_key(const std::array<typename Complex::Approximate_point, Comple
 // Numbers of operations in patches; equal on all ranks after a reduction.
 struct Patch_counts
 {
-  std::int64_t patches = 0, rounds = 0, split = 0, collapsed = 0, flipped = 0, smoothed = 0,
-               inserted = 0, relocated = 0, relabeled = 0, vanished = 0;
+  std::int64_t patches = 0, split = 0, collapsed = 0, flipped = 0, smoothed = 0, inserted = 0,
+               relocated = 0, relabeled = 0, vanished = 0;
+  std::int64_t rounds = 0; // of all ranks together
+
+  // The numbers that are sums over the patches.
+  static constexpr std::int64_t Patch_counts::*sums[] = {
+      &Patch_counts::patches,   &Patch_counts::split,     &Patch_counts::collapsed,
+      &Patch_counts::flipped,   &Patch_counts::smoothed,  &Patch_counts::inserted,
+      &Patch_counts::relocated, &Patch_counts::relabeled, &Patch_counts::vanished};
+
+  Improvement_report improvements() const {
+    Improvement_report result;
+    result.split = std::size_t(split);
+    result.collapsed = std::size_t(collapsed);
+    result.flipped = std::size_t(flipped);
+    result.smoothed = std::size_t(smoothed);
+    result.inserted = std::size_t(inserted);
+    return result;
+  }
+
+  Patch_counts& operator+=(const Patch_counts& other) {
+    for (const auto member : sums)
+      this->*member += other.*member;
+    return *this;
+  }
 };
+
+// Adds the numbers of operations of a report.
+template <class Report> void add_operations(const Report& report, Patch_counts& counts) {
+  counts.split += std::int64_t(report.split);
+  counts.collapsed += std::int64_t(report.collapsed);
+  counts.flipped += std::int64_t(report.flipped);
+  counts.smoothed += std::int64_t(report.smoothed);
+  counts.inserted += std::int64_t(report.inserted);
+}
 
 // The place of a change of topology in a patch. The change is one of the components of the patch;
 // whether components of the complex changed is found later.
@@ -100,6 +133,29 @@ template <int d> struct Topology_place
   std::uint32_t pass;
   std::array<double, d> where;
 };
+
+// A patch as a complex of its own, which a treatment changes. Vertices on the cut do not move.
+template <class Complex> struct Treated_patch
+{
+  using Part = typename Part_of<Complex>::Type;
+
+  // A vertex before the treatment.
+  struct Vertex
+  {
+    typename Part::Vertex_handle handle;
+    const Piece_vertex<Complex::dimension>& data;
+    bool is_core; // of an active cell of the cube
+  };
+
+  Part& part;
+  std::vector<Vertex> vertices;
+  std::vector<typename Part::Cell_handle> core; // active cells of the cube
+  // Set by the treatment:
+  Patch_counts counts;
+  std::vector<Topology_event<Part>> events;
+  std::function<double(typename Part::Vertex_handle)> target_length; // of a new vertex
+};
+template <class Complex> using Patch_treatment = std::function<void(Treated_patch<Complex>&)>;
 
 /*
 A part of a distributed complex that a rank takes, improves as if it were a complex of its own, and
@@ -133,35 +189,33 @@ public:
     m_cells_before.insert(m_cells_before.end(), cells.begin(), cells.end());
   }
 
-  // Improves the patch. New vertices get ids that increase from `provisional`.
-  // Appends the places of changes of topology in the pass `pass`.
-  void run(const Mesh& mesh, const Deformation_options<Part>& options, Patch_counts& counts,
-           std::uint32_t pass, std::vector<Topology_place<d>>& places) {
+  // Treats the patch. New vertices get ids that increase from `provisional`.
+  // Appends the places of changes of topology in the pass `pass`. Returns the numbers of
+  // operations.
+  Patch_counts run(const Mesh& mesh, const Patch_treatment<Complex>& treat, std::uint32_t pass,
+                   std::vector<Topology_place<d>>& places) {
     sort_input();
     find_core(mesh.mean_interface_edge);
     Part part(mesh.traits, mesh.quality_measure);
+    Treated_patch<Complex> treated = {part, {}, {}, {}, {}, {}};
     const std::vector<typename Part::Vertex_handle> vertices = build(mesh, part);
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      treated.vertices.push_back(
+          {vertices[i], m_before[m_originals[i]].data,
+           m_before[m_originals[i]].is_inner && m_is_core_vertex[m_originals[i]]});
     const std::vector<typename Part::Cell_handle> cells = part.cells();
-    std::vector<typename Part::Cell_handle> core;
     for (std::size_t c = 0; c < cells.size(); ++c)
       if (m_is_core[c])
-        core.push_back(cells[c]);
-    const Deformation_report<Part> report =
-        resume_deformation(part, moved_vertices(part, vertices), core, options);
-    counts.split += std::int64_t(report.split);
-    counts.collapsed += std::int64_t(report.collapsed);
-    counts.flipped += std::int64_t(report.flipped);
-    counts.smoothed += std::int64_t(report.smoothed);
-    counts.inserted += std::int64_t(report.inserted);
-    counts.relocated += std::int64_t(report.relocated);
-    counts.relabeled += std::int64_t(report.relabeled);
-    ++counts.patches;
-    for (const auto& event : report.events)
+        treated.core.push_back(cells[c]);
+    treat(treated);
+    for (const auto& event : treated.events)
       places.push_back({m_key, event.label, pass, coordinates_of<d>(event.where)});
-    take_result(part);
+    take_result(treated);
     find_owners(mesh.rank());
     find_components();
-    counts.vanished += number_of_vanished();
+    treated.counts.vanished += number_of_vanished();
+    ++treated.counts.patches;
+    return treated.counts;
   }
 
   // The number of new vertices.
@@ -265,23 +319,8 @@ private:
     return vertices;
   }
 
-  // Returns the vertices with a motion. Only vertices of the core may still move.
-  std::vector<Moved_vertex<Part>>
-  moved_vertices(const Part& part,
-                 const std::vector<typename Part::Vertex_handle>& vertices) const {
-    std::vector<Moved_vertex<Part>> result;
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-      const Patch_vertex& v = m_before[m_originals[i]];
-      if (v.data.has_motion)
-        result.push_back({vertices[i], point_at<Part>(v.data.before),
-                          point_at<Part>(v.data.destination),
-                          v.data.is_open && v.is_inner && m_is_core_vertex[m_originals[i]] &&
-                              part.is_interface(vertices[i])});
-    }
-    return result;
-  }
-
-  void take_result(const Part& part) {
+  void take_result(const Treated_patch<Complex>& treated) {
+    const Part& part = treated.part;
     const std::vector<typename Part::Vertex_handle> vertices = part.vertices();
     const Vertex_numbers numbers(part, vertices);
     std::vector<Global_id> ids;
@@ -300,6 +339,8 @@ private:
         data.id = provisional + m_number_of_new++;
         data.owner = -1;
         data.boundary_class = v->boundary_class();
+        if (treated.target_length)
+          data.target_length = treated.target_length(v);
         ids.push_back(data.id);
       }
       data.point = coordinates_of<d>(part.position(v));
@@ -346,7 +387,7 @@ private:
   }
 
   static bool is_cut(typename Part::Vertex_handle v) {
-    return (v->boundary_class() & Boundary_class::cut) != 0;
+    return Boundary_class::is_cut(v->boundary_class());
   }
 
   Vertex& after(Global_id id) {

@@ -44,10 +44,11 @@ public:
   using Index = typename Mesh::Index;
   using Part = typename Part_of<Complex>::Type;
 
-  // `places` receives the places of changes of topology on this rank in the pass `pass`.
-  Patch_rounds(Mesh& mesh, const Deformation_options<Part>& options, std::uint32_t pass,
+  // `treat` treats a patch. `places` receives the places of changes of topology on this rank in the
+  // pass `pass`.
+  Patch_rounds(Mesh& mesh, Patch_treatment<Complex> treat, std::uint32_t pass,
                std::vector<Topology_place<d>>& places)
-      : m_mesh(mesh), m_options(options), m_pass(pass), m_places(places) {}
+      : m_mesh(mesh), m_treat(std::move(treat)), m_pass(pass), m_places(places) {}
 
   // Runs until no cell is active. Returns the numbers of operations of all ranks.
   // Throws Error on all ranks if a patch of one of them throws.
@@ -58,7 +59,7 @@ public:
       std::map<Patch_key, Patch<Complex>> patches = gather();
       m_mesh.communicator->call_together([&] {
         for (auto& [key, patch] : patches)
-          patch.run(m_mesh, m_options, m_counts, m_pass, m_places);
+          m_counts += patch.run(m_mesh, m_treat, m_pass, m_places);
       });
       number_vertices(patches);
       commit(patches);
@@ -399,22 +400,20 @@ private:
 
   // Returns the sums of the numbers of all ranks.
   Patch_counts totals() const {
-    Patch_counts result = m_counts;
-    const auto members = {&result.patches,   &result.split,     &result.collapsed,
-                          &result.flipped,   &result.smoothed,  &result.inserted,
-                          &result.relocated, &result.relabeled, &result.vanished};
+    Patch_counts result;
     std::vector<std::int64_t> numbers;
-    for (const std::int64_t* member : members)
-      numbers.push_back(*member);
+    for (const auto member : Patch_counts::sums)
+      numbers.push_back(m_counts.*member);
     m_mesh.communicator->reduce(Operation::sum, numbers);
     auto next = numbers.begin();
-    for (std::int64_t* member : members)
-      *member = *next++;
+    for (const auto member : Patch_counts::sums)
+      result.*member = *next++;
+    result.rounds = m_counts.rounds;
     return result;
   }
 
   Mesh& m_mesh;
-  const Deformation_options<Part>& m_options;
+  Patch_treatment<Complex> m_treat;
   std::uint32_t m_pass;
   std::vector<Topology_place<d>>& m_places;
   std::vector<Active_cell> m_active;

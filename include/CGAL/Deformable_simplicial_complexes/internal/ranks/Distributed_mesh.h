@@ -100,6 +100,20 @@ template <class Complex> struct Distributed_mesh
     return result;
   }
 
+  // Sets `is_active` of each cell: whether `condition(v, w)` holds for an edge of the cell.
+  template <class Condition> void activate_cells_with_edge(const Condition& condition) {
+    for (Index c = 0; c < piece.cell_bound(); ++c) {
+      if (!piece.has_cell(c))
+        continue;
+      auto& cell = piece.cell(c);
+      cell.data.is_active = false;
+      for (int i = 0; i < corners; ++i)
+        for (int j = 0; j < i; ++j)
+          cell.data.is_active =
+              cell.data.is_active || condition(cell.vertices[i], cell.vertices[j]);
+    }
+  }
+
   // Returns the lower and the upper bounds of the coordinates of all vertices of all ranks.
   std::array<std::array<double, d>, 2> bounds() const {
     Extent<d> box;

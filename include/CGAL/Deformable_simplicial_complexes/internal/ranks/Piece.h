@@ -40,6 +40,7 @@ template <int d> struct Piece_vertex
   std::array<double, d> point;
   std::array<double, d> before;      // position before the motion, if `has_motion`
   std::array<double, d> destination; // if `has_motion`
+  double target_length;              // of edges of the interface, while it is adapted
   float spacing;
   float work;         // recent improvements of the cells around the vertex
   std::int32_t owner; // rank
@@ -47,6 +48,11 @@ template <int d> struct Piece_vertex
   std::uint8_t has_motion; // whether the motion under way gave the vertex a destination
   std::uint8_t is_open;    // whether the destination can still be reached
   std::uint8_t padding;    // so that equal vertices have equal bytes
+
+  void end_motion() {
+    has_motion = is_open = 0;
+    before = destination = {};
+  }
 };
 
 // Everything that belongs to a cell except its vertices.
@@ -222,6 +228,22 @@ public:
     return std::any_of(cells.begin(), cells.end(), [&](Index c) {
       return m_cells[c].data.label != m_cells[cells.front()].data.label;
     });
+  }
+
+  // Returns whether the cells around an edge have several labels.
+  // \pre This rank owns an end of the edge.
+  bool has_several_labels(Index v, Index w) const {
+    Index first = none;
+    for (Index c : m_stars[v]) {
+      const auto& vertices = m_cells[c].vertices;
+      if (std::find(vertices.begin(), vertices.end(), w) == vertices.end())
+        continue;
+      if (first == none)
+        first = c;
+      if (m_cells[c].data.label != m_cells[first].data.label)
+        return true;
+    }
+    return false;
   }
 
   // Returns whether a cell has all of the vertices of another cell except the vertex `opposite`.

@@ -18,6 +18,7 @@
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_split.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_operations.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/has_cut_end.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Failed_collapses.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 
@@ -65,6 +66,8 @@ private:
     double longest = 1;
     for (int i = 0; i < Complex::corners; ++i)
       for (int j = i + 1; j < Complex::corners; ++j) {
+        if (has_cut_end(c, i, j))
+          continue;
         const double length = length_by_split_threshold(c, i, j);
         if (length > longest) {
           longest = length;
@@ -82,7 +85,7 @@ private:
   bool collapse(Cell_handle c) {
     for (int i = 0; i < Complex::corners; ++i)
       for (int j = i + 1; j < Complex::corners; ++j)
-        if (is_short(c, i, j) && (collapse(c, i, j) || collapse(c, j, i)))
+        if (!has_cut_end(c, i, j) && is_short(c, i, j) && (collapse(c, i, j) || collapse(c, j, i)))
           return true;
     return false;
   }

@@ -17,6 +17,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_edge_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/changed_facets_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/curved_midpoint_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/has_cut_end.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Interface_remesher.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 #include <CGAL/Deformable_simplicial_complexes/null_space_smoothing_3.h>
@@ -101,6 +102,8 @@ private:
   }
 
   std::optional<Changed_facets> propose_flip(Cell_handle c, int i, int j) {
+    if (has_cut_end(c, i, j))
+      return std::nullopt;
     const Interface_edge_3<Complex> edge(this->m_complex, c, i, j);
     if (!edge.is_in_sheet() || edge.bend() > Base::radians(this->m_options.feature_angle))
       return std::nullopt;

@@ -19,6 +19,7 @@
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_split.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/has_cut_end.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Changed_facets.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_fan.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Failed_collapses.h>
@@ -119,12 +120,13 @@ protected:
     return cells;
   }
 
-  // Calls `work` for the interface edges of each cell, until `work` has changed the cell.
+  // Calls `work` for the interface edges of each cell that can change, until `work` has changed the
+  // cell.
   template <class Work> void for_each_interface_edge(const Work& work) {
     work_in_rounds(m_complex, cells_at_interface(), 1, [&](Cell_handle c, Work_list<Cell_handle>&) {
       for (int i = 0; i <= Complex::dimension; ++i)
         for (int j = i + 1; j <= Complex::dimension; ++j)
-          if (is_interface_edge(c, i, j) && work(c, i, j))
+          if (can_change(c, i, j) && work(c, i, j))
             return;
     });
   }
@@ -135,6 +137,8 @@ protected:
   std::optional<Changed_facets> propose_collapse(Cell_handle c, int i, int j) {
     static constexpr double good = .5;   // quality of facets
     static constexpr double worst = .05; // least quality of a cell created by a collapse
+    if (has_cut_end(c, i, j))
+      return std::nullopt;
     const Fan fan = this->fan(c->vertex(i));
     if (!fan.is_disk() || !fan.keeps_features(radians(m_options.feature_angle), c->vertex(j)))
       return std::nullopt;
@@ -167,8 +171,11 @@ private:
     return Fan(m_complex, v, m_star);
   }
 
-  // Returns whether the edge belongs to an interface facet of the cell.
-  bool is_interface_edge(Cell_handle c, int i, int j) const {
+  // Returns whether the edge belongs to an interface facet of the cell, and all cells around its
+  // ends are known.
+  bool can_change(Cell_handle c, int i, int j) const {
+    if (has_cut_end(c, i, j))
+      return false;
     for (int k = 0; k <= Complex::dimension; ++k)
       if (k != i && k != j && m_complex.is_interface(typename Complex::Facet(c, k)))
         return true;
@@ -199,7 +206,7 @@ private:
     double longest = m_options.interface_split_length;
     for (int i = 0; i <= Complex::dimension; ++i)
       for (int j = i + 1; j <= Complex::dimension; ++j) {
-        if (!is_interface_edge(c, i, j))
+        if (!can_change(c, i, j))
           continue;
         const double edge = length(c->vertex(i), c->vertex(j));
         if (edge > longest) {

@@ -213,7 +213,7 @@ private:
   // Returns whether the complex is a part of another complex and cells around the cell are missing.
   static bool is_at_cut(Cell_handle c) {
     for (int i = 0; i < Complex::corners; ++i)
-      if ((c->vertex(i)->boundary_class() & Boundary_class::cut) != 0)
+      if (Boundary_class::is_cut(c->vertex(i)->boundary_class()))
         return true;
     return false;
   }

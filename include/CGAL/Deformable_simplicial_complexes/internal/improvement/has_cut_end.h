@@ -1,0 +1,29 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Deformable_simplicial_complexes, written for CGAL
+// (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_HAS_CUT_END_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_HAS_CUT_END_H
+
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Returns whether cells around an end of the edge are missing, because the complex is a part of a
+// larger complex. What an operation on the edge changes is then unknown.
+template <class Cell_handle> bool has_cut_end(Cell_handle c, int i, int j) {
+  return Boundary_class::is_cut(c->vertex(i)->boundary_class()) ||
+         Boundary_class::is_cut(c->vertex(j)->boundary_class());
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_HAS_CUT_END_H

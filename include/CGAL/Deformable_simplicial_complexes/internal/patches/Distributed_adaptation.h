@@ -1,0 +1,187 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Deformable_simplicial_complexes, written for CGAL
+// (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PATCHES_DISTRIBUTED_ADAPTATION_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PATCHES_DISTRIBUTED_ADAPTATION_H
+
+#include <CGAL/Deformable_simplicial_complexes/Communicator.h>
+#include <CGAL/Deformable_simplicial_complexes/Curvature_sizing_field.h>
+#include <CGAL/Deformable_simplicial_complexes/Distributed_complex.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_adaptation.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/coordinates.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Failure_memory.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/Curvature_lengths.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/local_edge_length.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/patches/Patch.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/patches/remesh_in_patches.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/ranks/Piece.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Interface_improver.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The adaptation of `Interface_adaptation` on several ranks. Target edge lengths have the same bits
+// on all ranks that hold a vertex.
+template <class Complex> class Distributed_adaptation
+{
+public:
+  static constexpr int d = Complex::dimension;
+  using Distributed = Distributed_complex<Complex>;
+  using Interface = typename Distributed::Interface;
+  using Part = typename Distributed::Part;
+  using Position = typename Complex::Approximate_point;
+
+  Distributed_adaptation(Distributed& dsc, const Interface& interface_,
+                         const Adaptation_options& options)
+      : m_dsc(dsc), m_interface(interface_), m_options(options), m_edge(dsc.mean_interface_edge()),
+        m_lengths(interface_.snapshot, interface_.positions, smooth_normals(),
+                  options.tolerance * m_edge, Rule::shortest * m_edge),
+        m_sizes(sizes(Rule::longest)) {}
+
+  // Returns the target edge lengths of the vertices of the interface here.
+  const std::vector<double>& target_lengths() const { return m_sizes; }
+
+  // Returns whether the interface is worn, see `Interface_adaptation::is_worn()`.
+  bool is_worn() const {
+    const std::vector<double> sizes_if_flat = sizes(Rule::longest_if_flat * Rule::longest);
+    std::vector<typename Interface_vertices<Complex>::Facet> facets;
+    for (const auto& facet : m_interface.snapshot.facets())
+      if (m_dsc.owns(m_interface, facet))
+        facets.push_back(facet);
+    Interface_wear<d> wear;
+    for_each_edge_of(facets, [&](std::size_t a, std::size_t b) {
+      wear.add(std::sqrt((m_interface.positions[b] - m_interface.positions[a]).squared_length()),
+               (std::min)(m_sizes[a], m_sizes[b]), (std::min)(sizes_if_flat[a], sizes_if_flat[b]));
+    });
+    std::vector<std::int64_t> numbers = {wear.edges, wear.short_ones, wear.long_ones};
+    m_dsc.communicator().reduce(Communicator::Operation::sum, numbers);
+    wear.edges = numbers[0];
+    wear.short_ones = numbers[1];
+    wear.long_ones = numbers[2];
+    return wear.is_large();
+  }
+
+  // Splits long edges and collapses short edges, see `Interface_adaptation::apply()`. Returns the
+  // numbers of operations of all ranks.
+  Patch_counts apply() {
+    auto& piece = m_dsc.mesh().piece;
+    for (Index v = 0; v < piece.vertex_bound(); ++v)
+      piece.vertex(v).target_length = 0;
+    for (std::size_t i = 0; i < m_sizes.size(); ++i)
+      piece.vertex(m_interface.indices[i]).target_length = m_sizes[i];
+    for (Index c = 0; c < piece.cell_bound(); ++c)
+      piece.cell(c).data.failures &= std::uint8_t(~to_adapt_interface);
+    return remesh_in_patches<Complex>(
+        m_dsc.mesh(), to_adapt_interface, [this] { mark_cells(); },
+        [this](Treated_patch<Complex>& patch) { treat(patch); });
+  }
+
+private:
+  using Rule = Adaptation_rule<d>;
+  using Index = typename Piece<d>::Index;
+
+  Smooth_normals<Complex> smooth_normals() const {
+    Smooth_normals<Complex> result(m_interface.snapshot, m_interface.positions,
+                                   m_options.feature_angle);
+    std::vector<std::array<double, d>> normals;
+    for (const auto& normal : result.normals)
+      normals.push_back(coordinates_of<d>(normal));
+    m_dsc.share(m_interface, normals);
+    m_dsc.share(m_interface, result.is_smooth);
+    for (std::size_t v = 0; v < normals.size(); ++v)
+      result.normals[v] = vector_of<Complex>(normals[v]);
+    return result;
+  }
+
+  // Returns the target edge lengths of the vertices. `longest` is in mean edges. A reduced length
+  // of a ghost can reduce the lengths of its neighbors. The result is the shortest path, whose
+  // length does not depend on the order of the reductions.
+  std::vector<double> sizes(double longest) const {
+    std::vector<double> result = m_lengths.graded(longest * m_edge, Rule::gradation);
+    for (bool is_changing = true; is_changing;) {
+      m_dsc.share(m_interface, result);
+      const std::vector<double> before = result;
+      m_lengths.grade(result, Rule::gradation);
+      bool has_changed = false;
+      for (std::size_t v = 0; v < result.size(); ++v)
+        has_changed =
+            has_changed || (result[v] != before[v] && m_dsc.mesh().is_own(m_interface.indices[v]));
+      is_changing =
+          m_dsc.communicator().reduced(Communicator::Operation::maximum, has_changed) != 0;
+    }
+    m_dsc.share(m_interface, result);
+    return result;
+  }
+
+  // Returns whether an edge between two vertices is too long or too short, if it is on the
+  // interface.
+  bool is_wrong(Index v, Index w) const {
+    const auto &a = m_dsc.mesh().piece.vertex(v), &b = m_dsc.mesh().piece.vertex(w);
+    if (!(a.target_length > 0 && b.target_length > 0))
+      return false;
+    const double length =
+        std::sqrt((m_dsc.mesh().position(w) - m_dsc.mesh().position(v)).squared_length());
+    const double target = (std::min)(a.target_length, b.target_length);
+    return length > Rule::split * target || length < Rule::collapse * target;
+  }
+
+  // Marks the cells with a wrong edge. The owner of a vertex knows all cells around it, and thus
+  // which of its edges are on the interface.
+  void mark_cells() {
+    auto& mesh = m_dsc.mesh();
+    std::vector<std::uint8_t> has_wrong_edge(mesh.piece.vertex_bound(), 0);
+    for (Index v = 0; v < mesh.piece.vertex_bound(); ++v)
+      if (mesh.is_own(v) && mesh.piece.vertex(v).target_length > 0)
+        mesh.for_each_neighbor(v, [&](Index w) {
+          has_wrong_edge[v] =
+              has_wrong_edge[v] || (is_wrong(v, w) && mesh.piece.has_several_labels(v, w));
+        });
+    mesh.ghosts.update(has_wrong_edge);
+    mesh.activate_cells_with_edge(
+        [&](Index v, Index w) { return has_wrong_edge[v] && has_wrong_edge[w] && is_wrong(v, w); });
+  }
+
+  void treat(Treated_patch<Complex>& patch) const {
+    std::vector<Position> points;
+    std::vector<double> lengths;
+    for (const auto& v : patch.vertices)
+      if (v.data.target_length > 0) {
+        points.push_back(patch.part.position(v.handle));
+        lengths.push_back(v.data.target_length);
+      }
+    const Curvature_sizing_field<d> field(points, lengths, Rule::longest * m_edge);
+    add_operations(remesh_interface(patch.part, remeshing_options<Part>(field, m_options)),
+                   patch.counts);
+    measure_new_spacings(patch.part);
+    patch.target_length = [part = &patch.part, field](typename Part::Vertex_handle v) {
+      return v->is_interface() ? field(part->position(v)) : 0;
+    };
+  }
+
+  Distributed& m_dsc;
+  const Interface& m_interface;
+  Adaptation_options m_options;
+  double m_edge;
+  Curvature_lengths<Complex> m_lengths;
+  std::vector<double> m_sizes;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PATCHES_DISTRIBUTED_ADAPTATION_H

@@ -1,0 +1,103 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Interface_flows, written for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTERFACE_FLOWS_ADVECT_DISTRIBUTED_ADAPTIVELY_H
+#define CGAL_INTERFACE_FLOWS_ADVECT_DISTRIBUTED_ADAPTIVELY_H
+
+#include <CGAL/license/Interface_flows.h>
+
+#include <CGAL/Deformable_simplicial_complexes/Distributed_complex.h>
+#include <CGAL/Deformable_simplicial_complexes/adapt_distributed_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Interface_flows/advect_adaptively.h>
+#include <CGAL/Interface_flows/advect_distributed_interface.h>
+
+#include <cmath>
+#include <type_traits>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Moves the interface with a velocity. Mean curvature flow has no scheme.
+template <class Complex, class Velocity>
+Distributed_report<Complex>
+advect_with_options(Distributed_complex<Complex>& dsc, const Velocity& velocity, double t,
+                    double dt,
+                    const Advection_options<typename Distributed_complex<Complex>::Part>& options) {
+  if constexpr (std::is_same_v<Velocity, Mean_curvature_flow>)
+    return advect_interface(dsc, velocity, t, dt, options.deformation);
+  else
+    return advect_interface(dsc, velocity, t, dt, options.deformation, options.scheme);
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgInterfaceFlowsRef
+
+Moves the interface with a velocity for one time step and adapts the interface and the mesh, as
+`advect_adaptively()` does on one rank. The result is bitwise identical for any number of ranks.
+
+\param dsc the complex
+\param velocity as for `advect_interface()` of a distributed complex
+\param t the time at the beginning of the step
+\param dt the length of the step. It must be the same in each step; otherwise use an
+       `adaptation_interval` of 1.
+\param options the options; `advection.integration_tolerance` and `advection.deformation.visitor` have
+       no effect
+\return the report of `advect_interface()`, equal on all ranks. Its numbers of operations include the
+        adaptation.
+\throws Error on all ranks if an option is out of its range, or if there is an interface and
+        `dsc.mean_interface_edge()` is 0; the complex is then unchanged
+\throws Error, Interrupted_error as `advect_interface()`. The interface has then not moved, but it may
+        have been adapted.
+
+Collective.
+*/
+template <class Complex, class Velocity>
+Distributed_report<Complex> advect_adaptively(
+    Distributed_complex<Complex>& dsc, const Velocity& velocity, double t, double dt,
+    const Adaptive_advection_options<typename Distributed_complex<Complex>::Part>& options =
+        Adaptive_advection_options<typename Distributed_complex<Complex>::Part>(
+            internal::contracts_interface<Velocity>)) {
+  constexpr bool contracts = internal::contracts_interface<Velocity>;
+  using Part = typename Distributed_complex<Complex>::Part;
+  dsc.communicator().call_together([&] {
+    options.check();
+    internal::require_distributed_scheme(options.advection.scheme);
+    internal::require_distributed_flow(velocity);
+  });
+  if (std::fmod(std::round(t / dt), options.adaptation_interval) != 0)
+    return internal::advect_with_options(dsc, velocity, t, dt, options.advection);
+  const Deformation_options<Part>& deformation = options.advection.deformation;
+  const Adaptation_options adaptation = {
+      options.interface_tolerance, options.feature_angle, !contracts,
+      contracts && !deformation.topology_control,
+      internal::energy_of(velocity, deformation.interface_energy)};
+  Improvement_report changes = keep_interface_fit(dsc, adaptation, [&](const auto& interface_) {
+    return internal::distributed_destinations(dsc, interface_, velocity, t, dt,
+                                              options.advection.scheme);
+  });
+  Detail_options<Part> detail;
+  detail.collapse_length = defaults::Adaptive_advection<Complex::dimension>::collapse_length;
+  changes = changes + control_detail(dsc, detail);
+  Distributed_report<Complex> report =
+      internal::advect_with_options(dsc, velocity, t, dt, options.advection);
+  using size_type = typename Distributed_report<Complex>::size_type;
+  report.split += size_type(changes.split);
+  report.collapsed += size_type(changes.collapsed);
+  report.flipped += size_type(changes.flipped);
+  report.smoothed += size_type(changes.smoothed);
+  report.inserted += size_type(changes.inserted);
+  return report;
+}
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INTERFACE_FLOWS_ADVECT_DISTRIBUTED_ADAPTIVELY_H
