@@ -70,7 +70,8 @@ MODULES = {
         "curves": "files of planar curves",
         "IO": "surface files and checkpoints",
         "ranks": "pieces of complexes on several ranks, messages, components, checkpoints",
-        "patches": "distributed motion, patches that are improved in rounds",
+        "patches": "patches that are treated in rounds, adaptation of a distributed interface",
+        "distributed_motion": "the deformation algorithm on several ranks",
     },
     "Interface_flows": {
         "paths": "paths of interface vertices in velocity fields",

@@ -14,7 +14,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Distributed_complex.h>
 #include <CGAL/Deformable_simplicial_complexes/Distributed_report.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/patches/Distributed_deformer.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/distributed_motion/Distributed_deformer.h>
 
 #include <functional>
 #include <vector>

@@ -6,8 +6,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PATCHES_DISTRIBUTED_DEFORMER_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PATCHES_DISTRIBUTED_DEFORMER_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DISTRIBUTED_MOTION_DISTRIBUTED_DEFORMER_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DISTRIBUTED_MOTION_DISTRIBUTED_DEFORMER_H
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
@@ -18,7 +18,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Failure_memory.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Label_totals.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/deformation/deform.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/patches/Distributed_motion.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/distributed_motion/Distributed_motion.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/patches/Patch_rounds.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/ranks/Distributed_components.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/ranks/Distributed_mesh.h>
@@ -370,4 +370,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PATCHES_DISTRIBUTED_DEFORMER_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DISTRIBUTED_MOTION_DISTRIBUTED_DEFORMER_H

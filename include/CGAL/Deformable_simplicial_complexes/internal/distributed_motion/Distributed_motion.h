@@ -6,14 +6,14 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PATCHES_DISTRIBUTED_MOTION_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PATCHES_DISTRIBUTED_MOTION_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DISTRIBUTED_MOTION_DISTRIBUTED_MOTION_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DISTRIBUTED_MOTION_DISTRIBUTED_MOTION_H
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Failure_memory.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/patches/Distributed_extension.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/distributed_motion/Distributed_extension.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/ranks/Distributed_mesh.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/ranks/Exact_sums.h>
 
@@ -364,4 +364,4 @@ private:
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PATCHES_DISTRIBUTED_MOTION_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DISTRIBUTED_MOTION_DISTRIBUTED_MOTION_H
