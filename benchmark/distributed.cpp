@@ -8,7 +8,9 @@
 
 #include "inputs.h"
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Construction_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Mpi_communicator.h>
 #include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/refine_distributed_complex_3.h>
@@ -97,6 +99,15 @@ Surface start(const Options& options) {
   return surface;
 }
 
+/// Returns the complex at the start of a motion.
+Complex start_complex(const Options& options) {
+  DSC::Construction_options<3> construction;
+  if (options.motion == "enright")
+    construction.enclosing_box = CGAL::Bbox_3(0, 0, 0, 1, 1, 1);
+  return DSC::make_deformable_simplicial_complex_3<Complex>(
+      std::vector<Surface>{start(options)}, CGAL::Tetgen_tetrahedralizer_3(), construction);
+}
+
 /// The results of all steps of a run: the vertices that did not arrive, the worst quality of a cell
 /// after a step, and the volume of the label 1 at the end.
 struct Results
@@ -123,8 +134,7 @@ void compare(const Options& options) {
   Complex complex;
   const bool prints = communicator.rank() == 0;
   if (prints)
-    complex = DSC::make_deformable_simplicial_complex_3<Complex>(
-        std::vector<Surface>{start(options)}, CGAL::Tetgen_tetrahedralizer_3());
+    complex = start_complex(options);
   dsc.distribute(complex);
   Results distributed;
   for (int i = 0; i < options.steps; ++i) {
@@ -160,10 +170,8 @@ void run(const Options& options) {
   DSC::Mpi_communicator communicator;
   Distributed dsc(communicator);
   Complex coarse;
-  if (communicator.rank() == 0) {
-    coarse = DSC::make_deformable_simplicial_complex_3<Complex>(
-        std::vector<Surface>{start(options)}, CGAL::Tetgen_tetrahedralizer_3());
-  }
+  if (communicator.rank() == 0)
+    coarse = start_complex(options);
   dsc.distribute(coarse);
   coarse.clear();
   for (int i = 0; i < options.refinements; ++i)

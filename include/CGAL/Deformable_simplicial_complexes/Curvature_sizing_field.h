@@ -93,6 +93,7 @@ public:
   /// \param lengths a target edge length for each point, positive
   /// \param longest the target edge length everywhere if there are no points
   /// \param periods of a torus; 0 in a ball
+  /// \pre `lengths.size() == points.size()`; points on a torus lie in the box of its periods
   Curvature_sizing_field(const std::vector<Point>& points, const std::vector<double>& lengths,
                          double longest, const std::array<double, d>& periods = {})
       : m_longest(longest), m_periods(periods) {

@@ -232,12 +232,10 @@ public:
     return m_mesh.is_own(interface_.indices[first]);
   }
 
-  /// Replaces the values of vertices of other ranks by those of their owners. Linear in the number of
-  /// vertices here.
-  /// \param interface_ the interface
+  /// Replaces the values of vertices of other ranks by the values of their owners. Linear in the
+  /// number of vertices here. \param interface_ the interface
   /// \param values a trivially copyable value for each vertex of the interface
-  template <class Value>
-  void share(const Interface& interface_, std::vector<Value>& values) const {
+  template <class Value> void share(const Interface& interface_, std::vector<Value>& values) const {
     std::vector<Value> of_index(m_mesh.piece.vertex_bound());
     for (std::size_t i = 0; i < values.size(); ++i)
       of_index[interface_.indices[i]] = values[i];

@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
+#include <CGAL/Deformable_simplicial_complexes/Communicator.h>
 #include <CGAL/Deformable_simplicial_complexes/Detail_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Distributed_complex.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
@@ -21,6 +22,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/patches/control_distributed_detail.h>
 #include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -29,12 +31,17 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
+// Returns whether cells have different labels. Equal on all ranks.
+template <class Complex> bool has_interface(const Distributed_complex<Complex>& dsc) {
+  const auto& components = dsc.mesh().components;
+  return std::any_of(components.begin(), components.end(), [&](const auto& entry) {
+    return entry.second.label != components.begin()->second.label;
+  });
+}
+
 // \throws Error on all ranks if there is an interface and no unit of length
 template <class Complex> void require_interface_edge_of(const Distributed_complex<Complex>& dsc) {
-  if (dsc.mean_interface_edge() > 0)
-    return;
-  const bool has_interface = !dsc.interface_here().indices.empty();
-  if (dsc.communicator().reduced(Communicator::Operation::maximum, has_interface) != 0)
+  if (!(dsc.mean_interface_edge() > 0) && has_interface(dsc))
     throw Error("the complex was built without an interface and has no unit of length: distribute "
                 "a complex with an interface");
 }
@@ -55,8 +62,9 @@ number of ranks.
 none, and only if the interface is worn and `options.only_if_worn` is set. Destinations of vertices
        of other ranks have no effect.
 \return the numbers of operations of all ranks
-\throws Error on all ranks if an option is out of its range, or if there is an interface and
-        `dsc.mean_interface_edge()` is 0; the complex is then unchanged
+\throws Error on all ranks if an option is out of its range, if there is an interface and
+        `dsc.mean_interface_edge()` is 0, or if `destinations` throws or returns a wrong number of
+        points on a rank; the complex is then unchanged
 \throws Interrupted_error on all ranks if a rank is interrupted. The complex is then valid.
 
 Collective.
@@ -66,7 +74,7 @@ Improvement_report keep_interface_fit(Distributed_complex<Complex>& dsc,
                                       const Adaptation_options& options,
                                       const Destinations& destinations) {
   static constexpr int d = Complex::dimension;
-  if (!(options.tolerance > 0))
+  if (!(options.tolerance > 0) || !internal::has_interface(dsc))
     return {};
   dsc.communicator().call_together(
       [&] { require_angle(options.feature_angle, 180, "feature angle"); });
@@ -76,7 +84,14 @@ Improvement_report keep_interface_fit(Distributed_complex<Complex>& dsc,
   if (options.only_if_worn) {
     if (!adaptation.is_worn())
       return {};
-    auto targets = destinations(interface_);
+    std::vector<typename Complex::Approximate_point> targets;
+    dsc.communicator().call_together([&] {
+      targets = destinations(interface_);
+      if (targets.size() != interface_.indices.size())
+        throw Error(
+            "the number of destinations differs from the number of interface vertices: give "
+            "one destination for each vertex");
+    });
     std::vector<std::array<double, d>> shared;
     for (const auto& target : targets)
       shared.push_back(coordinates_of<d>(target));
@@ -88,7 +103,7 @@ Improvement_report keep_interface_fit(Distributed_complex<Complex>& dsc,
             is_stretched(interface_.snapshot, interface_.positions, targets)) == 0)
       return {};
   }
-  return adaptation.apply().improvements();
+  return adaptation.apply();
 }
 
 /*!
@@ -96,8 +111,8 @@ Improvement_report keep_interface_fit(Distributed_complex<Complex>& dsc,
 
 Splits long edges and collapses short edges off the interface, as `control_detail()` does on one
 rank. Edges are changed in patches, see `deform_interface_to()`. Cells whose edges could not be
-changed are not tried again before their shape changes. The result is bitwise identical for any
-number of ranks.
+changed are not tried again before their shape changes, even with other options. The result is
+bitwise identical for any number of ranks.
 
 \param dsc the complex
 \param options the options; lengths are in mean edges of the initial interface. `sizing_field`, `where`
@@ -121,7 +136,9 @@ control_detail(Distributed_complex<Complex>& dsc,
           "sizing_field, where, visitor and change_interface");
   });
   internal::require_interface_edge_of(dsc);
-  return internal::control_distributed_detail(dsc.mesh(), options).improvements();
+  if (!(dsc.mean_interface_edge() > 0))
+    return {};
+  return internal::control_distributed_detail(dsc.mesh(), options);
 }
 
 } // namespace Deformable_simplicial_complexes

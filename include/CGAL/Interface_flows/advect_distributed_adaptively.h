@@ -10,11 +10,18 @@
 
 #include <CGAL/license/Interface_flows.h>
 
+#include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
+#include <CGAL/Deformable_simplicial_complexes/Detail_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Distributed_complex.h>
+#include <CGAL/Deformable_simplicial_complexes/Distributed_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_adaptation.h>
 #include <CGAL/Deformable_simplicial_complexes/adapt_distributed_interface.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
+#include <CGAL/Interface_flows/Mean_curvature_flow.h>
 #include <CGAL/Interface_flows/advect_adaptively.h>
 #include <CGAL/Interface_flows/advect_distributed_interface.h>
+#include <CGAL/Interface_flows/internal/paths/velocity_properties.h>
 
 #include <cmath>
 #include <type_traits>
@@ -48,14 +55,15 @@ Moves the interface with a velocity for one time step and adapts the interface a
 \param t the time at the beginning of the step
 \param dt the length of the step. It must be the same in each step; otherwise use an
        `adaptation_interval` of 1.
-\param options the options; `advection.integration_tolerance` and `advection.deformation.visitor` have
-       no effect
+\param options the options; `advection.integration_tolerance` has no effect. `topology_control` and
+       `visitor` see the patches of the motion, see `Distributed_options`.
 \return the report of `advect_interface()`, equal on all ranks. Its numbers of operations include the
         adaptation.
-\throws Error on all ranks if an option is out of its range, or if there is an interface and
-        `dsc.mean_interface_edge()` is 0; the complex is then unchanged
-\throws Error, Interrupted_error as `advect_interface()`. The interface has then not moved, but it may
-        have been adapted.
+\throws Error on all ranks if an option is out of its range, the scheme is adaptive, the flow preserves
+        volumes, or there is an interface and `dsc.mean_interface_edge()` is 0; the complex is then
+        unchanged
+\throws Error, Interrupted_error as `advect_interface()`. The interface may have been adapted, and a part
+        of its vertices may have moved.
 
 Collective.
 */
@@ -72,7 +80,9 @@ Distributed_report<Complex> advect_adaptively(
     internal::require_distributed_scheme(options.advection.scheme);
     internal::require_distributed_flow(velocity);
   });
-  if (std::fmod(std::round(t / dt), options.adaptation_interval) != 0)
+  internal::require_interface_edge_of(dsc);
+  if (std::fmod(std::round(t / dt), options.adaptation_interval) != 0 ||
+      !internal::has_interface(dsc))
     return internal::advect_with_options(dsc, velocity, t, dt, options.advection);
   const Deformation_options<Part>& deformation = options.advection.deformation;
   const Adaptation_options adaptation = {

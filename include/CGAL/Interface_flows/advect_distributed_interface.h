@@ -13,6 +13,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Distributed_complex.h>
 #include <CGAL/Deformable_simplicial_complexes/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_distributed_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Interface_flows/Integration_scheme.h>
 #include <CGAL/Interface_flows/Mean_curvature_flow.h>
 #include <CGAL/Interface_flows/internal/curvature/Distributed_curvature_system.h>
@@ -163,6 +164,7 @@ identical for any number of ranks.
 
 \param dsc the complex
 \param flow the flow; it must not preserve volumes
+\param t the time at the beginning of the step; the flow does not depend on it
 \param dt the length of the step, not negative
 \param options the options. `interface_energy` is replaced by the energy of the flow.
 \return the report, equal on all ranks

@@ -313,6 +313,46 @@ TEST(Distributed_complex, Detail_off_the_interface_is_controlled) {
     }
     options.change_interface = true;
     EXPECT_THROW(control_detail(dsc, options), DSC::Error);
+    dsc.distribute(make_complex(grid(4, [](const auto&) { return false; })));
+    EXPECT_EQ(control_detail(dsc, DSC::Detail_options<Distributed::Part>()).collapsed, 0u);
+  });
+}
+
+TEST(Distributed_complex, Adaptation_keeps_the_components) {
+  const Complex start = make_complex(grid(8, small_meshes::two_balls));
+  DSC::run_in_threads(3, [&](DSC::Communicator& communicator) {
+    Distributed dsc(communicator);
+    dsc.distribute(start);
+    const auto before = dsc.mesh().components;
+    const DSC::Adaptation_options options = {.01, 180, false};
+    const auto changes =
+        keep_interface_fit(dsc, options, [](const auto& i) { return i.positions; });
+    EXPECT_GT(changes.split, 0u);
+    const auto& after = dsc.mesh().components;
+    ASSERT_EQ(after.size(), before.size());
+    for (auto a = after.begin(), b = before.begin(); a != after.end(); ++a, ++b) {
+      EXPECT_EQ(a->first, b->first);
+      EXPECT_EQ(a->second.label, b->second.label);
+    }
+    const Complex gathered = dsc.gather();
+    if (communicator.rank() == 0) {
+      EXPECT_TRUE(gathered.is_valid(true));
+      const DSC::internal::Label_totals totals(dsc.mesh().domain_measure);
+      double volume = 0;
+      for (const auto& [number, component] : after)
+        if (component.label == 1)
+          volume += totals.volume_of(component.volume);
+      EXPECT_NEAR(volume, gathered.volume(1), 1e-9);
+    }
+    // The number of destinations is wrong on one rank.
+    EXPECT_THROW(keep_interface_fit(dsc, {.001, 180, true},
+                                    [&](const auto& i) {
+                                      auto result = i.positions;
+                                      if (communicator.rank() == 1)
+                                        result.pop_back();
+                                      return result;
+                                    }),
+                 DSC::Error);
   });
 }
 
@@ -625,7 +665,7 @@ TEST(Distributed_complex, Each_rank_writes_its_cells_once) {
     Distributed dsc(communicator);
     dsc.distribute(start);
     CGAL::IO::write_PVTU(folder / "cells.pvtu", dsc);
-    CGAL::IO::write_interface_PVTU(folder / "interface.pvtu", dsc);
+    CGAL::IO::write_interface_PVTU(folder / "a<b & c.pvtu", dsc);
     EXPECT_THROW(CGAL::IO::write_PVTU(folder / "no/cells.pvtu", dsc), DSC::Error);
   });
   std::size_t cells = 0;
@@ -641,9 +681,10 @@ TEST(Distributed_complex, Each_rank_writes_its_cells_once) {
   }
   EXPECT_EQ(cells, start.number_of_cells());
   EXPECT_EQ(std::size_t(labelled), start.number_of_cells(1));
-  std::ifstream list(folder / "interface.pvtu");
+  EXPECT_TRUE(std::ifstream(folder / "a<b & c_2.vtu"));
+  std::ifstream list(folder / "a<b & c.pvtu");
   const std::string text(std::istreambuf_iterator<char>(list), {});
-  EXPECT_NE(text.find("interface_2.vtu"), std::string::npos);
+  EXPECT_NE(text.find("\"a&lt;b &amp; c_2.vtu\""), std::string::npos);
 }
 
 TEST(Distributed_complex, Errors_on_one_rank_are_thrown_on_all_ranks) {

@@ -14,6 +14,7 @@
 #include <CGAL/Deformable_simplicial_complexes/IO/replace_file.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/xml_escaped.h>
 
 #include <cmath>
 #include <filesystem>
@@ -90,25 +91,6 @@ private:
     return normal(file).lexically_proximate(normal(m_path).parent_path()).generic_string();
   }
 
-  static std::string escaped(const std::string& text) {
-    std::string result;
-    for (char c : text)
-      switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-      }
-    return result;
-  }
-
   static void write(std::ostream& out, const std::vector<Entry>& entries) {
     out.precision(std::numeric_limits<double>::max_digits10);
     out << "<?xml version=\"1.0\"?>\n"
@@ -116,7 +98,7 @@ private:
            "  <Collection>\n";
     for (const Entry& entry : entries)
       out << "    <DataSet timestep=\"" << entry.time << "\" group=\"\" part=\"0\" file=\""
-          << escaped(entry.file) << "\"/>\n";
+          << Deformable_simplicial_complexes::internal::xml_escaped(entry.file) << "\"/>\n";
     out << "  </Collection>\n"
            "</VTKFile>\n";
   }

@@ -15,6 +15,7 @@
 #include <CGAL/Deformable_simplicial_complexes/IO/replace_file.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/grids/Vtu_document.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/grids/write_vtu.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/xml_escaped.h>
 
 #include <CGAL/Origin.h>
 
@@ -60,7 +61,8 @@ inline void write_pieces(const std::string& path, Communicator& communicator,
              "    </PPoints>\n";
       for (int r = 0; r < communicator.size(); ++r)
         out << "    <Piece Source=\""
-            << std::filesystem::path(piece_path(path, r)).filename().string() << "\"/>\n";
+            << xml_escaped(std::filesystem::path(piece_path(path, r)).filename().string())
+            << "\"/>\n";
       out << "  </PUnstructuredGrid>\n"
              "</VTKFile>\n";
     });

@@ -269,6 +269,13 @@ public:
     update_destinations();
   }
 
+  // Measures the interface edges at vertices that have joined the interface since it was built.
+  void measure_new_spacings() {
+    for (Vertex_handle v : m_complex.finite_vertices())
+      if (v->is_interface() && !(v->spacing() > 0))
+        v->set_spacing(float(m_complex.interface_edge_length(v)));
+  }
+
   Report report(unsigned passes) {
     Report report;
     report.passes = passes;

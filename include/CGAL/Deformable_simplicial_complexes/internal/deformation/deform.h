@@ -16,7 +16,6 @@
 #include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/deformation/Interface_deformer.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/interface/local_edge_length.h>
 
 #include <vector>
 
@@ -27,7 +26,7 @@ namespace internal {
 // Does passes of Algorithm 1 until the vertices have arrived and the given cells are improved, the
 // maximum number of passes is reached, or `go_further(pass)` returns false. Returns the report.
 template <class Complex>
-Deformation_report<Complex> do_passes(Complex& dsc, Interface_deformer<Complex>& deformer,
+Deformation_report<Complex> do_passes(Interface_deformer<Complex>& deformer,
                                       Any_visitor<Complex>& visitor, unsigned maximum) {
   using Seconds = typename Deformation_report<Complex>::Seconds;
   unsigned pass = 0;
@@ -55,7 +54,7 @@ Deformation_report<Complex> do_passes(Complex& dsc, Interface_deformer<Complex>&
     deformer.lap(&Seconds::small_angles);
   }
   if (pass > 0)
-    measure_new_spacings(dsc);
+    deformer.measure_new_spacings();
   Deformation_report<Complex> report = deformer.report(pass);
   report.stopped = is_stopped;
   return report;
@@ -75,7 +74,7 @@ deform(Complex& dsc, const std::vector<typename Complex::Vertex_handle>& vertice
   const For_each_index for_each_index(options.number_of_threads);
   Interface_deformer<Complex> deformer(dsc, visitor, options, for_each_index);
   deformer.set_destinations(vertices, destinations);
-  return do_passes(dsc, deformer, visitor, options.maximum_number_of_passes);
+  return do_passes(deformer, visitor, options.maximum_number_of_passes);
 }
 
 // Continues a motion on a part of a complex, in which vertices have moved together: moves the
@@ -90,7 +89,7 @@ resume_deformation(Complex& part, const std::vector<Moved_vertex<Complex>>& vert
   const For_each_index for_each_index(options.number_of_threads);
   Interface_deformer<Complex> deformer(part, visitor, options, for_each_index);
   deformer.resume(vertices, cells);
-  return do_passes(part, deformer, visitor, options.maximum_number_of_passes);
+  return do_passes(deformer, visitor, options.maximum_number_of_passes);
 }
 
 } // namespace internal

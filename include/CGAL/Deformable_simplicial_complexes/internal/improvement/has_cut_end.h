@@ -16,7 +16,7 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // Returns whether cells around an end of the edge are missing, because the complex is a part of a
-// larger complex. What an operation on the edge changes is then unknown.
+// larger complex. An operation on such an edge could change cells that are not in the part.
 template <class Cell_handle> bool has_cut_end(Cell_handle c, int i, int j) {
   return Boundary_class::is_cut(c->vertex(i)->boundary_class()) ||
          Boundary_class::is_cut(c->vertex(j)->boundary_class());

@@ -37,8 +37,8 @@ void for_each_edge_of(const Facets& facets, const Function& function) {
         function(facet.vertices[i], facet.vertices[j]);
 }
 
-// The normals of an interface. Vertices on sharp edges, and vertices where more than two labels meet,
-// have none.
+// The normals of an interface. Vertices on sharp edges, and vertices where more than two labels
+// meet, have none.
 template <class Complex> struct Smooth_normals
 {
   using Points = std::vector<typename Complex::Approximate_point>;
@@ -70,16 +70,17 @@ public:
   using Points = std::vector<typename Complex::Approximate_point>;
 
   Curvature_lengths(const Snapshot& interface_, const Points& positions,
-                    const Smooth_normals<Complex>& bends, double tolerance, double shortest)
+                    const Smooth_normals<Complex>& normals, double tolerance, double shortest)
       : m_lengths(positions.size(), std::numeric_limits<double>::infinity()) {
     m_first.assign(positions.size() + 1, 0);
     for_each_edge_of(interface_.facets(), [&](std::size_t a, std::size_t b) {
       ++m_first[a];
       ++m_first[b];
-      if (!bends.is_smooth[a] || !bends.is_smooth[b])
+      if (!normals.is_smooth[a] || !normals.is_smooth[b])
         return;
       const auto edge = interface_.domain.near(positions[a], positions[b]) - positions[a];
-      const double bend = std::abs((bends.normals[b] - bends.normals[a]) * edge); // curvature * squared length
+      const double bend =
+          std::abs((normals.normals[b] - normals.normals[a]) * edge); // curvature * squared length
       if (!(bend > 0))
         return;
       const double length =

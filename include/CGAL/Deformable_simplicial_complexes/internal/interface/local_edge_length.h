@@ -41,13 +41,6 @@ double local_edge_length(const Complex& complex,
   return number > 0 ? sum / double(number) : 0;
 }
 
-// Gives new vertices of the interface the length of the interface edges as their spacing.
-template <class Complex> void measure_new_spacings(Complex& complex) {
-  for (auto v : complex.finite_vertices())
-    if (v->is_interface() && !(v->spacing() > 0))
-      v->set_spacing(float(complex.interface_edge_length(v)));
-}
-
 } // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL

@@ -17,7 +17,6 @@
 #include <CGAL/Deformable_simplicial_complexes/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Failure_memory.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Curvature_lengths.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/interface/local_edge_length.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/patches/Patch.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/patches/remesh_in_patches.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/ranks/Piece.h>
@@ -34,8 +33,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The adaptation of `Interface_adaptation` on several ranks. Target edge lengths have the same bits
-// on all ranks that hold a vertex.
+// The adaptation of `Interface_adaptation` on several ranks. The target
+// edge lengths of a vertex are bitwise identical on all ranks that hold it.
 template <class Complex> class Distributed_adaptation
 {
 public:
@@ -77,7 +76,7 @@ public:
 
   // Splits long edges and collapses short edges, see `Interface_adaptation::apply()`. Returns the
   // numbers of operations of all ranks.
-  Patch_counts apply() {
+  Improvement_report apply() {
     auto& piece = m_dsc.mesh().piece;
     for (Index v = 0; v < piece.vertex_bound(); ++v)
       piece.vertex(v).target_length = 0;
@@ -108,8 +107,8 @@ private:
   }
 
   // Returns the target edge lengths of the vertices. `longest` is in mean edges. A reduced length
-  // of a ghost can reduce the lengths of its neighbors. The result is the shortest path, whose
-  // length does not depend on the order of the reductions.
+  // of a ghost can reduce the lengths of its neighbors. The length at a vertex is a minimum over
+  // all paths from other vertices, so it does not depend on the order of the reductions.
   std::vector<double> sizes(double longest) const {
     std::vector<double> result = m_lengths.graded(longest * m_edge, Rule::gradation);
     for (bool is_changing = true; is_changing;) {
@@ -123,13 +122,12 @@ private:
       is_changing =
           m_dsc.communicator().reduced(Communicator::Operation::maximum, has_changed) != 0;
     }
-    m_dsc.share(m_interface, result);
     return result;
   }
 
   // Returns whether an edge between two vertices is too long or too short, if it is on the
   // interface.
-  bool is_wrong(Index v, Index w) const {
+  bool is_too_long_or_short(Index v, Index w) const {
     const auto &a = m_dsc.mesh().piece.vertex(v), &b = m_dsc.mesh().piece.vertex(w);
     if (!(a.target_length > 0 && b.target_length > 0))
       return false;
@@ -139,34 +137,34 @@ private:
     return length > Rule::split * target || length < Rule::collapse * target;
   }
 
-  // Marks the cells with a wrong edge. The owner of a vertex knows all cells around it, and thus
-  // which of its edges are on the interface.
+  // Marks the cells with an edge of the interface that is too long or too short.
   void mark_cells() {
     auto& mesh = m_dsc.mesh();
-    std::vector<std::uint8_t> has_wrong_edge(mesh.piece.vertex_bound(), 0);
-    for (Index v = 0; v < mesh.piece.vertex_bound(); ++v)
-      if (mesh.is_own(v) && mesh.piece.vertex(v).target_length > 0)
-        mesh.for_each_neighbor(v, [&](Index w) {
-          has_wrong_edge[v] =
-              has_wrong_edge[v] || (is_wrong(v, w) && mesh.piece.has_several_labels(v, w));
-        });
-    mesh.ghosts.update(has_wrong_edge);
-    mesh.activate_cells_with_edge(
-        [&](Index v, Index w) { return has_wrong_edge[v] && has_wrong_edge[w] && is_wrong(v, w); });
+    const auto has_such_edge = mesh.vertices_with_edge([&](Index v, Index w) {
+      return is_too_long_or_short(v, w) && mesh.piece.has_several_labels(v, w);
+    });
+    mesh.activate_cells_with_edge([&](Index v, Index w) {
+      return has_such_edge[v] && has_such_edge[w] && is_too_long_or_short(v, w);
+    });
   }
 
   void treat(Treated_patch<Complex>& patch) const {
+    const Treated_cells<Complex> cells(patch);
     std::vector<Position> points;
     std::vector<double> lengths;
-    for (const auto& v : patch.vertices)
-      if (v.data.target_length > 0) {
+    Global_id last = 0;
+    for (const auto& v : patch.vertices) {
+      // The vertices are ordered by their ids, followed by copies.
+      if (v.data.target_length > 0 && (points.empty() || v.data.id > last)) {
         points.push_back(patch.part.position(v.handle));
         lengths.push_back(v.data.target_length);
+        last = v.data.id;
       }
+    }
     const Curvature_sizing_field<d> field(points, lengths, Rule::longest * m_edge);
     add_operations(remesh_interface(patch.part, remeshing_options<Part>(field, m_options)),
                    patch.counts);
-    measure_new_spacings(patch.part);
+    cells.for_each([](auto c) { set_exhausted(c, to_adapt_interface); });
     patch.target_length = [part = &patch.part, field](typename Part::Vertex_handle v) {
       return v->is_interface() ? field(part->position(v)) : 0;
     };

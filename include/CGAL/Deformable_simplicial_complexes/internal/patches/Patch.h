@@ -134,7 +134,8 @@ template <int d> struct Topology_place
   std::array<double, d> where;
 };
 
-// A patch as a complex of its own, which a treatment changes. Vertices on the cut do not move.
+// A patch as a complex of its own. A treatment changes this complex. Vertices on the cut do not
+// move.
 template <class Complex> struct Treated_patch
 {
   using Part = typename Part_of<Complex>::Type;
@@ -207,7 +208,12 @@ public:
     for (std::size_t c = 0; c < cells.size(); ++c)
       if (m_is_core[c])
         treated.core.push_back(cells[c]);
+    part.update_components();
+    for (std::size_t c = 0; c < cells.size(); ++c)
+      m_components_before.emplace_back(cells[c]->component(), m_cells_before[c].data.component);
     treat(treated);
+    if (treated.counts.relabeled > 0 || !treated.events.empty())
+      m_components_before.clear(); // the part may have new numbers
     for (const auto& event : treated.events)
       places.push_back({m_key, event.label, pass, coordinates_of<d>(event.where)});
     take_result(treated);
@@ -412,7 +418,8 @@ private:
 
   // Replaces the components of the part by those of the complex. An unchanged cell keeps its
   // component. Another cell gets the least component among the unchanged cells of its component
-  // of the part, or 0 if there are none.
+  // of the part. If there are none, it gets the component before the treatment, or 0 if that is
+  // unknown.
   void find_components() {
     const auto unchanged = [&](std::size_t k) -> const Cell* {
       const std::size_t c = m_old_of_new[k];
@@ -425,14 +432,19 @@ private:
       if (const Cell* old = unchanged(k))
         known.emplace_back(m_cells_after[k].data.component, old->data.component);
     std::sort(known.begin(), known.end());
+    std::sort(m_components_before.begin(), m_components_before.end());
+    const auto component_in = [](const auto& pairs, Global_id of_part) {
+      const auto it =
+          std::lower_bound(pairs.begin(), pairs.end(), std::make_pair(of_part, Global_id(0)));
+      return it != pairs.end() && it->first == of_part ? it->second : Global_id(0);
+    };
     for (std::size_t k = 0; k < m_cells_after.size(); ++k) {
       Global_id& component = m_cells_after[k].data.component;
-      const auto it =
-          std::lower_bound(known.begin(), known.end(), std::make_pair(component, Global_id(0)));
+      const Global_id of_part = component;
       const Cell* const old = unchanged(k);
-      component = old != nullptr                                ? old->data.component
-                  : it != known.end() && it->first == component ? it->second
-                                                                : 0;
+      component = old != nullptr ? old->data.component : component_in(known, of_part);
+      if (component == 0)
+        component = component_in(m_components_before, of_part);
     }
   }
 
@@ -459,6 +471,8 @@ private:
   std::vector<bool> m_is_core, m_is_core_vertex;
   std::vector<std::size_t> m_originals, m_time_stamps; // of the vertices of the part
   std::vector<std::size_t> m_old_of_new; // cell before, for each cell after; none for a new cell
+  // of the part, of the complex; empty if the numbers of the part have changed
+  std::vector<std::pair<Global_id, Global_id>> m_components_before;
   std::size_t m_number_of_new = 0;
 };
 

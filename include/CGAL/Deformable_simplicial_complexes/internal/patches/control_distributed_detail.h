@@ -9,8 +9,10 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PATCHES_CONTROL_DISTRIBUTED_DETAIL_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PATCHES_CONTROL_DISTRIBUTED_DETAIL_H
 
+#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Detail_options.h>
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Failure_memory.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/patches/Patch.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/patches/remesh_in_patches.h>
@@ -28,10 +30,11 @@ namespace internal {
 // Splits and collapses edges off the interface on several ranks, as `control_detail()` does.
 // Lengths are in mean edges of the interface. Returns the numbers of operations of all ranks.
 template <class Complex>
-Patch_counts
+Improvement_report
 control_distributed_detail(Distributed_mesh<Complex>& mesh,
                            const Detail_options<typename Part_of<Complex>::Type>& options) {
   using Index = typename Piece<Complex::dimension>::Index;
+  using Part = typename Part_of<Complex>::Type;
   const auto is_longer = [&](Index v, Index w, double length) {
     length *= mesh.mean_interface_edge;
     return (mesh.position(w) - mesh.position(v)).squared_length() > length * length;
@@ -41,27 +44,28 @@ control_distributed_detail(Distributed_mesh<Complex>& mesh,
     const auto is_tied = [&](Index v) {
       return is_interface[v] || mesh.piece.vertex(v).boundary_class != Boundary_class::inside;
     };
-    const auto is_too_long = [&](Index v, Index w) { // unless it is on the interface
+    const auto is_too_long = [&](Index v, Index w) { // if the edge is off the interface
       return ((is_interface[v] && is_tied(w)) || (is_interface[w] && is_tied(v))) &&
              is_longer(v, w, options.split_length);
     };
-    // The owner of a vertex knows all cells around it, and thus which of its edges are on the
-    // interface.
-    std::vector<std::uint8_t> has_long_edge(mesh.piece.vertex_bound(), 0);
-    for (Index v = 0; v < mesh.piece.vertex_bound(); ++v)
-      if (mesh.is_own(v) && is_tied(v))
-        mesh.for_each_neighbor(v, [&](Index w) {
-          has_long_edge[v] =
-              has_long_edge[v] || (is_too_long(v, w) && !mesh.piece.has_several_labels(v, w));
-        });
-    mesh.ghosts.update(has_long_edge);
+    const auto has_long_edge = mesh.vertices_with_edge([&](Index v, Index w) {
+      return is_too_long(v, w) && !mesh.piece.has_several_labels(v, w);
+    });
     mesh.activate_cells_with_edge([&](Index v, Index w) {
       return is_tied(v) || is_tied(w) ? has_long_edge[v] && has_long_edge[w] && is_too_long(v, w)
                                       : !is_longer(v, w, options.collapse_length);
     });
   };
   const auto treat = [&](Treated_patch<Complex>& patch) {
-    add_operations(run_detail_control(patch.part, options), patch.counts);
+    const Treated_cells<Complex> cells(patch);
+    Any_visitor<Part> no_visitor;
+    Detail_controller<Part> controller(patch.part, no_visitor, options);
+    controller.run();
+    add_operations(controller.report(), patch.counts);
+    cells.for_each([&](auto c) {
+      if (controller.has_edge_to_change(c))
+        set_exhausted(c, to_control_detail);
+    });
   };
   return remesh_in_patches<Complex>(mesh, to_control_detail, mark_cells, treat);
 }

@@ -10,6 +10,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PATCHES_REMESH_IN_PATCHES_H
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Failure_memory.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Label_totals.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/patches/Patch.h>
@@ -17,6 +18,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/ranks/Distributed_components.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/ranks/Distributed_mesh.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/ranks/Piece.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -26,34 +28,55 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Treats a patch, then records the attempt in its active cells and in new cells. Edges that end on
-// the cut were not treated, so cells there have no record.
-template <class Complex>
-void treat_and_record(Treated_patch<Complex>& patch, const Patch_treatment<Complex>& treat,
-                      Attempt attempt) {
-  std::size_t last = 0; // time stamp before the treatment
-  for (auto c : patch.part.finite_cells())
-    last = (std::max)(last, c->time_stamp());
-  for (auto c : patch.core)
-    set_exhausted(c, attempt);
-  treat(patch);
-  for (auto c : patch.part.finite_cells()) {
-    bool is_at_cut = false;
-    for (int i = 0; i < Complex::corners; ++i)
-      is_at_cut = is_at_cut || Boundary_class::is_cut(c->vertex(i)->boundary_class());
-    if (c->time_stamp() > last && !is_at_cut)
-      set_exhausted(c, attempt);
+// The cells of a patch that a treatment changes or tries to change: its active cells, and new cells
+// away from the cut. Edges that end on the cut are not treated.
+template <class Complex> class Treated_cells
+{
+public:
+  using Cell_handle = typename Treated_patch<Complex>::Part::Cell_handle;
+
+  // Must be constructed before the treatment.
+  explicit Treated_cells(const Treated_patch<Complex>& patch) : m_patch(patch) {
+    for (Cell_handle c : patch.part.finite_cells())
+      m_last = (std::max)(m_last, c->time_stamp());
+    for (Cell_handle c : patch.core)
+      m_core.push(c);
   }
-}
+
+  // Calls f(c) for each cell that is there after the treatment.
+  template <class Function> void for_each(const Function& f) const {
+    for (const auto& item : m_core)
+      if (m_patch.part.is_alive(item.cell, item.time_stamp))
+        f(item.cell);
+    for (Cell_handle c : m_patch.part.finite_cells())
+      if (c->time_stamp() > m_last && !is_at_cut(c))
+        f(c);
+  }
+
+private:
+  static bool is_at_cut(Cell_handle c) {
+    for (int i = 0; i < Complex::corners; ++i)
+      if (Boundary_class::is_cut(c->vertex(i)->boundary_class()))
+        return true;
+    return false;
+  }
+
+  const Treated_patch<Complex>& m_patch;
+  Work_list<Cell_handle> m_core;
+  std::size_t m_last = 0; // time stamp before the treatment
+};
 
 // Changes the edges of cells in patches, without a motion. Calls mark_cells(), which sets
-// `is_active` of the cells with an edge to be changed, and treats these cells in patches. A patch
-// cannot change an edge that ends on its cut, so this is repeated. Cells with a record of the
-// attempt are not treated. Returns the numbers of operations of all ranks.
+// `is_active` of the cells with an edge to be changed, and treats these cells in patches, apart
+// from cells for which the attempt has failed. A patch cannot change an edge that ends on its cut,
+// so this is repeated. Returns the numbers of operations of all ranks.
 template <class Complex, class Mark>
-Patch_counts remesh_in_patches(Distributed_mesh<Complex>& mesh, Attempt attempt,
-                               const Mark& mark_cells, const Patch_treatment<Complex>& treat) {
-  static constexpr int most = 4; // repetitions; few edges remain after the second one
+Improvement_report remesh_in_patches(Distributed_mesh<Complex>& mesh, Attempt attempt,
+                                     const Mark& mark_cells,
+                                     const Patch_treatment<Complex>& treat) {
+  static constexpr int most = 4; // repetitions; each leaves only edges on the cuts of its patches
+  // If a motion ended with an exception, the next motion reports its events.
+  const bool are_known = mesh.are_components_known;
   mesh.are_components_known = false;
   for (typename Piece<Complex::dimension>::Index v = 0; v < mesh.piece.vertex_bound(); ++v)
     mesh.piece.vertex(v).end_motion();
@@ -64,20 +87,16 @@ Patch_counts remesh_in_patches(Distributed_mesh<Complex>& mesh, Attempt attempt,
       if ((mesh.piece.cell(c).data.failures & attempt) != 0)
         mesh.piece.cell(c).data.is_active = false;
     std::vector<Topology_place<Complex::dimension>> places; // none, because no label changes
-    const Patch_counts counts =
-        Patch_rounds<Complex>(
-            mesh, [&](Treated_patch<Complex>& patch) { treat_and_record(patch, treat, attempt); },
-            0, places)
-            .run();
+    const Patch_counts counts = Patch_rounds<Complex>(mesh, treat, 0, places).run();
     if (counts.patches == 0)
       break;
     result += counts;
-    result.rounds += counts.rounds;
   }
-  // The volumes have changed.
-  Distributed_components<Complex>(mesh, Label_totals(mesh.domain_measure)).update(mesh.components);
-  mesh.are_components_known = true;
-  return result;
+  if (are_known && result.patches > 0) // measures the new volumes
+    Distributed_components<Complex>(mesh, Label_totals(mesh.domain_measure))
+        .update(mesh.components);
+  mesh.are_components_known = are_known;
+  return result.improvements();
 }
 
 } // namespace internal

@@ -100,6 +100,18 @@ template <class Complex> struct Distributed_mesh
     return result;
   }
 
+  // Returns for each vertex whether condition(v, w) holds for one of its edges. The owner of a
+  // vertex decides, because it knows all cells around the edges.
+  template <class Condition>
+  std::vector<std::uint8_t> vertices_with_edge(const Condition& condition) const {
+    std::vector<std::uint8_t> result(piece.vertex_bound(), 0);
+    for (Index v = 0; v < piece.vertex_bound(); ++v)
+      if (is_own(v))
+        for_each_neighbor(v, [&](Index w) { result[v] = result[v] || condition(v, w); });
+    ghosts.update(result);
+    return result;
+  }
+
   // Sets `is_active` of each cell: whether `condition(v, w)` holds for an edge of the cell.
   template <class Condition> void activate_cells_with_edge(const Condition& condition) {
     for (Index c = 0; c < piece.cell_bound(); ++c) {
@@ -155,7 +167,7 @@ template <class Complex> struct Distributed_mesh
   Global_id next_id = 0;     // of new vertices
   double domain_measure = 1; // of the box around the complex when it was built; unit of volumes
   Known_components components;
-  bool are_components_known = true; // false during a motion, and after an exception in it
+  bool are_components_known = true; // false during a change, and after an exception in it
 };
 
 } // namespace internal

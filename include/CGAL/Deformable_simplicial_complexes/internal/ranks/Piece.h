@@ -40,7 +40,7 @@ template <int d> struct Piece_vertex
   std::array<double, d> point;
   std::array<double, d> before;      // position before the motion, if `has_motion`
   std::array<double, d> destination; // if `has_motion`
-  double target_length;              // of edges of the interface, while it is adapted
+  double target_length;              // of interface edges, while the interface is adapted
   float spacing;
   float work;         // recent improvements of the cells around the vertex
   std::int32_t owner; // rank

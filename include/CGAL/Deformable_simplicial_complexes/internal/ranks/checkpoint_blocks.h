@@ -38,7 +38,7 @@ namespace internal {
 template <int d> std::array<char, 8> magic_of_blocks() {
   return {'\211', 'D', 'S', 'C', 'R', char('0' + d), '\r', '\n'};
 }
-constexpr std::uint32_t version_of_blocks = 1;
+constexpr std::uint32_t version_of_blocks = 2;
 
 template <int d> struct Checkpoint_head
 {

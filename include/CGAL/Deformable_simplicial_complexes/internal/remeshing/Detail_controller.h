@@ -59,6 +59,15 @@ public:
                    });
   }
 
+  // Returns whether an edge of the cell is too long or too short.
+  bool has_edge_to_change(Cell_handle c) const {
+    for (int i = 0; i < Complex::corners; ++i)
+      for (int j = i + 1; j < Complex::corners; ++j)
+        if (length_by_split_threshold(c, i, j) > 1 || is_short(c, i, j))
+          return true;
+    return false;
+  }
+
 private:
   // Splits the edge of the cell that exceeds its threshold most. Returns false if none was split.
   bool split(Cell_handle c) {

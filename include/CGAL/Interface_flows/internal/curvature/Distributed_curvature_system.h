@@ -115,12 +115,12 @@ private:
 
   // Replaces the vectors of ghosts by those of their owners.
   void share(Vectors& vectors) const {
-    std::vector<std::array<double, d>> values(m_dsc.mesh().piece.vertex_bound());
+    std::vector<std::array<double, d>> values(vectors.size());
     for (std::size_t v = 0; v < vectors.size(); ++v)
-      std::copy_n(vectors[v].data(), d, values[m_interface.indices[v]].begin());
-    m_dsc.mesh().ghosts.update(values);
+      std::copy_n(vectors[v].data(), d, values[v].begin());
+    m_dsc.share(m_interface, values);
     for (std::size_t v = 0; v < vectors.size(); ++v)
-      vectors[v] = Vector(values[m_interface.indices[v]].data());
+      vectors[v] = Vector(values[v].data());
   }
 
   // Returns the product of the rows of own vertices with vectors, whose ghosts are replaced.
