@@ -57,10 +57,11 @@ number of ranks.
 
 \param dsc the complex
 \param options the options
-\param destinations function object that takes the `Distributed_complex::Interface` of this rank and
-       returns the destinations of its vertices in the next time step; called on all ranks or on
-none, and only if the interface is worn and `options.only_if_worn` is set. Destinations of vertices
-       of other ranks have no effect.
+\param destinations function object that takes the `Distributed_complex::Interface` of this rank
+       and returns the destinations of its vertices in the next time step; called on all ranks or on
+       none, and only if the interface is worn and `options.only_if_worn` is set. Destinations of
+       vertices of other ranks have no effect. If it makes collective calls, it must throw on all
+       ranks or on none.
 \return the numbers of operations of all ranks
 \throws Error on all ranks if an option is out of its range, if there is an interface and
         `dsc.mean_interface_edge()` is 0, or if `destinations` throws or returns a wrong number of
@@ -115,8 +116,8 @@ changed are not tried again before their shape changes, even with other options.
 bitwise identical for any number of ranks.
 
 \param dsc the complex
-\param options the options; lengths are in mean edges of the initial interface. `sizing_field`, `where`
-       and `visitor` must not be set, and `change_interface` must be `false`.
+\param options the options; lengths are in mean edges of the initial interface. `sizing_field`,
+       `where` and `visitor` must not be set, and `change_interface` must be `false`.
 \return the numbers of operations of all ranks
 \throws Error on all ranks if an option is out of its range or not available, or if there is an
         interface and `dsc.mean_interface_edge()` is 0; the complex is then unchanged

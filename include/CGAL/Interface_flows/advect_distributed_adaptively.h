@@ -57,13 +57,13 @@ Moves the interface with a velocity for one time step and adapts the interface a
        `adaptation_interval` of 1.
 \param options the options; `advection.integration_tolerance` has no effect. `topology_control` and
        `visitor` see the patches of the motion, see `Distributed_options`.
-\return the report of `advect_interface()`, equal on all ranks. Its numbers of operations include the
-        adaptation.
-\throws Error on all ranks if an option is out of its range, the scheme is adaptive, the flow preserves
-        volumes, or there is an interface and `dsc.mean_interface_edge()` is 0; the complex is then
-        unchanged
-\throws Error, Interrupted_error as `advect_interface()`. The interface may have been adapted, and a part
-        of its vertices may have moved.
+\return the report of `advect_interface()`, equal on all ranks. Its numbers of operations include
+        the adaptation.
+\throws Error on all ranks if an option is out of its range, the scheme is adaptive, the flow
+        preserves volumes, or there is an interface and `dsc.mean_interface_edge()` is 0; the
+        complex is then unchanged
+\throws Error, Interrupted_error as `advect_interface()`. The interface may have been adapted, and
+        a part of its vertices may have moved.
 
 Collective.
 */

@@ -33,8 +33,8 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// The adaptation of `Interface_adaptation` on several ranks. The target
-// edge lengths of a vertex are bitwise identical on all ranks that hold it.
+// The adaptation of `Interface_adaptation` on several ranks. The target edge length of a vertex is
+// bitwise identical on all ranks that hold the vertex.
 template <class Complex> class Distributed_adaptation
 {
 public:
