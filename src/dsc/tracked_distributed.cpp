@@ -257,8 +257,7 @@ std::vector<Surface_point> Tracked_distributed::interface_points() const {
   std::map<int, std::vector<Numbered_point>> lists;
   for (std::size_t i = 0; i < interface_.positions.size(); ++i)
     if (complex.mesh().is_own(interface_.indices[i])) {
-      const Point p =
-          DSC::internal::in_user_coordinates<Complex>(complex.mesh(), interface_.positions[i]);
+      const Point p = complex.normalization().in_user_coordinates(interface_.positions[i]);
       lists[0].push_back(
           {complex.mesh().piece.vertex(interface_.indices[i]).id, {p.x(), p.y(), p.z()}});
     }

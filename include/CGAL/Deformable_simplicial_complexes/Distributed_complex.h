@@ -205,8 +205,12 @@ public:
 
   /// Returns the lower and the upper corner of the box around the complex.
   std::array<Approximate_point, 2> bounding_box() const {
-    const auto bounds = m_mesh.bounds();
-    return {point_at<Complex>(bounds[0]), point_at<Complex>(bounds[1])};
+    const auto box = m_mesh.extent();
+    std::array<std::array<double, dimension>, 2> corners;
+    for (int k = 0; k < dimension; ++k)
+      for (int side : {0, 1})
+        corners[side][k] = side == 0 ? box.lower(k) : box.upper(k);
+    return {point_at<Complex>(corners[0]), point_at<Complex>(corners[1])};
   }
 
   /*!
@@ -426,17 +430,14 @@ template <class Complex> double Distributed_complex<Complex>::imbalance() const 
 template <class Complex>
 auto Distributed_complex<Complex>::graph() const -> Distributed_graph<Complex::dimension> {
   Distributed_graph<d> result;
-  internal::Message_writer writer;
-  writer.write(number_of_own_vertices());
   result.first.push_back(0);
-  for (const auto& bytes : communicator().all_gather(writer.take()))
-    result.first.push_back(
-        result.first.back() +
-        std::int64_t(internal::Message_reader(bytes).template read<size_type>()));
-  const auto bounds = m_mesh.bounds();
+  for (size_type number :
+       internal::gather_items<size_type>(communicator(), {number_of_own_vertices()}))
+    result.first.push_back(result.first.back() + std::int64_t(number));
+  const auto box = m_mesh.extent();
   double side = 0;
   for (int k = 0; k < d; ++k)
-    side = (std::max)(side, bounds[1][k] - bounds[0][k]);
+    side = (std::max)(side, box.upper(k) - box.lower(k));
   std::vector<std::int64_t> numbers(m_mesh.piece.vertex_bound(), 0);
   std::int64_t next = result.first[m_mesh.rank()];
   for (Index v = 0; v < m_mesh.piece.vertex_bound(); ++v)
@@ -457,7 +458,7 @@ auto Distributed_complex<Complex>::graph() const -> Distributed_graph<Complex::d
     result.positions.push_back(m_mesh.piece.vertex(v).point);
     for (int k = 0; k < d; ++k)
       result.positions.back()[k] =
-          side > 0 ? (result.positions.back()[k] - bounds[0][k]) / side : 0;
+          side > 0 ? (result.positions.back()[k] - box.lower(k)) / side : 0;
   }
   result.begin.push_back(std::int64_t(result.neighbors.size()));
   return result;

@@ -111,6 +111,11 @@ public:
     Approximate_vector translation =
         Approximate_vector(CGAL::NULL_VECTOR); ///< user coordinates of the origin of the complex
     double scale = 1; ///< length of a unit of the complex in user coordinates
+
+    /// Returns a point of the complex in user coordinates.
+    Approximate_point in_user_coordinates(const Approximate_point& p) const {
+      return CGAL::ORIGIN + (translation + scale * (p - CGAL::ORIGIN));
+    }
   };
 
   /// \name Creation
@@ -267,8 +272,7 @@ public:
   }
   /// Returns a point of the complex in user coordinates.
   Approximate_point in_user_coordinates(const Approximate_point& p) const {
-    return CGAL::ORIGIN +
-           (m_normalization.translation + m_normalization.scale * (p - CGAL::ORIGIN));
+    return m_normalization.in_user_coordinates(p);
   }
 
   /// @}

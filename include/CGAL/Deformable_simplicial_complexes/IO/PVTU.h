@@ -17,8 +17,6 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/grids/write_vtu.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/xml_escaped.h>
 
-#include <CGAL/Origin.h>
-
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -69,14 +67,6 @@ inline void write_pieces(const std::string& path, Communicator& communicator,
   });
 }
 
-template <class Complex>
-typename Complex::Approximate_point
-in_user_coordinates(const Distributed_mesh<Complex>& mesh,
-                    const typename Complex::Approximate_point& p) {
-  return CGAL::ORIGIN +
-         (mesh.normalization.translation + mesh.normalization.scale * (p - CGAL::ORIGIN));
-}
-
 } // namespace internal
 } // namespace Deformable_simplicial_complexes
 
@@ -111,7 +101,7 @@ void write_PVTU(const std::string& path,
     for (auto v : mesh.piece.cell(c).vertices) {
       if (number[v] < 0) {
         number[v] = std::int64_t(points.size());
-        points.push_back(DSC::internal::in_user_coordinates<Complex>(mesh, mesh.position(v)));
+        points.push_back(mesh.normalization.in_user_coordinates(mesh.position(v)));
       }
       connectivity.push_back(number[v]);
     }
@@ -159,8 +149,7 @@ void write_interface_PVTU(
     for (std::size_t v : facet.vertices) {
       if (number[v] < 0) {
         number[v] = std::int64_t(points.size());
-        points.push_back(
-            DSC::internal::in_user_coordinates<Complex>(mesh, interface_.positions[v]));
+        points.push_back(mesh.normalization.in_user_coordinates(interface_.positions[v]));
       }
       connectivity.push_back(number[v]);
     }

@@ -23,6 +23,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/ranks/Distributed_components.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/ranks/Distributed_mesh.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/ranks/Exact_sums.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/topology/label_changes.h>
 #include <CGAL/Deformable_simplicial_complexes/quality_measures_3.h>
 
 #include <CGAL/Origin.h>
@@ -149,9 +150,7 @@ private:
     for (Index v = 0; v < m_mesh.piece.vertex_bound(); ++v)
       if (m_mesh.is_own(v) && (m_mesh.piece.vertex(v).boundary_class & Boundary_class::fixed) != 0)
         is_box[0] = 0;
-    const auto bounds = m_mesh.bounds();
-    m_lower = bounds[0];
-    m_upper = bounds[1];
+    m_box = m_mesh.extent();
     m_mesh.communicator->reduce(Operation::minimum, is_box);
     m_is_box = is_box[0] != 0;
   }
@@ -164,7 +163,7 @@ private:
         p[k] = vertex.point[k];
       const double x = p[k];
       if (m_is_box)
-        p[k] = std::clamp(x, m_lower[k], m_upper[k]);
+        p[k] = std::clamp(x, m_box.lower(k), m_box.upper(k));
       is_stopped = is_stopped || p[k] != x;
     }
     m_stopped_at_boundary += is_stopped;
@@ -258,13 +257,7 @@ private:
   // Finds the changes of components, and their places: where a patch changed the topology of the
   // label.
   void find_events(Report& report) {
-    Message_writer writer;
-    writer.write(m_places);
-    std::vector<Topology_place<d>> places;
-    for (const auto& bytes : m_mesh.communicator->all_gather(writer.take())) {
-      const auto some = Message_reader(bytes).template read_list<Topology_place<d>>();
-      places.insert(places.end(), some.begin(), some.end());
-    }
+    std::vector<Topology_place<d>> places = gather_items(*m_mesh.communicator, m_places);
     std::sort(places.begin(), places.end(), [](const auto& a, const auto& b) {
       return std::tie(a.pass, a.patch, a.label, a.where) <
              std::tie(b.pass, b.patch, b.label, b.where);
@@ -285,18 +278,7 @@ private:
   // Calls f(change, component) for each known component.
   template <class Function> void for_each_component(Report& report, const Function& f) const {
     for (const auto& [number, component] : m_mesh.components)
-      f(change_of(component.label, report), component);
-  }
-
-  static auto& change_of(int label, Report& report) {
-    const auto it =
-        std::lower_bound(report.labels.begin(), report.labels.end(), label,
-                         [](const auto& change, int bound) { return change.label < bound; });
-    if (it != report.labels.end() && it->label == label)
-      return *it;
-    typename Deformation_report<Complex>::Label_change change;
-    change.label = label;
-    return *report.labels.insert(it, change);
+      f(change_of_label(report.labels, component.label), component);
   }
 
   void begin_labels(Report& report) const {
@@ -306,15 +288,9 @@ private:
   }
 
   void end_labels(Report& report) {
-    using Kind = Component_event::Kind;
     for_each_component(report, [](auto& change, const auto&) { ++change.after; });
-    for (const Component_event& event : report.events) {
-      auto& change = change_of(event.label, report);
-      change.merged += event.kind == Kind::merged ? event.before.size() - 1 : 0;
-      change.split += event.kind == Kind::split ? event.after.size() - 1 : 0;
-      change.vanished += event.kind == Kind::vanished;
-      change.appeared += event.kind == Kind::appeared;
-    }
+    for (const Component_event& event : report.events)
+      count_event(event, report.labels);
     for (auto& change : report.labels)
       change.volume_after = volume(change.label);
   }
@@ -360,7 +336,7 @@ private:
   Mesh& m_mesh;
   Options m_options; // of the patches
   unsigned m_most_passes;
-  std::array<double, d> m_lower, m_upper; // of the domain
+  Extent<d> m_box; // around the domain
   bool m_is_box = false;
   std::int64_t m_stopped_at_boundary = 0;
   double m_remaining = 0;                  // sum of the remaining distances

@@ -286,22 +286,18 @@ private:
 
   // Gives the new vertices of all ranks ids that increase with the keys of their patches.
   void number_vertices(std::map<Patch_key, Patch<Complex>>& patches) {
-    using Number = std::pair<Patch_key, std::uint64_t>;
-    Message_writer writer;
-    for (const auto& [key, patch] : patches)
-      if (patch.number_of_new() > 0) {
-        writer.write(key);
-        writer.write(std::uint64_t(patch.number_of_new()));
-      }
+    struct Number
+    {
+      Patch_key key;
+      std::uint64_t number; // of new vertices
+    };
     std::vector<Number> numbers;
-    for (const auto& bytes : m_mesh.communicator->all_gather(writer.take())) {
-      Message_reader reader(bytes);
-      while (!reader.is_at_end()) {
-        const Patch_key key = reader.read<Patch_key>();
-        numbers.emplace_back(key, reader.read<std::uint64_t>());
-      }
-    }
-    std::sort(numbers.begin(), numbers.end());
+    for (const auto& [key, patch] : patches)
+      if (patch.number_of_new() > 0)
+        numbers.push_back({key, patch.number_of_new()});
+    numbers = gather_items(*m_mesh.communicator, numbers);
+    std::sort(numbers.begin(), numbers.end(),
+              [](const Number& a, const Number& b) { return a.key < b.key; });
     for (const auto& [key, number] : numbers) {
       const auto patch = patches.find(key);
       if (patch != patches.end())

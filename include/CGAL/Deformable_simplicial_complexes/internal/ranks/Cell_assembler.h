@@ -66,12 +66,15 @@ public:
             throw Error("a cell refers to a vertex that does not exist");
     });
     Distributed_graph<d> graph;
-    find_bounds(cells.points);
+    m_box = extent_of_ranks(communicator, extent_of<d>(cells.points));
+    double side = 0; // the longest one
+    for (int k = 0; k < d; ++k)
+      side = (std::max)(side, m_box.upper(k) - m_box.lower(k));
     for (const auto& p : cells.points) {
       graph.weights.push_back(1);
       graph.positions.emplace_back();
       for (int k = 0; k < d; ++k)
-        graph.positions.back()[k] = m_side > 0 ? (p[k] - m_lower[k]) / m_side : 0;
+        graph.positions.back()[k] = side > 0 ? (p[k] - m_box.lower(k)) / side : 0;
     }
     // The owner of a vertex follows from its position, so all ranks find the same one.
     const std::vector<int> owners = Curve_partitioner()(communicator, graph);
@@ -83,8 +86,8 @@ public:
       vertices[v].owner = owners[v];
       vertices[v].point = coordinates_of<d>(cells.points[v]);
       for (int k = 0; k < d; ++k) {
-        vertices[v].boundary_class |= vertices[v].point[k] == m_lower[k] ? 1 << (2 * k) : 0;
-        vertices[v].boundary_class |= vertices[v].point[k] == m_upper[k] ? 2 << (2 * k) : 0;
+        vertices[v].boundary_class |= vertices[v].point[k] == m_box.lower(k) ? 1 << (2 * k) : 0;
+        vertices[v].boundary_class |= vertices[v].point[k] == m_box.upper(k) ? 2 << (2 * k) : 0;
       }
       next = (std::max)(next, std::int64_t(cells.ids[v]) + 1);
     }
@@ -105,9 +108,7 @@ public:
 
   // Checks the cells, and computes everything that follows from them.
   void complete() {
-    m_mesh.domain_measure = 1;
-    for (int k = 0; k < d; ++k)
-      m_mesh.domain_measure *= m_upper[k] - m_lower[k];
+    m_mesh.domain_measure = m_box.measure();
     m_mesh.normalization = {};
     m_mesh.communicator->call_together([&] { check_cells(); });
     check_volume();
@@ -118,28 +119,6 @@ public:
   }
 
 private:
-  template <class Points> void find_bounds(const Points& points) {
-    const auto maximum = [&](double x) { // of all ranks, of any sign
-      double result = x;
-      Message_writer writer;
-      writer.write(x);
-      for (const auto& bytes : m_mesh.communicator->all_gather(writer.take()))
-        result = (std::max)(result, Message_reader(bytes).template read<double>());
-      return result;
-    };
-    m_side = 0;
-    for (int k = 0; k < d; ++k) {
-      double lower = std::numeric_limits<double>::infinity(), upper = -lower;
-      for (const auto& p : points) {
-        lower = (std::min)(lower, double(p[k]));
-        upper = (std::max)(upper, double(p[k]));
-      }
-      m_lower[k] = -maximum(-lower);
-      m_upper[k] = maximum(upper);
-      m_side = (std::max)(m_side, m_upper[k] - m_lower[k]);
-    }
-  }
-
   // Checks the cells around the vertices of this rank.
   void check_cells() const {
     const auto& piece = m_mesh.piece;
@@ -243,8 +222,7 @@ private:
   }
 
   Mesh& m_mesh;
-  std::array<double, d> m_lower, m_upper; // of the box
-  double m_side = 0;                      // longest side of the box
+  Extent<d> m_box; // around all points
 };
 
 } // namespace internal

@@ -39,6 +39,19 @@ struct Known_component
 };
 using Known_components = std::map<std::uint32_t, Known_component>; // by number
 
+// Returns the box around the boxes of all ranks. The box of a rank may be empty.
+template <int d> Extent<d> extent_of_ranks(Communicator& communicator, const Extent<d>& own) {
+  std::vector<std::array<double, d>> corners;
+  if (own.lower(0) <= own.upper(0)) {
+    corners.resize(2);
+    for (int axis = 0; axis < d; ++axis) {
+      corners[0][axis] = own.lower(axis);
+      corners[1][axis] = own.upper(axis);
+    }
+  }
+  return extent_of<d>(gather_items(communicator, corners));
+}
+
 // The piece of a distributed complex on this rank, the communicator, and everything that all ranks
 // know: the geometry traits, and the lengths of the complex.
 template <class Complex> struct Distributed_mesh
@@ -126,27 +139,13 @@ template <class Complex> struct Distributed_mesh
     }
   }
 
-  // Returns the lower and the upper bounds of the coordinates of all vertices of all ranks.
-  std::array<std::array<double, d>, 2> bounds() const {
-    Extent<d> box;
+  // Returns the box around all vertices of all ranks.
+  Extent<d> extent() const {
+    Extent<d> own;
     for (Index v = 0; v < piece.vertex_bound(); ++v)
       if (is_own(v))
-        box.add(piece.vertex(v).point);
-    std::array<std::array<double, d>, 2> own;
-    for (int k = 0; k < d; ++k) {
-      own[0][k] = box.lower(k);
-      own[1][k] = box.upper(k);
-    }
-    Message_writer writer;
-    writer.write(own);
-    for (const auto& bytes : communicator->all_gather(writer.take())) {
-      const auto other = Message_reader(bytes).read<std::array<std::array<double, d>, 2>>();
-      for (int k = 0; k < d; ++k) {
-        own[0][k] = (std::min)(own[0][k], other[0][k]);
-        own[1][k] = (std::max)(own[1][k], other[1][k]);
-      }
-    }
-    return own;
+        own.add(piece.vertex(v).point);
+    return extent_of_ranks(*communicator, own);
   }
 
   // Calls f(w) for each neighbor w of a vertex; several times for most of them.

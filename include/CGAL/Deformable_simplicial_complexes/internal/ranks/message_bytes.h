@@ -99,6 +99,19 @@ void exchange_lists(Communicator& communicator, const std::map<int, std::vector<
     receive(message.rank, Message_reader(message.bytes).read_list<Item>());
 }
 
+// Returns the items of all ranks, by increasing rank.
+template <class Item>
+std::vector<Item> gather_items(Communicator& communicator, const std::vector<Item>& items) {
+  Message_writer writer;
+  writer.write(items);
+  std::vector<Item> result;
+  for (const auto& bytes : communicator.all_gather(writer.take())) {
+    const auto some = Message_reader(bytes).read_list<Item>();
+    result.insert(result.end(), some.begin(), some.end());
+  }
+  return result;
+}
+
 } // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL

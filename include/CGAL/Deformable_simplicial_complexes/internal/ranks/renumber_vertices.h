@@ -47,12 +47,9 @@ template <class Complex> void renumber_vertices(Distributed_mesh<Complex>& mesh,
     answers[rank] = list;
   });
   std::sort(sorted.begin(), sorted.end());
-  Message_writer writer;
-  writer.write(std::uint64_t(sorted.size()));
   Global_id first = 0, all = 0;
   int rank = 0;
-  for (const auto& bytes : communicator.all_gather(writer.take())) {
-    const auto number = Message_reader(bytes).read<std::uint64_t>();
+  for (std::uint64_t number : gather_items<std::uint64_t>(communicator, {sorted.size()})) {
     first += rank++ < mesh.rank() ? number : 0;
     all += number;
   }

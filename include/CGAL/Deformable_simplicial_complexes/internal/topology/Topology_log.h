@@ -11,6 +11,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/topology/label_changes.h>
 
 #include <CGAL/Origin.h>
 
@@ -37,7 +38,7 @@ public:
   void begin() {
     m_complex.take_component_events();
     for (Label label : m_complex.labels()) {
-      Label_change& change = of_label(label);
+      Label_change& change = change_of_label(m_labels, label);
       change.volume_before = m_complex.measure(label);
       change.before = m_complex.number_of_components(label);
     }
@@ -65,25 +66,10 @@ public:
 
   void report(unsigned passes, Deformation_report<Complex>& report) {
     add_events(passes);
-    for (const Event& event : m_events) {
-      Label_change& change = of_label(event.label);
-      switch (event.kind) {
-      case Component_event::Kind::merged:
-        change.merged += event.before.size() - 1;
-        break;
-      case Component_event::Kind::split:
-        change.split += event.after.size() - 1;
-        break;
-      case Component_event::Kind::vanished:
-        ++change.vanished;
-        break;
-      case Component_event::Kind::appeared:
-        ++change.appeared;
-        break;
-      }
-    }
+    for (const Event& event : m_events)
+      count_event(event, m_labels);
     for (Label label : m_complex.labels())
-      of_label(label);
+      change_of_label(m_labels, label);
     for (Label_change& change : m_labels) {
       change.volume_after = m_complex.measure(change.label);
       change.after = m_complex.number_of_components(change.label);
@@ -126,17 +112,6 @@ private:
     return it != m_changes.end() ? it->where
            : m_changes.empty()   ? CGAL::ORIGIN
                                  : m_changes.front().where;
-  }
-
-  Label_change& of_label(Label label) {
-    const auto it = std::lower_bound(
-        m_labels.begin(), m_labels.end(), label,
-        [](const Label_change& change, Label bound) { return change.label < bound; });
-    if (it != m_labels.end() && it->label == label)
-      return *it;
-    Label_change change;
-    change.label = label;
-    return *m_labels.insert(it, change);
   }
 
   Complex& m_complex;
