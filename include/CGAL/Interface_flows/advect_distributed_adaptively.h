@@ -18,31 +18,14 @@
 #include <CGAL/Deformable_simplicial_complexes/Interface_adaptation.h>
 #include <CGAL/Deformable_simplicial_complexes/adapt_distributed_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
-#include <CGAL/Interface_flows/Mean_curvature_flow.h>
 #include <CGAL/Interface_flows/advect_adaptively.h>
 #include <CGAL/Interface_flows/advect_distributed_interface.h>
 #include <CGAL/Interface_flows/internal/paths/velocity_properties.h>
 
 #include <cmath>
-#include <type_traits>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
-namespace internal {
-
-// Moves the interface with a velocity. Mean curvature flow has no scheme.
-template <class Complex, class Velocity>
-Distributed_report<Complex>
-advect_with_options(Distributed_complex<Complex>& dsc, const Velocity& velocity, double t,
-                    double dt,
-                    const Advection_options<typename Distributed_complex<Complex>::Part>& options) {
-  if constexpr (std::is_same_v<Velocity, Mean_curvature_flow>)
-    return advect_interface(dsc, velocity, t, dt, options.deformation);
-  else
-    return advect_interface(dsc, velocity, t, dt, options.deformation, options.scheme);
-}
-
-} // namespace internal
 
 /*!
 \ingroup PkgInterfaceFlowsRef
@@ -75,6 +58,7 @@ Distributed_report<Complex> advect_adaptively(
             internal::contracts_interface<Velocity>)) {
   constexpr bool contracts = internal::contracts_interface<Velocity>;
   using Part = typename Distributed_complex<Complex>::Part;
+  const Deformation_options<Part>& deformation = options.advection.deformation;
   dsc.communicator().call_together([&] {
     options.check();
     internal::require_distributed_scheme(options.advection.scheme);
@@ -83,8 +67,7 @@ Distributed_report<Complex> advect_adaptively(
   internal::require_interface_edge_of(dsc);
   if (std::fmod(std::round(t / dt), options.adaptation_interval) != 0 ||
       !internal::has_interface(dsc))
-    return internal::advect_with_options(dsc, velocity, t, dt, options.advection);
-  const Deformation_options<Part>& deformation = options.advection.deformation;
+    return advect_interface(dsc, velocity, t, dt, deformation, options.advection.scheme);
   const Adaptation_options adaptation = {
       options.interface_tolerance, options.feature_angle, !contracts,
       contracts && !deformation.topology_control,
@@ -97,7 +80,7 @@ Distributed_report<Complex> advect_adaptively(
   detail.collapse_length = defaults::Adaptive_advection<Complex::dimension>::collapse_length;
   changes = changes + control_detail(dsc, detail);
   Distributed_report<Complex> report =
-      internal::advect_with_options(dsc, velocity, t, dt, options.advection);
+      advect_interface(dsc, velocity, t, dt, deformation, options.advection.scheme);
   using size_type = typename Distributed_report<Complex>::size_type;
   report.split += size_type(changes.split);
   report.collapsed += size_type(changes.collapsed);

@@ -124,15 +124,19 @@ Moves the interface with a velocity for one time step, as `advect_interface()` d
 
 \param dsc the complex
 \param velocity a velocity field, a flow map, or an interface velocity or step that computes the
-       value of a vertex from the facets around it only, such as `Normal_offset`
+       value of a vertex from the facets around it only, such as `Normal_offset`. Also a
+       `Mean_curvature_flow` that does not preserve volumes: all ranks solve its systems together by
+       the conjugate gradient method. If the velocity has a member function `energy()`, its result
+       replaces `interface_energy`.
 \param t the time at the beginning of the step
-\param dt the length of the step
+\param dt the length of the step; not negative for a `Mean_curvature_flow`
 \param options the options
 \param scheme the method that integrates velocities; `Integration_scheme::adaptive` chooses the same
        substeps for all vertices, which would depend on the rank, and is not available
 \return the report, equal on all ranks
 \throws Error on all ranks if the velocity throws on a rank, returns a wrong number of values, or
-        `scheme` is `adaptive`; the complex is then unchanged
+        `scheme` is `adaptive`; for a `Mean_curvature_flow` if it preserves volumes, `dt` is
+        negative, or a system cannot be solved. The complex is then unchanged.
 \throws Error, Interrupted_error as `deform_interface_to()`
 
 Collective.
@@ -140,52 +144,20 @@ Collective.
 template <class Complex, class Velocity>
 Distributed_report<Complex>
 advect_interface(Distributed_complex<Complex>& dsc, const Velocity& velocity, double t, double dt,
-                 const Distributed_options<Distributed_complex<Complex>>& options =
+                 Distributed_options<Distributed_complex<Complex>> options =
                      Distributed_options<Distributed_complex<Complex>>(),
                  Integration_scheme scheme = Integration_scheme::rk2) {
   using Points = std::vector<typename Complex::Approximate_point>;
   const auto interface_ = dsc.interface_here();
   const Points destinations =
       internal::distributed_destinations(dsc, interface_, velocity, t, dt, scheme);
+  options.interface_energy = internal::energy_of(velocity, options.interface_energy);
   std::function<Points(const Points&)> flow;
   if constexpr (internal::is_flow_of_space<Complex, Velocity>)
     flow = [&](const Points& points) {
       return internal::follow_flow<Complex>(typename Complex::Domain(), points, velocity, t, dt);
     };
   return deform_interface_to(dsc, interface_, destinations, options, flow);
-}
-
-/*!
-\ingroup PkgInterfaceFlowsRef
-
-Moves the interface by mean curvature for one time step, as `advect_interface()` does on one rank.
-The conjugate gradient method solves the systems on all ranks together. The result is bitwise
-identical for any number of ranks.
-
-\param dsc the complex
-\param flow the flow; it must not preserve volumes
-\param t the time at the beginning of the step; the flow does not depend on it
-\param dt the length of the step, not negative
-\param options the options. `interface_energy` is replaced by the energy of the flow.
-\return the report, equal on all ranks
-\throws Error on all ranks if the flow preserves volumes, `dt` is negative, or a system cannot be
-        solved, see `Mean_curvature_flow`; the complex is then unchanged
-\throws Error, Interrupted_error as `deform_interface_to()`
-
-Collective.
-*/
-template <class Complex>
-Distributed_report<Complex>
-advect_interface(Distributed_complex<Complex>& dsc, const Mean_curvature_flow& flow, double t,
-                 double dt,
-                 Distributed_options<Distributed_complex<Complex>> options =
-                     Distributed_options<Distributed_complex<Complex>>()) {
-  const auto interface_ = dsc.interface_here();
-  options.interface_energy = flow.energy();
-  return deform_interface_to(
-      dsc, interface_,
-      internal::distributed_destinations(dsc, interface_, flow, t, dt, Integration_scheme::rk2),
-      options);
 }
 
 } // namespace Deformable_simplicial_complexes

@@ -9,7 +9,6 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PATCHES_REMESH_IN_PATCHES_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PATCHES_REMESH_IN_PATCHES_H
 
-#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Failure_memory.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Label_totals.h>
@@ -19,6 +18,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/ranks/Distributed_mesh.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/ranks/Piece.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/cut.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -49,18 +49,11 @@ public:
       if (m_patch.part.is_alive(item.cell, item.time_stamp))
         f(item.cell);
     for (Cell_handle c : m_patch.part.finite_cells())
-      if (c->time_stamp() > m_last && !is_at_cut(c))
+      if (c->time_stamp() > m_last && !is_at_cut<typename Treated_patch<Complex>::Part>(c))
         f(c);
   }
 
 private:
-  static bool is_at_cut(Cell_handle c) {
-    for (int i = 0; i < Complex::corners; ++i)
-      if (Boundary_class::is_cut(c->vertex(i)->boundary_class()))
-        return true;
-    return false;
-  }
-
   const Treated_patch<Complex>& m_patch;
   Work_list<Cell_handle> m_core;
   std::size_t m_last = 0; // time stamp before the treatment

@@ -18,9 +18,9 @@
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_split.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_operations.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/improvement/has_cut_end.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Failed_collapses.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/cut.h>
 
 #include <algorithm>
 #include <utility>

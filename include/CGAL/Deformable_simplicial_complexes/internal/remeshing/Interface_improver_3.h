@@ -13,13 +13,13 @@
 #include <CGAL/Deformable_simplicial_complexes/edge_removal_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/geometry/triangle_quality.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_operations_3.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/improvement/has_cut_end.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Changed_facets.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_edge_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/changed_facets_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/curved_midpoint_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Interface_remesher.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/cut.h>
 #include <CGAL/Deformable_simplicial_complexes/null_space_smoothing_3.h>
 
 #include <array>

@@ -10,13 +10,13 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TOPOLOGY_TRAPPED_CELLS_H
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
-#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/local_edge_length.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Manifold_relabeling.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Topology_log.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/cut.h>
 #include <CGAL/Deformable_simplicial_complexes/relabeling.h>
 #include <CGAL/Deformable_simplicial_complexes/topology_of_relabeling.h>
 
@@ -89,7 +89,7 @@ public:
       if (is_small_component(c, component, large)) {
         const Label label = surrounding_label(component);
         if (label == c->label() || !complete(component, label) ||
-            std::any_of(component.begin(), component.end(), is_at_cut) ||
+            std::any_of(component.begin(), component.end(), is_at_cut<Complex>) ||
             !may_change_topology(c, label))
           continue;
         record(component, label);
@@ -103,7 +103,7 @@ public:
   // after a call of relabel(). Returns whether the cell was relabeled.
   bool relabel_if_topology_stays(Cell_handle c, Label label) {
     std::vector<Cell_handle> cells(1, c);
-    if (is_done(c) || is_at_cut(c) || !relabeling_keeps_topology(m_complex, c, label) ||
+    if (is_done(c) || is_at_cut<Complex>(c) || !relabeling_keeps_topology(m_complex, c, label) ||
         !complete(cells, label) || cells.size() > 1)
       return false;
     relabel(cells, label);
@@ -127,7 +127,7 @@ private:
         is_near =
             is_near && Complex::Space::length(m_complex.displacement(center, c->vertex(k))) < edge;
       is_small = (component.size() <= few || is_near) && large.count(c->time_stamp()) == 0 &&
-                 !is_at_cut(c);
+                 !is_at_cut<Complex>(c);
       for (int k = 0; k < Complex::corners; ++k) {
         const Cell_handle n = c->neighbor(k);
         if (!m_complex.is_infinite(n) && n->label() == c->label() &&
@@ -192,13 +192,13 @@ private:
   template <class Is_flat>
   bool propose(Cell_handle c, double threshold, const Is_flat& is_flat,
                std::vector<Cell_handle>& cells, Label& label) const {
-    if (is_done(c) || is_at_cut(c) ||
+    if (is_done(c) || is_at_cut<Complex>(c) ||
         !propose_relabeling(m_complex, c, threshold, label, m_energy) || !is_flat(c))
       return false;
     cells.assign(1, c);
     return complete(cells, label) && volume(cells) - volume({c}) < small_volume({c}) &&
            std::none_of(cells.begin(), cells.end(),
-                        [&](Cell_handle d) { return is_done(d) || is_at_cut(d); });
+                        [&](Cell_handle d) { return is_done(d) || is_at_cut<Complex>(d); });
   }
 
   // Appends the cells that must also be relabeled to keep the interface manifold, independent of
@@ -209,14 +209,6 @@ private:
   }
 
   bool is_done(Cell_handle c) const { return m_done.count(c->time_stamp()) != 0; }
-
-  // Returns whether the complex is a part of another complex and cells around the cell are missing.
-  static bool is_at_cut(Cell_handle c) {
-    for (int i = 0; i < Complex::corners; ++i)
-      if (Boundary_class::is_cut(c->vertex(i)->boundary_class()))
-        return true;
-    return false;
-  }
 
   void add_neighbors(const std::vector<Cell_handle>& cells, std::vector<Cell_handle>& front) const {
     for (Cell_handle c : cells)

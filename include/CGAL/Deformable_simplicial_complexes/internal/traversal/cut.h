@@ -6,8 +6,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_HAS_CUT_END_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_HAS_CUT_END_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_CUT_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_CUT_H
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 
@@ -22,8 +22,17 @@ template <class Cell_handle> bool has_cut_end(Cell_handle c, int i, int j) {
          Boundary_class::is_cut(c->vertex(j)->boundary_class());
 }
 
+// Returns whether cells around the cell are missing, because the complex is a part of a larger
+// complex.
+template <class Complex> bool is_at_cut(typename Complex::Cell_handle c) {
+  for (int i = 0; i < Complex::corners; ++i)
+    if (Boundary_class::is_cut(c->vertex(i)->boundary_class()))
+      return true;
+  return false;
+}
+
 } // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_HAS_CUT_END_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_CUT_H
