@@ -33,6 +33,7 @@ from ._errors import (
     InvalidPointsError,
     InvalidSurfaceError,
     TetrahedralizationError,
+    VolumeWarning,
 )
 from ._film import Film
 from ._fluid import (
@@ -110,6 +111,7 @@ __all__ = [
     "Torus3",
     "Values",
     "Velocity",
+    "VolumeWarning",
     "Voronoi",
     "cut_locus",
     "reconstruct",

@@ -13,6 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _dsc
+from ._errors import VolumeWarning
 from ._film import Film
 from ._images import PlacedImage
 from ._report import Cells, Changes, Grain, Interface, LabelChange, Points, Report, TopologyEvent
@@ -90,6 +91,22 @@ def _report(result: dict[str, Any]) -> Report:
     result["labels"] = [LabelChange(**change) for change in result["labels"]]
     result["events"] = [TopologyEvent(**event) for event in result["events"]]
     return Report(**result)
+
+
+def _report_with_warnings(result: dict[str, Any]) -> Report:
+    """Warns if a label vanished, or if its volume changed in an unexplained way."""
+    report = _report(result)
+    for change in report.labels:
+        if change.components_before > 0 and change.components_after == 0:
+            warnings.warn(f"label {change.label} vanished", VolumeWarning, stacklevel=3)
+        elif abs(change.volume_unexplained) > 1e-3 * max(change.volume_before, change.volume_after):
+            warnings.warn(
+                f"the volume of label {change.label} changed by {change.volume_unexplained:.3g} more than the "
+                "motion and changes of topology explain: use smaller steps, or a finer interface",
+                VolumeWarning,
+                stacklevel=3,
+            )
+    return report
 
 
 def _energy(
@@ -425,7 +442,7 @@ class Complex:
             threads=threads,
             **deformation,
         )
-        return _report(
+        return _report_with_warnings(
             self._compiled.advect(
                 _callable(velocity, "velocity"), _number(t, "t"), _number(dt, "dt"), options, progress
             )
@@ -446,7 +463,7 @@ class Complex:
         The distance should be at most a quarter of an edge. Other parameters are those of `advect()`.
         """
         options = _given(adapt=adapt, topology=topology, threads=threads, **deformation)
-        return _report(self._compiled.offset(_number(distance, "distance"), options, progress))
+        return _report_with_warnings(self._compiled.offset(_number(distance, "distance"), options, progress))
 
     def mean_curvature(
         self,
@@ -484,7 +501,7 @@ class Complex:
             threads=threads,
             **deformation,
         )
-        return _report(
+        return _report_with_warnings(
             self._compiled.mean_curvature(_number(dt, "dt"), bool(keep_volumes), options, progress)
         )
 
@@ -538,7 +555,7 @@ class Complex:
             collision_order=collision_order,
         )
         points = np.asarray(destinations, dtype=float)
-        return _report(self._compiled.deform(points, options, progress))
+        return _report_with_warnings(self._compiled.deform(points, options, progress))
 
     def restore_volumes(
         self,

@@ -76,5 +76,9 @@ class BusyError(RuntimeError):
     """The complex is being changed by another thread, or by the function that calls this one."""
 
 
+class VolumeWarning(UserWarning):
+    """A label vanished, or its volume changed in a way that its motion does not explain."""
+
+
 class Interrupted(Exception):
     """A progress callback returned False. A complex that was being changed is valid."""

@@ -76,6 +76,12 @@ class LabelChange:
     appeared: int
     volume_before: float
     volume_after: float
+    volume_swept: float
+    """Volume that the interface sweeps if all vertices move along straight lines to their destinations."""
+    volume_of_overlaps: float
+    """Volume that changes of topology explain: the swept volume counts overlaps of the interface twice."""
+    volume_unexplained: float
+    """Rest of the change of the volume."""
 
 
 @dataclass(frozen=True)
@@ -94,7 +100,8 @@ class Report(Changes):
     """Report of a deformation. It names everything that was not reached or was lost."""
 
     complete: bool
-    """Whether all vertices have reached their destinations."""
+    """Whether all vertices have reached their destinations, except where parts of the interface met, and the
+    unexplained volume of each label is at most a thousandth of its volume."""
     unfinished_points: Points
     """Positions of the vertices that did not reach their destinations, shape (k, d)."""
     unfinished_distances: npt.NDArray[np.float64]
@@ -102,9 +109,13 @@ class Report(Changes):
     flat_cells: int
     """Number of cells whose quality is below 1e-3."""
     vanished_vertices: int
-    """Number of vertices that were removed, or left the interface, before they arrived."""
+    """Number of vertices that a collapse removed before they arrived."""
+    merged_vertices: int
+    """Number of vertices that left the interface before they arrived, because parts of the interface met."""
     stopped_at_boundary: int
     """Number of vertices with destinations outside the domain."""
+    steps: int
+    """Number of parts into which a long time step was divided; 1 if it was not."""
     passes: int
     """Number of executions of the main loop."""
     relocated_vertices: int

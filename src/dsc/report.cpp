@@ -49,6 +49,18 @@ Json repairs_json(const Repairs& repairs) {
   return json;
 }
 
+Json balances_json(const std::vector<Label_balance>& balances) {
+  Json json = Json::array();
+  for (const Label_balance& balance : balances)
+    json.push_back({{"label", balance.label},
+                    {"before", balance.before},
+                    {"after", balance.after},
+                    {"swept", balance.swept},
+                    {"overlaps", balance.overlaps},
+                    {"unexplained", balance.unexplained}});
+  return json;
+}
+
 } // namespace
 
 Report::Report(const Run_options& options, const Run_start& start, const Repairs& repairs,
@@ -70,6 +82,7 @@ void Report::add(const Run_position& position, const Step_outcome& outcome,
                {"unfinished_vertices", outcome.unfinished_vertices},
                {"stopped_at_boundary", outcome.stopped_at_boundary},
                {"cells_below_floor", outcome.flat_cells},
+               {"parts", outcome.parts},
                {"passes", outcome.passes}};
   step.update(statistics_json(statistics));
   step.update({{"split", outcome.split},
@@ -79,10 +92,15 @@ void Report::add(const Run_position& position, const Step_outcome& outcome,
   step["events"] = Json::array();
   for (const Step_event& event : outcome.events)
     step["events"].push_back(event_json(event.change, event.where, statistics.dimension));
+  step["balance"] = balances_json(outcome.balances);
   if (outcome.distance_to_start)
     step["distance_to_start"] = {{"mean", outcome.distance_to_start->mean},
                                  {"maximum", outcome.distance_to_start->maximum}};
   m_json["steps"].push_back(std::move(step));
+}
+
+void Report::set_balance(const Run_balance& balance) {
+  m_json["balance"] = balances_json(balance.labels());
 }
 
 void Report::write_now_and_then() {

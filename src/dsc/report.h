@@ -8,6 +8,7 @@
 #include "motion_json.h"
 #include "report_json.h"
 #include "run.h"
+#include "run_balance.h"
 #include "run_position.h"
 #include "statistics.h"
 #include "surface.h"
@@ -31,6 +32,9 @@ public:
   /// Writes the file unless it was written less than a second ago.
   /// \throws std::runtime_error if the file cannot be written
   void write_now_and_then();
+
+  /// Adds the balance of the whole run.
+  void set_balance(const Run_balance& balance);
 
   /// Writes the file.
   /// \throws std::runtime_error if the file cannot be written

@@ -12,6 +12,7 @@
 #include "output_folder.h"
 #include "progress_line.h"
 #include "report.h"
+#include "run_balance.h"
 #include "run_position.h"
 #include "start_complex.h"
 #include "start_curves.h"
@@ -154,6 +155,24 @@ Step_outcome step_with_room(Tracked_complex& complex, const Run_options& options
   return outcome;
 }
 
+/// The steps that were too long for one deformation.
+struct Divided_steps
+{
+  unsigned steps = 0;
+  unsigned most = 0; ///< parts of a step
+
+  void add(const Step_outcome& outcome) {
+    steps += outcome.parts > 1;
+    most = std::max(most, outcome.parts);
+  }
+};
+
+void print_divided(const Divided_steps& divided) {
+  if (divided.steps > 0)
+    std::printf("dsc: %u %s too long and divided into at most %u parts\n", divided.steps,
+                noun(divided.steps, "step was", "steps were"), divided.most);
+}
+
 void print_boundary(std::size_t stopped) {
   if (stopped > 0)
     std::printf(
@@ -207,7 +226,9 @@ private:
   unsigned m_done = 0;
   std::size_t m_unfinished = 0, m_stopped_at_boundary = 0;
   double m_seconds = 0;
+  Divided_steps m_divided_steps;
   Flat_cells m_flat_cells;
+  Run_balance m_balance;
 };
 
 void Run::check_places() {
@@ -275,7 +296,9 @@ void Run::advance() {
   m_position.time = time;
   m_unfinished += outcome.unfinished_vertices;
   m_stopped_at_boundary += outcome.stopped_at_boundary;
+  m_divided_steps.add(outcome);
   m_flat_cells.add(outcome, *m_complex);
+  m_balance.add(m_position.step, outcome.balances);
   m_seconds += outcome.seconds;
   if (m_report) { // statistics take long
     m_report->add(m_position, outcome, m_complex->statistics());
@@ -336,12 +359,17 @@ int Run::finish() {
   const bool stopped = interrupted();
   if (stopped)
     report_interruption();
-  if (m_report)
+  if (m_report) {
+    m_report->set_balance(m_balance);
     m_complex->run_once([&] { m_report->write(); });
+  }
   if (!m_options.output.picture.empty())
     m_complex->write(m_options.output.picture);
   if (!m_options.output.quiet) {
+    print_divided(m_divided_steps);
     print_boundary(m_stopped_at_boundary);
+    for (const std::string& message : m_balance.messages())
+      std::printf("dsc: %s\n", message.c_str());
     print_flat_cells(m_flat_cells);
     print_summary(m_position, m_complex->statistics(), m_unfinished, m_seconds);
   }

@@ -59,6 +59,18 @@ struct Step_event
   std::array<double, 3> where;
 };
 
+/// The balance of the volume of a label, in the plane of its area, in a step or in a whole run. See
+/// `Deformation_report::Label_change`.
+struct Label_balance
+{
+  int label;
+  std::size_t components_before, components_after;
+  double before, after;
+  double swept;       ///< by the interface
+  double overlaps;    ///< explained by changes of topology
+  double unexplained; ///< the rest
+};
+
 /// The outcome of a step. All values are zero before the first step.
 struct Step_outcome
 {
@@ -67,12 +79,14 @@ struct Step_outcome
   std::size_t unfinished_vertices = 0;
   std::size_t stopped_at_boundary = 0; ///< vertices with destinations outside the domain
   std::size_t flat_cells = 0;          ///< cells below the quality floor after the step
+  unsigned parts = 1;                  ///< into which a long step was divided
   unsigned passes = 0;
   std::size_t split = 0;
   std::size_t collapsed = 0;
   std::size_t flipped = 0;
   std::size_t relabeled = 0;
   std::vector<Step_event> events;
+  std::vector<Label_balance> balances; ///< by increasing label; empty if they are not known
   std::optional<Distance_statistics> distance_to_start; ///< of the interface, after whole periods
 };
 

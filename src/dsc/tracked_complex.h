@@ -148,6 +148,18 @@ std::vector<Step_event> step_events(const Complex& complex, const Report& report
   return result;
 }
 
+/// Returns the balances of volumes in a report of the library.
+template <class Complex, class Report>
+std::vector<Label_balance> label_balances(const Complex& complex, const Report& report) {
+  const double scale = std::pow(complex.normalization().scale, Complex::dimension);
+  std::vector<Label_balance> result;
+  for (const auto& change : report.labels)
+    result.push_back({change.label, change.before, change.after, scale * change.volume_before,
+                      scale * change.volume_after, scale * change.volume_swept,
+                      scale * change.volume_of_overlaps, scale * change.volume_unexplained()});
+  return result;
+}
+
 /// Returns the outcome of a step from the report of the library.
 template <class Complex, class Report>
 Step_outcome step_outcome(double seconds, const Complex& complex, const Report& report) {
@@ -156,12 +168,14 @@ Step_outcome step_outcome(double seconds, const Complex& complex, const Report& 
           report.unfinished.size(),
           report.stopped_at_boundary,
           report.flat.size(),
+          report.steps,
           report.passes,
           report.split,
           report.collapsed,
           report.flipped,
           report.relabeled,
           step_events(complex, report),
+          label_balances(complex, report),
           std::nullopt};
 }
 

@@ -55,6 +55,9 @@ py::dict report_to_dict(const DSC::Deformation_report<Complex>& report, const Co
     entry["appeared"] = change.appeared;
     entry["volume_before"] = space.measure(change.volume_before);
     entry["volume_after"] = space.measure(change.volume_after);
+    entry["volume_swept"] = space.measure(change.volume_swept);
+    entry["volume_of_overlaps"] = space.measure(change.volume_of_overlaps);
+    entry["volume_unexplained"] = space.measure(change.volume_unexplained());
     labels.append(entry);
   }
   for (const auto& event : report.events)
@@ -67,7 +70,9 @@ py::dict report_to_dict(const DSC::Deformation_report<Complex>& report, const Co
   });
   result["flat_cells"] = report.flat.size();
   result["vanished_vertices"] = report.vanished;
+  result["merged_vertices"] = report.merged;
   result["stopped_at_boundary"] = report.stopped_at_boundary;
+  result["steps"] = report.steps;
   result["passes"] = report.passes;
   result["split_edges"] = report.split;
   result["collapsed_edges"] = report.collapsed;

@@ -14,7 +14,10 @@
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Neighbor_exchange.h>
 #include <CGAL/Deformable_simplicial_complexes/Topology_event.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/topology/label_changes.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -55,6 +58,39 @@ template <class Complex> struct Deformation_report
     std::size_t appeared = 0; ///< components without a predecessor
     double volume_before = 0; ///< 0 if the label had no cell
     double volume_after = 0;  ///< 0 if the label has no cell any more
+    /// volume that the interface sweeps if all vertices move along straight lines to their
+    /// destinations, positive if the label gains it
+    double volume_swept = 0;
+    /// volume that the changes of topology explain: where parts of the interface meet, the swept
+    /// volume counts their overlap, and the label does not lose it
+    double volume_of_overlaps = 0;
+
+    /// Returns the change of the volume that neither the motion of the interface nor changes of
+    /// topology explain: of vertices that did not arrive, and of operations that changed the
+    /// interface.
+    double volume_unexplained() const {
+      return volume_after - volume_before - volume_swept - volume_of_overlaps;
+    }
+
+    /// Appends the change in a deformation that followed at once.
+    void append(const Label_change& next) {
+      if (before == 0 && after == 0 && next.before > 0) {
+        before = next.before;
+        volume_before = next.volume_before;
+      }
+      after = next.after;
+      volume_after = next.volume_after;
+      for (const auto number : {&Label_change::merged, &Label_change::split,
+                                &Label_change::vanished, &Label_change::appeared})
+        this->*number += next.*number;
+      internal::add_explained(next, *this);
+    }
+
+    /// Returns whether the unexplained volume is at most a thousandth of the volume.
+    bool is_balanced() const {
+      static constexpr double part = 1e-3;
+      return std::abs(volume_unexplained()) <= part * (std::max)(volume_before, volume_after);
+    }
   };
 
   /// Wall-clock time of each phase, in seconds.
@@ -69,16 +105,22 @@ template <class Complex> struct Deformation_report
     double rest = 0;         ///< beginning and end of the deformation
   };
 
-  bool complete = true;                      ///< whether `unfinished` is empty
+  /// whether all vertices arrived at their destinations, except vertices that merged with others,
+  /// and the volumes are balanced: `unfinished` is empty, `stopped_at_boundary` is 0, and
+  /// `is_balanced()` returns true
+  bool complete = true;
   std::vector<Unfinished_vertex> unfinished; ///< by increasing time stamp
   /// all flat cells of the complex at the end, by increasing time stamp
   std::vector<Flat_cell> flat;
-  /// number of vertices that a merge or a collapse removed, or took off the interface, before they
-  /// arrived
+  /// number of vertices that a collapse removed before they arrived
   std::size_t vanished = 0;
+  /// number of vertices that left the interface before they arrived, because parts of the interface
+  /// met
+  std::size_t merged = 0;
   /// number of vertices with destinations outside the domain, a box; each was sent to the nearest
   /// point of the box
   std::size_t stopped_at_boundary = 0;
+  unsigned steps = 1;  ///< deformations into which a long time step was divided
   unsigned passes = 0; ///< executions of the main loop of Algorithm 1
   /// whether the visitor ended the deformation: `go_further()` returned false
   bool stopped = false;
@@ -103,6 +145,43 @@ template <class Complex> struct Deformation_report
   std::vector<Neighbor_exchange<Complex>> exchanges; ///< in 2D only, found at the end
   /// wall-clock times, the only member that differs from run to run
   Seconds seconds;
+
+  /// Appends the report of a deformation that followed at once: adds its numbers and lists, and
+  /// replaces the lists of unfinished vertices and of flat cells. Vertices that did not arrive in
+  /// the first deformation have new destinations in the second one, so `complete` tells of them
+  /// only.
+  void append(const Deformation_report& next) {
+    complete = complete && next.complete;
+    stopped = next.stopped;
+    unfinished = next.unfinished;
+    flat = next.flat;
+    for (Topology_event<Complex> event : next.events) {
+      event.pass += passes;
+      events.push_back(event);
+    }
+    exchanges.insert(exchanges.end(), next.exchanges.begin(), next.exchanges.end());
+    for (const auto number : {&Deformation_report::vanished, &Deformation_report::merged,
+                              &Deformation_report::stopped_at_boundary, &Deformation_report::split,
+                              &Deformation_report::collapsed, &Deformation_report::flipped,
+                              &Deformation_report::smoothed, &Deformation_report::inserted,
+                              &Deformation_report::relocated, &Deformation_report::relabeled})
+      this->*number += next.*number;
+    passes += next.passes;
+    steps += next.steps;
+    for (const auto part :
+         {&Seconds::extension, &Seconds::motion, &Seconds::relabeling, &Seconds::obstacles,
+          &Seconds::improvement, &Seconds::small_angles, &Seconds::rest})
+      seconds.*part += next.seconds.*part;
+    for (const Label_change& change : next.labels)
+      internal::change_of_label(labels, change.label).append(change);
+  }
+
+  /// Returns whether the motion of the interface and changes of topology explain the change of the
+  /// volume of each label, up to a thousandth of the volume.
+  bool is_balanced() const {
+    return std::all_of(labels.begin(), labels.end(),
+                       [](const Label_change& change) { return change.is_balanced(); });
+  }
 };
 
 } // namespace Deformable_simplicial_complexes

@@ -45,7 +45,8 @@ template <class Complex> struct Distributed_report
   size_type inserted = 0;            ///< vertices inserted into cells
   size_type relocated = 0;           ///< vertices moved away to remove small angles
   size_type relabeled = 0;           ///< cells that changed their label
-  /// one for each label before or after, by increasing label
+  /// one for each label before or after, by increasing label; `volume_swept` and
+  /// `volume_of_overlaps` are not measured and 0
   std::vector<typename Deformation_report<Complex>::Label_change> labels;
   /// changes of components between the begin and the end of the motion. `where` is a point at which
   /// a patch changed the topology of this label; the origin if there is none.

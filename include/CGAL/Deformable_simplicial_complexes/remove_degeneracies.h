@@ -19,6 +19,7 @@
 #include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/balance/Interface_tolerance.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_operations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
@@ -81,16 +82,19 @@ Improvement_report remove_degeneracies(Complex& dsc, const Degeneracy_options<Co
 
   Improvement_report report;
   Cavity<Complex> cavity(dsc);
+  const internal::Interface_tolerance<Complex> tolerance(dsc);
   const auto propose = [&](Cell_handle c) {
     if (internal::Mesh_operations<Complex>::propose_degenerate_cell_removal(
-            dsc, c, options.degenerate_quality, options.degenerate_cosine, cavity))
+            dsc, c, options.degenerate_quality, options.degenerate_cosine, cavity) &&
+        tolerance.allows(cavity))
       return true;
     for (int i = 0; i < Complex::corners; ++i)
       for (int j = i + 1; j < Complex::corners; ++j) {
         const auto middle =
             dsc.position(c->vertex(i)) + .5 * dsc.displacement(c->vertex(i), c->vertex(j));
         if (propose_degenerate_edge_removal(dsc, c, i, j, options.degenerate_length * unit(middle),
-                                            c->quality(), cavity))
+                                            c->quality(), cavity) &&
+            tolerance.allows(cavity))
           return true;
       }
     return false;

@@ -14,26 +14,125 @@
 
 #include <CGAL/Origin.h>
 
+#include <Eigen/Core>
+#include <Eigen/QR>
+
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// The planes of the facets at a vertex (in the plane, the lines), which move along their normals at
+// unit speed.
+template <class Vector, int d> class Moving_planes
+{
+public:
+  void add(const Vector& unit_normal, double weight) {
+    static constexpr double same = 1e-8; // squared distance of the normals of coplanar facets
+    m_sum = m_sum + weight * unit_normal;
+    const auto end = m_normals.begin() + m_number;
+    const bool is_coplanar = std::any_of(m_normals.begin(), end, [&](const Vector& n) {
+      return (n - unit_normal).squared_length() < same;
+    });
+    m_has_face = m_has_face || is_coplanar;
+    if (is_coplanar)
+      return;
+    m_is_polyhedral = m_is_polyhedral && m_number < most;
+    if (m_is_polyhedral)
+      m_normals[m_number++] = unit_normal;
+  }
+
+  // Returns the velocity of the common point of the planes where few planes meet, as at the corners
+  // and edges of a polyhedron; its length is at most `limit`. Otherwise, returns the mean normal,
+  // or 0 if the normals cancel each other.
+  Vector velocity(double limit) const {
+    static constexpr double common = .01; // distance of a plane from a common point
+    // Largest speed at a vertex without coplanar facets. At the corner of a cube, it is 1.73. A
+    // sharper vertex belongs to a rough surface.
+    static constexpr double sharpest = d == 3 ? 2 : std::numeric_limits<double>::infinity();
+    const double length = std::sqrt(m_sum.squared_length());
+    if (!(length > 0))
+      return Vector(NULL_VECTOR);
+    const Vector mean = m_sum / length;
+    if (!m_is_polyhedral)
+      return mean;
+    Matrix matrix = Matrix::Zero();
+    Column sum = Column::Zero();
+    for (int k = 0; k < m_number; ++k) {
+      Column n;
+      for (int i = 0; i < d; ++i)
+        n(i) = m_normals[k][i];
+      matrix += n * n.transpose();
+      sum += n;
+    }
+    // the solution of least length
+    const Column solution = matrix.completeOrthogonalDecomposition().solve(sum);
+    Vector v(NULL_VECTOR);
+    if constexpr (d == 3)
+      v = Vector(solution(0), solution(1), solution(2));
+    else
+      v = Vector(solution(0), solution(1));
+    for (int k = 0; k < m_number; ++k)
+      if (std::abs(v * m_normals[k] - 1) > common)
+        return mean;
+    const double speed = std::sqrt(v.squared_length());
+    if (!m_has_face && speed > sharpest)
+      return mean;
+    return speed > limit ? limit / speed * v : v;
+  }
+
+private:
+  using Matrix = Eigen::Matrix<double, d, d>;
+  using Column = Eigen::Matrix<double, d, 1>;
+
+  static constexpr int most = 4; // planes at a vertex of a polyhedron; on curved surfaces, there
+                                 // are about six facets
+
+  std::array<Vector, most> m_normals;
+  int m_number = 0;
+  bool m_is_polyhedral = true;
+  bool m_has_face = false; // whether facets are coplanar
+  Vector m_sum = Vector(NULL_VECTOR);
+};
+
+// Returns the angle of a triangle at a corner. `double_area` is twice the area of the triangle.
+template <class Point>
+double angle_at_corner(const std::array<Point, 3>& p, int i, double double_area) {
+  return std::atan2(double_area, (p[(i + 1) % 3] - p[i]) * (p[(i + 2) % 3] - p[i]));
+}
+// Returns the weight of a segment at an end, the same for all segments.
+template <class Point> double angle_at_corner(const std::array<Point, 2>&, int, double) {
+  return 1;
+}
+
+} // namespace internal
 
 /*!
 \ingroup PkgInterfaceFlowsRef
 
 A motion along the normals of the interface. Labelled phases grow into the outside, label 0. With a
-negative speed they shrink. The normal of a vertex is the mean of the normals of its facets that
-face label 0, weighted by their areas, in the plane by their lengths. Vertices without such a facet
-stay.
+negative speed they shrink. Vertices without a facet that faces label 0 stay.
+
+Where at most four planes meet, as at the edges and corners of a polyhedron, the planes move along
+their normals, and the vertex moves to their common point. Flat faces thus stay flat, and edges and
+corners stay sharp (a mitered offset). The velocity of the vertex is at most `miter_limit` times the
+speed, which cuts off sharper corners. Where more planes meet, as on a curved surface, or where they
+have no common point, the vertex moves along the mean normal with the speed of the offset. The mean
+is weighted by the angles of the facets at the vertex.
 
 \cgalModels `InterfaceVelocity`
 */
 struct Normal_offset
 {
   double speed; ///< length per unit of time, in the coordinates of the complex
+  /// largest ratio of the velocity of a vertex and the speed, at least 1
+  double miter_limit = 4;
 
   /// Computes the velocities of all vertices at the given positions, see `InterfaceVelocity`. The
   /// time is linear in the size of the interface.
@@ -41,9 +140,8 @@ struct Normal_offset
   void operator()(const Interface_snapshot<Complex>& interface_,
                   const std::vector<typename Complex::Approximate_point>& positions, double /*t*/,
                   std::vector<typename Complex::Approximate_vector>& velocities) const {
-    using Space = typename Complex::Space;
     using Vector = typename Complex::Approximate_vector;
-    velocities.assign(positions.size(), Vector(NULL_VECTOR));
+    std::vector<internal::Moving_planes<Vector, Complex::dimension>> planes(positions.size());
     for (const auto& facet : interface_.facets()) {
       if (facet.in_front != 0 && facet.behind != 0)
         continue;
@@ -51,14 +149,17 @@ struct Normal_offset
       for (int i = 0; i < Complex::dimension; ++i)
         corners[i] =
             interface_.domain.near(positions[facet.vertices[0]], positions[facet.vertices[i]]);
-      const Vector normal = Space::facet_normal(corners) * (facet.in_front == 0 ? 1. : -1.);
-      for (std::size_t v : facet.vertices)
-        velocities[v] = velocities[v] + normal;
+      Vector normal = Complex::Space::facet_normal(corners);
+      const double length = Complex::Space::length(normal);
+      if (!(length > 0))
+        continue;
+      normal = normal / (facet.in_front == 0 ? length : -length);
+      for (int i = 0; i < Complex::dimension; ++i)
+        planes[facet.vertices[i]].add(normal, internal::angle_at_corner(corners, i, length));
     }
-    for (Vector& v : velocities) {
-      const double length = Space::length(v);
-      v = length == 0 ? Vector(NULL_VECTOR) : speed * (v / length);
-    }
+    velocities.clear();
+    for (const auto& p : planes)
+      velocities.push_back(speed * p.velocity(miter_limit));
   }
 };
 

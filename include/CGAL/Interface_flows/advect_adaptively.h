@@ -114,6 +114,9 @@ Deformation_report<Complex> advect_adaptively(Complex& dsc, const Velocity& velo
   require_interface_edge(dsc);
   const Deformation_options<Complex>& deformation = options.advection.deformation;
   Improvement_report changes;
+  std::vector<typename Deformation_report<Complex>::Label_change> earlier; // in the adaptation
+  for (const auto label : dsc.labels())
+    internal::change_of_label(earlier, label).volume_before = dsc.measure(label);
   if (std::fmod(std::round(t / dt), options.adaptation_interval) == 0 &&
       !dsc.interface_vertices().empty()) {
     const Adaptation_options adaptation = {
@@ -131,13 +134,20 @@ Deformation_report<Complex> advect_adaptively(Complex& dsc, const Velocity& velo
     const auto volumes = internal::volumes_but_one(dsc);
     changes = keep_interface_fit(dsc, adaptation, is_stretching, deformation.visitor);
     if (internal::preserves_volumes(velocity))
-      restore_volumes(dsc, volumes, restoration);
+      for (const auto& restored : restore_volumes(dsc, volumes, restoration).deformations)
+        for (const auto& change : restored.labels)
+          internal::add_explained(change, internal::change_of_label(earlier, change.label));
     Detail_options<Complex> detail;
     detail.collapse_length = defaults::Adaptive_advection<Complex::dimension>::collapse_length;
     detail.visitor = deformation.visitor;
     changes = changes + control_detail(dsc, detail);
   }
   Deformation_report<Complex> report = advect_interface(dsc, velocity, t, dt, options.advection);
+  for (const auto& before : earlier) {
+    auto& change = internal::change_of_label(report.labels, before.label);
+    change.volume_before = before.volume_before;
+    internal::add_explained(before, change);
+  }
   report.split += changes.split;
   report.collapsed += changes.collapsed;
   report.flipped += changes.flipped;

@@ -18,8 +18,10 @@
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 #include <CGAL/Interface_flows/Integration_scheme.h>
 #include <CGAL/Interface_flows/internal/paths/interface_paths.h>
+#include <CGAL/Interface_flows/internal/paths/long_steps.h>
 #include <CGAL/Interface_flows/internal/paths/velocity_properties.h>
 
+#include <cmath>
 #include <vector>
 
 namespace CGAL {
@@ -38,6 +40,9 @@ template <class Complex> struct Advection_options
   /// Largest estimated error of a destination in each substep of `Integration_scheme::adaptive`, in
   /// mean edges of the initial interface, greater than 0.
   double integration_tolerance = defaults::integration_tolerance;
+  /// Longest displacement of a vertex relative to its neighbors in one deformation, in local edge
+  /// lengths, at least 0. Longer time steps are divided. With 0, no time step is divided.
+  double largest_displacement = defaults::largest_displacement;
 
   /// Throws an exception unless all values are in their ranges.
   /// \throws Error if a value is out of its range
@@ -45,6 +50,8 @@ template <class Complex> struct Advection_options
     deformation.check();
     if (!(integration_tolerance > 0))
       throw Error("the integration tolerance is out of range: use more than 0");
+    if (!(largest_displacement >= 0))
+      throw Error("the largest displacement is out of range: use 0 or more");
   }
 };
 
@@ -60,9 +67,15 @@ void read_parameters(const Complex& complex, const NamedParameters& np,
   read_parameters(complex, np, options.deformation);
   replace_value(np, internal_np::scheme, options.scheme);
   replace_value(np, internal_np::integration_tolerance, options.integration_tolerance);
+  replace_value(np, internal_np::largest_displacement, options.largest_displacement);
 }
 
 namespace internal {
+
+// Returns the scheme that integrates the parts of a divided time step.
+inline Integration_scheme scheme_of_parts(Integration_scheme scheme) {
+  return scheme == Integration_scheme::euler ? scheme : Integration_scheme::adaptive;
+}
 
 // Returns the destinations of the vertices of the interface in a time step.
 template <class Complex, class Interface, class Velocity>
@@ -79,6 +92,29 @@ destinations_of_step(const Complex& dsc, const Interface& interface_, const Velo
 
 } // namespace internal
 
+namespace internal {
+
+// Does a time step by one deformation.
+template <class Complex, class Velocity, class Interface>
+Deformation_report<Complex>
+advect_undivided(Complex& dsc, const Interface& interface_,
+                 const std::vector<typename Complex::Approximate_point>& destinations,
+                 const Velocity& velocity, double t, double dt,
+                 Deformation_options<Complex> deformation) {
+  deformation.interface_energy = energy_of(velocity, deformation.interface_energy);
+  if constexpr (is_flow_of_space<Complex, Velocity>)
+    if (!deformation.flow)
+      deformation.flow = [&](const std::vector<typename Complex::Vertex_handle>& vertices) {
+        std::vector<typename Complex::Approximate_point> positions;
+        for (const auto v : vertices)
+          positions.push_back(dsc.position(v));
+        return follow_flow<Complex>(dsc.domain(), positions, velocity, t, dt);
+      };
+  return deform_interface_to(dsc, interface_, destinations, deformation);
+}
+
+} // namespace internal
+
 /*!
 \ingroup PkgInterfaceFlowsRef
 
@@ -90,21 +126,46 @@ template <class Complex, class Velocity>
 Deformation_report<Complex> advect_interface(Complex& dsc, const Velocity& velocity, double t,
                                              double dt, const Advection_options<Complex>& options) {
   options.check();
-  const internal::Interface_seen_by<Complex, Velocity> interface_(
-      dsc, For_each_index(options.deformation.number_of_threads));
-  const auto destinations =
-      internal::destinations_of_step(dsc, interface_, velocity, t, dt, options);
-  Deformation_options<Complex> deformation = options.deformation;
-  deformation.interface_energy = internal::energy_of(velocity, deformation.interface_energy);
-  if constexpr (internal::is_flow_of_space<Complex, Velocity>)
-    if (!deformation.flow)
-      deformation.flow = [&](const std::vector<typename Complex::Vertex_handle>& vertices) {
-        std::vector<typename Complex::Approximate_point> positions;
-        for (const auto v : vertices)
-          positions.push_back(dsc.position(v));
-        return internal::follow_flow<Complex>(dsc.domain(), positions, velocity, t, dt);
-      };
-  return deform_interface_to(dsc, interface_, destinations, deformation);
+  // A time step that needs more parts is an error of units or of signs.
+  static constexpr double most_parts = 1e4;
+  const bool may_divide = options.largest_displacement > 0 && !options.deformation.flow;
+  Deformation_report<Complex> report;
+  Advection_options<Complex> of_parts = options;
+  double rest = dt, step = dt; // of the time
+  for (bool is_first = true; is_first || rest != 0; is_first = false) {
+    const internal::Interface_seen_by<Complex, Velocity> interface_(
+        dsc, For_each_index(options.deformation.number_of_threads));
+    std::vector<typename Complex::Approximate_point> destinations;
+    for (;;) {
+      destinations = internal::destinations_of_step(dsc, interface_, velocity, t + (dt - rest),
+                                                    step, of_parts);
+      const double length =
+          may_divide ? internal::length_of_step<Complex, Velocity>(dsc, interface_, destinations,
+                                                                   options.largest_displacement)
+                     : 0;
+      if (!(length > 1))
+        break;
+      step /= std::ceil(length);
+      of_parts.scheme = internal::scheme_of_parts(options.scheme);
+      if (!(std::abs(step) * most_parts >= std::abs(dt)))
+        throw Error("the time step is too long: it would be divided into more than 10 000 parts; "
+                    "use a shorter time step, or check the unit of the velocities");
+    }
+    const auto part = internal::advect_undivided(dsc, interface_, destinations, velocity,
+                                                 t + (dt - rest), step, options.deformation);
+    if (is_first)
+      report = part;
+    else
+      report.append(part);
+    // The last part ends exactly at the end of the time step.
+    static constexpr double rounding = 1e-9; // of a part
+    rest = std::abs(rest - step) <= rounding * std::abs(step) ? 0 : rest - step;
+    if (std::abs(rest) < std::abs(step))
+      step = rest;
+    if (report.stopped)
+      break;
+  }
+  return report;
 }
 
 /*!
@@ -151,12 +212,25 @@ vertices near the interface also move with it, unless the parameter `flow` is gi
     \cgalParamType{`double`}
     \cgalParamDefault{1e-4}
   \cgalParamNEnd
+  \cgalParamNBegin{largest_displacement}
+    \cgalParamDescription{the longest displacement of a vertex relative to its neighbors in one
+                          deformation, in local edge lengths, not negative. If the free vertices do
+                          not follow the velocity, a vertex also moves by at most four times this
+                          length. A longer time step is divided into parts: a flow map, a step and
+                          an interface velocity are called for each part, and the paths in a field
+                          are integrated adaptively, unless `scheme` is `Integration_scheme::euler`.
+                          With 0, or if the parameter `flow` is given, the time step is not divided}
+    \cgalParamType{`double`}
+    \cgalParamDefault{0.5, a turn by 29 degrees}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the report of `deform_interface()`.
+\return the report of `deform_interface()`. The report of a divided time step contains the sums over
+        its parts.
 \throws Invalid_destination_error if a velocity is not finite, or an interface velocity or an
         interface step returns another number of vectors or points than there are vertices.
-\throws Error if the tolerance is not positive. With `Integration_scheme::adaptive`, also if the
+\throws Error if the tolerance is not positive, or the time step would be divided into more than
+        10 000 parts. With `Integration_scheme::adaptive`, also if the
         tolerance needs substeps shorter than a millionth of the time step, if a step vanishes
         beside the time `t` by rounding, or if there is an interface and `dsc.mean_interface_edge()`
         is 0.

@@ -16,6 +16,8 @@
 #include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/coordinates.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/balance/Contacts.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/balance/swept_volume.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Stopwatch.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Deformation_remesher.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/local_edge_length.h>
@@ -66,9 +68,10 @@ public:
                      const Deformation_options<Complex>& options,
                      const For_each_index& for_each_index)
       : m_complex(complex), m_visitor(visitor), m_options(options), m_destinations(complex),
-        m_rigid_components(complex, m_destinations),
+        m_rigid_components(complex, m_destinations), m_contacts(complex, m_destinations),
         m_mesh(complex, visitor, m_destinations, m_rigid_components, options, for_each_index),
-        m_trapped_cells(complex, visitor, m_options), m_for_each_index(for_each_index) {}
+        m_trapped_cells(complex, visitor, m_contacts, m_options), m_for_each_index(for_each_index) {
+  }
 
   Interface_deformer(const Interface_deformer&) = delete;
   Interface_deformer& operator=(const Interface_deformer&) = delete;
@@ -89,6 +92,7 @@ public:
       m_stopped_at_boundary += is_stopped;
       m_destinations.add(vertices[i], is_stopped ? m_complex.exact(position) : admissible);
     }
+    record_swept_volumes();
   }
 
   // Continues a motion that began elsewhere: the complex is a part of another complex, in which the
@@ -125,7 +129,7 @@ public:
   }
 
   // Prepares the mesh for a pass.
-  void begin_pass() { m_mesh.begin_pass(); }
+  void begin_pass(unsigned pass) { m_mesh.begin_pass(pass); }
 
   // Moves interface vertices and free vertices simultaneously, which completes the largest part of
   // most motions. In the first pass, free vertices follow the flow of the space if it is given.
@@ -203,6 +207,7 @@ public:
     m_touched.sort();
     relabel(m_touched, m_options.relabeling_threshold);
     find_events(pass);
+    update_destinations();
   }
 
   // Removes obstacles that keep vertices from their destinations:
@@ -224,8 +229,9 @@ public:
     }
     cells.sort();
     relabel(cells, swept);
-    m_trapped_cells.remove_small_components(handles(cells));
+    m_trapped_cells.remove_vanishing_components(handles(cells));
     find_events(pass);
+    update_destinations();
     for (const auto& item : cells) {
       Progress_scope::check();
       if (m_complex.is_alive(item.cell, item.time_stamp))
@@ -260,8 +266,8 @@ public:
     const Work_list<Cell_handle> cells = m_mesh.cells_with_small_angles();
     if (cells.empty())
       return;
-    m_trapped_cells.relabel(handles(cells), any_quality,
-                            [&](Cell_handle c) { return m_mesh.keeps_small_angles(c); });
+    if (m_options.relabeling_threshold > 0)
+      m_trapped_cells.relabel(handles(cells), any_quality, any_quality);
     find_events(pass);
     m_mesh.remove_small_angles([&](Cell_handle c, typename Complex::Label label) {
       return m_trapped_cells.relabel_if_topology_stays(c, label);
@@ -284,8 +290,8 @@ public:
     for (Cell_handle c : m_complex.flat_cells())
       report.flat.push_back({c, c->quality()});
     report.vanished = m_vanished;
+    report.merged = m_merged;
     report.stopped_at_boundary = m_stopped_at_boundary;
-    report.complete = report.unfinished.empty();
     const Improvement_report done = m_mesh.report();
     report.split = done.split;
     report.collapsed = done.collapsed;
@@ -296,30 +302,44 @@ public:
     report.exchanges = m_mesh.exchanges();
     report.relabeled = m_trapped_cells.number_of_relabeled();
     m_trapped_cells.log().report(passes, report);
+    report.complete =
+        report.unfinished.empty() && m_stopped_at_boundary == 0 && report.is_balanced();
     lap(&Report::Seconds::rest);
     report.seconds = m_seconds;
     return report;
   }
 
 private:
+  void record_swept_volumes() {
+    const auto is_at_interface = [](Cell_handle c) {
+      for (int i = 0; i < Complex::corners; ++i)
+        if (c->neighbor(i)->label() < c->label())
+          return true;
+      return false;
+    };
+    std::vector<Cell_handle> cells =
+        star_union_if(m_complex, unfinished(), is_at_interface, m_for_each_index);
+    sort_by_time_stamp(cells);
+    add_swept_volumes(
+        m_complex, cells, [&](Vertex_handle v) { return m_destinations.final_position(v); },
+        [&](typename Complex::Label label, double volume) {
+          m_trapped_cells.log().record_swept(label, volume);
+        });
+  }
+
   void find_events(unsigned pass) { m_trapped_cells.log().find_events(pass, m_visitor); }
 
   const std::vector<Vertex_handle>& unfinished() const { return m_destinations.unfinished(); }
-  void update_destinations() { m_vanished += m_destinations.update(); }
-
-  double final_quality(Cell_handle c) const {
-    return m_complex.quality(c, [&](Vertex_handle v) { return m_destinations.final_position(v); });
+  void update_destinations() {
+    const auto lost = m_destinations.update();
+    m_vanished += lost.removed;
+    m_merged += lost.merged;
   }
 
-  // Relabels trapped cells below a quality, except for cells that move rigidly and cells that are
-  // flat only during the motion.
+  // Relabels trapped cells below a quality that the motion closes.
   void relabel(const Work_list<Cell_handle>& cells, double threshold) {
-    if (!(m_options.relabeling_threshold > 0))
-      return;
-    m_trapped_cells.relabel(handles(cells), threshold, [&](Cell_handle c) {
-      return final_quality(c) < m_options.relabeling_threshold &&
-             !m_rigid_components.moves_as_a_whole(c);
-    });
+    if (m_options.relabeling_threshold > 0)
+      m_trapped_cells.relabel(handles(cells), threshold, m_options.relabeling_threshold);
   }
 
   // Returns the number of layers of free vertices around a vertex that follow its displacement. A
@@ -363,6 +383,7 @@ private:
   Deformation_options<Complex> m_options;
   Destinations<Complex> m_destinations;
   Rigid_components<Complex> m_rigid_components;
+  Contacts<Complex> m_contacts;
   Deformation_remesher<Complex> m_mesh;
   Trapped_cells<Complex> m_trapped_cells;
   const For_each_index& m_for_each_index;
@@ -373,7 +394,7 @@ private:
   double m_last_distance = std::numeric_limits<double>::infinity();
   unsigned m_idle_passes = 0;
   bool m_may_remove_facets = true;
-  std::size_t m_vanished = 0, m_stopped_at_boundary = 0;
+  std::size_t m_vanished = 0, m_merged = 0, m_stopped_at_boundary = 0;
 };
 
 } // namespace internal

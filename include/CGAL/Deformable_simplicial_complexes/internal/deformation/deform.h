@@ -36,7 +36,7 @@ Deformation_report<Complex> do_passes(Interface_deformer<Complex>& deformer,
          !(is_stopped = !visitor.go_further(pass + 1))) {
     ++pass;
     Progress_scope::check();
-    deformer.begin_pass();
+    deformer.begin_pass(pass);
     deformer.move_together(pass);
     deformer.move_one_by_one();
     deformer.lap(&Seconds::motion);

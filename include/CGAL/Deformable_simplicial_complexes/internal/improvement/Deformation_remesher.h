@@ -20,7 +20,7 @@ namespace internal {
 
 /*
 The remeshing of a deformation, composed of dimension-specific operations:
-- `begin_pass()`: prepares a pass; some vertices have not reached their destinations
+- `begin_pass(pass)`: prepares a pass; some vertices have not reached their destinations
 - `is_bad(c)`: returns whether a cell should be improved
 - `remove_obstacle(c, may_remove_facets, touched)`: removes a cell that keeps a vertex from its
   destination
@@ -28,8 +28,8 @@ The remeshing of a deformation, composed of dimension-specific operations:
 - `improve(cells)`: improves the cells that the pass touched
 - `exchange_neighbors(moved, log)`: after the passes, exchanges neighbors where interface edges
   between regions have become short
-- `cells_with_small_angles()`, `keeps_small_angles(c)`, `remove_small_angles(relabel)`: find and
-  remove small angles after the passes
+- `cells_with_small_angles()`, `remove_small_angles(relabel)`: find and remove small angles after
+the passes
 - `report()`, `number_of_relocated()`, `exchanges()`: results
 
 Cells that an operation creates or changes are appended to `touched`.

@@ -24,6 +24,8 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 #include <CGAL/Deformable_simplicial_complexes/neighbor_exchange_2.h>
 
+#include <boost/container/flat_map.hpp>
+
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -53,7 +55,7 @@ public:
         m_small_angles(complex, visitor, rigid_components, options.minimum_angle,
                        options.quality_threshold, for_each_index) {}
 
-  void begin_pass() {}
+  void begin_pass(unsigned pass) { m_improver.begin_pass(pass); }
   bool is_bad(Cell_handle c) const { return m_improver.is_bad(c); }
 
   void remove_obstacle(Cell_handle c, bool may_remove_facets, Cells& touched) {
@@ -93,8 +95,6 @@ public:
   const std::vector<Neighbor_exchange<Complex>>& exchanges() const { return m_exchanges; }
 
   Cells cells_with_small_angles() const { return m_small_angles.bad_cells(); }
-  // No cell is relabeled because of small angles.
-  bool keeps_small_angles(Cell_handle) const { return false; }
   template <class Relabel> void remove_small_angles(const Relabel&) { m_small_angles.run(); }
 
   Improvement_report report() const { return m_improver.report() + m_small_angles.report(); }
@@ -112,7 +112,14 @@ private:
         if (m_topology_control && !m_topology_control(m_complex, side, label))
           return false;
     log.record(c, exchange->joined[0]);
+    const auto labels = {exchange->parted[0], exchange->parted[1], exchange->joined[0],
+                         exchange->joined[1]};
+    boost::container::flat_map<typename Complex::Label, double> areas;
+    for (auto label : labels)
+      areas.emplace(label, m_complex.measure(label));
     replace_cavity(m_complex, m_cavity, m_visitor);
+    for (const auto& [label, area] : areas)
+      log.record_exchange(label, m_complex.measure(label) - area);
     m_visitor.after_flip(m_cavity.created());
     m_exchanges.push_back(*exchange);
     return true;

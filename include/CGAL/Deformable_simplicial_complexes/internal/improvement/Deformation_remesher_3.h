@@ -53,12 +53,13 @@ public:
         m_relabeling_threshold(options.relabeling_threshold),
         m_degenerate_cosine(std::cos(options.minimum_facet_angle * (CGAL_PI / 180))),
         m_improver(complex, visitor, destinations, options.quality_threshold, for_each_index),
-        m_small_angles(complex, visitor, rigid_components, options.minimum_angle,
+        m_small_angles(complex, visitor, destinations, rigid_components, options.minimum_angle,
                        options.quality_threshold, for_each_index) {}
 
   // Collects the interface facets that will have a small angle at their destinations, smaller than
   // the current one. Facets of regions that move rigidly are thus not collected.
-  void begin_pass() {
+  void begin_pass(unsigned pass) {
+    m_improver.begin_pass(pass);
     const std::vector<Vertex_handle>& unfinished = m_destinations.unfinished();
     m_degenerating.clear();
     const auto now = [&](Vertex_handle v) { return m_complex.position(v); };
@@ -111,13 +112,6 @@ public:
   template <class Log> void exchange_neighbors(const std::vector<Vertex_handle>&, Log&) {}
 
   Cells cells_with_small_angles() const { return m_small_angles.bad_cells(); }
-
-  // Returns whether a cell has small angles at the current positions and at the destinations.
-  bool keeps_small_angles(Cell_handle c) const {
-    return m_small_angles.is_bad(c) && m_small_angles.is_bad_with(c, [&](Vertex_handle v) {
-      return m_destinations.final_position(v);
-    });
-  }
 
   template <class Relabel> void remove_small_angles(const Relabel& relabel) {
     m_small_angles.run(relabel);

@@ -18,6 +18,7 @@
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_split.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/balance/Interface_tolerance.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Failure_memory.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_operations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Vertex_smoother.h>
@@ -65,7 +66,8 @@ public:
                 const For_each_index& for_each_index, bool is_thorough = false,
                 bool smooths_interface = false)
       : m_complex(complex), m_visitor(visitor), m_threshold(threshold), m_is_thorough(is_thorough),
-        m_cavity(complex), m_smoother(complex, for_each_index, smooths_interface) {}
+        m_tolerance(complex), m_cavity(complex),
+        m_smoother(complex, for_each_index, smooths_interface) {}
 
   // Creates an improver for a mesh during a deformation.
   Mesh_improver(Complex& complex, Any_visitor<Complex>& visitor,
@@ -73,9 +75,18 @@ public:
                 const For_each_index& for_each_index)
       : Mesh_improver(complex, visitor, threshold, for_each_index) {
     m_destinations = &destinations;
+    m_tolerance = Interface_tolerance<Complex>(complex, m_destinations);
   }
 
   const Improvement_report& report() const { return m_report; }
+
+  // Prepares the removal of obstacles in a pass. Most vertices arrive in two passes. For others,
+  // the interface may change more.
+  void begin_pass(unsigned pass) {
+    static constexpr unsigned strict = 2; // passes
+    static constexpr double factor = 10;
+    m_tolerance_factor = pass > strict ? factor : 1;
+  }
 
   // Improves all cells below a threshold. The remaining cells often have neighbors that are only
   // slightly better. Therefore, in `number_of_attempts` further attempts, the cells around the
@@ -185,7 +196,8 @@ public:
     for (int i = 0; i < Complex::corners; ++i)
       for (int j = i + 1; j < Complex::corners; ++j)
         if (Own::is_interface_edge(m_complex, c, i, j) &&
-            propose_degenerate_edge_removal(m_complex, c, i, j, bound, 0, m_cavity))
+            propose_degenerate_edge_removal(m_complex, c, i, j, bound, 0, m_cavity) &&
+            m_tolerance.allows(m_cavity, m_tolerance_factor))
           return commit(touched);
     return false;
   }
@@ -360,6 +372,8 @@ protected:
   const Destinations<Complex>* m_destinations = nullptr;
   double m_threshold;
   bool m_is_thorough, m_is_at_rest = false;
+  double m_tolerance_factor = 1; // of the volumes that the removal of obstacles may move
+  Interface_tolerance<Complex> m_tolerance;
   Cavity<Complex> m_cavity;
   Vertex_smoother<Complex> m_smoother;
   std::vector<double> m_qualities;    // of the cells of a star

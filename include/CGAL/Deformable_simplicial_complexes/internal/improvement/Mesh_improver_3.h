@@ -39,12 +39,12 @@ public:
         !propose_degenerate_facet_removal(this->m_complex, c, i, cosine, quality, cavity))
       return false;
     const Vertex_handle vanishing = cavity.vanishing_vertex(), kept = cavity.kept_vertex();
-    if (vanishing == Vertex_handle() || !this->covers_interface() ||
-        (propose_edge_collapse(this->m_complex, c, c->index(kept), c->index(vanishing), quality,
-                               cavity) &&
-         !this->covers_interface()))
-      return this->commit(touched);
-    return false;
+    if (vanishing != Vertex_handle() && this->covers_interface() &&
+        (!propose_edge_collapse(this->m_complex, c, c->index(kept), c->index(vanishing), quality,
+                                cavity) ||
+         this->covers_interface()))
+      return false;
+    return this->m_tolerance.allows(cavity, this->m_tolerance_factor) && this->commit(touched);
   }
 };
 

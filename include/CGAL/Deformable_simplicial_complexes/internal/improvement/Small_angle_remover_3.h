@@ -16,11 +16,13 @@
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_removal_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/balance/Interface_tolerance.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Failure_memory.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_edge_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_fan_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/changed_facets_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/local_edge_length.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Destinations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Rigid_components.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Star_optimizer.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
@@ -59,12 +61,14 @@ public:
 
   // Creates a remover. `angle` is the bound in degrees.
   Small_angle_remover_3(Complex& complex, Any_visitor<Complex>& visitor,
+                        const Destinations<Complex>& destinations,
                         const Rigid_components<Complex>& rigid_components, double angle,
                         double quality_threshold, const For_each_index& for_each_index)
-      : m_complex(complex), m_visitor(visitor), m_rigid_components(rigid_components),
-        m_for_each_index(for_each_index),
+      : m_complex(complex), m_visitor(visitor), m_destinations(destinations),
+        m_rigid_components(rigid_components), m_for_each_index(for_each_index),
         m_target(std::sin(angle * CGAL_PI / 180) / sine_of_regular), m_bound(m_target),
-        m_quality_threshold(quality_threshold), m_cavity(complex), m_best(complex) {}
+        m_quality_threshold(quality_threshold), m_tolerance(complex), m_cavity(complex),
+        m_best(complex) {}
 
   const Improvement_report& report() const { return m_report; }
   std::size_t number_of_relocated() const { return m_homes.size(); }
@@ -75,11 +79,6 @@ public:
   bool is_bad(Cell_handle c) const {
     return sine(c) < m_bound && !m_rigid_components.has_moved_as_a_whole(c) &&
            !(is_exhausted(c, to_remove_small_angles) && !may_change_interface(c));
-  }
-
-  // Returns whether a cell has small angles if its vertices are at given positions.
-  template <class Position_of> bool is_bad_with(Cell_handle c, const Position_of& position) const {
-    return sine(c, position) < m_bound;
   }
 
   // Returns the bad cells below the quality threshold, in the order of time stamps. Cells at
@@ -130,12 +129,8 @@ private:
     return (std::max)(0., m_complex.domain().template apply<Complex>(m_sine, corner));
   }
 
-  template <class Position_of> double sine(Cell_handle c, const Position_of& position) const {
-    return sine_of([&](int i) { return position(c->vertex(i)); });
-  }
-
   double sine(Cell_handle c) const {
-    return sine(c, [&](Vertex_handle v) { return m_complex.position(v); });
+    return sine_of([&](int i) { return m_complex.position(c->vertex(i)); });
   }
 
   // Returns whether a cell has small angles that are not determined by a region of the interface
@@ -145,9 +140,11 @@ private:
            !m_rigid_components.touches_rigid_component(c);
   }
 
-  // Returns whether the interface may change to improve a cell.
+  // Returns whether the interface may change to improve a cell. Flat cells that were as flat before
+  // the motion are kept.
   bool may_change_interface(Cell_handle c) const {
-    return touches_interface(c) && is_to_be_removed(c);
+    return touches_interface(c) && is_to_be_removed(c) &&
+           sine(c) < sine_of([&](int i) { return m_destinations.position_before(c->vertex(i)); });
   }
 
   static bool touches_interface(Cell_handle c) {
@@ -219,6 +216,7 @@ private:
       for (int j = i + 1; j < 4; ++j)
         consider(m_complex.is_interface(typename Complex::Edge(c, i, j)) &&
                  propose_interface_edge_flip(m_complex, c, i, j, m_cavity) &&
+                 m_tolerance.allows(m_cavity, slack()) &&
                  is_little(facets_changed_by_flip(Interface_edge_3<Complex>(m_complex, c, i, j)),
                            c->vertex(i), c->vertex(j)));
   }
@@ -232,6 +230,7 @@ private:
         continue;
       for (int j = 0; j < 4; ++j)
         consider(j != i && propose_edge_collapse(m_complex, c, i, j, 0, m_cavity) &&
+                 m_tolerance.allows(m_cavity, slack()) &&
                  (!of_interface ||
                   is_little(facets_changed_by_collapse(m_complex, fan(v), c->vertex(j)), v, v)));
     }
@@ -292,7 +291,8 @@ private:
         before += other == label ? area : 0;
         after += other == c->label() ? area : 0;
       }
-      if (!is_inside || !(after < growth * before) || !relabel(c, label))
+      if (!is_inside || !(after < growth * before) ||
+          !m_tolerance.allows_relabeling(std::make_pair(c, i)) || !relabel(c, label))
         continue;
       touch({c, c->neighbor(0), c->neighbor(1), c->neighbor(2), c->neighbor(3)}, touched);
       return true;
@@ -320,7 +320,8 @@ private:
       const Position to = v->is_interface() ? near_home(v, optimizer.run()) : optimizer.run();
       const double after = worst_sine(v, to);
       if (after > best && after > better_star * worst_sine(v, from) &&
-          m_complex.is_admissible_star(v, m_star, exact(to))) {
+          m_complex.is_admissible_star(v, m_star, exact(to)) &&
+          m_tolerance.allows_motion(v, m_star, to, slack())) {
         best = after;
         moving = v;
         target = to;
@@ -380,11 +381,13 @@ private:
 
   Complex& m_complex;
   Any_visitor<Complex>& m_visitor;
+  const Destinations<Complex>& m_destinations;
   const Rigid_components<Complex>& m_rigid_components;
   const For_each_index& m_for_each_index;
   Minimum_sine_3 m_sine;
   double m_target, m_bound; // `m_bound` may be larger than `m_target` around remaining cells
   double m_quality_threshold;
+  Interface_tolerance<Complex> m_tolerance;
   Cavity<Complex> m_cavity, m_best;
   double m_best_sine = 0, m_least_sine = 0;
   // initial positions of relocated vertices, by time stamp

@@ -52,11 +52,18 @@ public:
   // Returns the vertices that have not reached their destinations, by increasing time stamp.
   const std::vector<Vertex_handle>& unfinished() const { return m_unfinished; }
 
+  // Numbers of vertices that can no longer reach their destinations.
+  struct Lost
+  {
+    std::size_t removed = 0; // by a collapse
+    std::size_t merged = 0;  // they are no longer on the interface
+  };
+
   // Removes the vertices that have reached their destinations since the last call. Returns the
-  // number of vertices that can no longer reach their destinations, because they were removed or
-  // are no longer on the interface.
-  std::size_t update() {
-    std::size_t vanished = 0, kept = 0;
+  // vertices that can no longer reach them.
+  Lost update() {
+    Lost lost;
+    std::size_t kept = 0;
     for (std::size_t k = 0; k < m_open.size(); ++k) {
       Item& item = m_items[m_open[k]];
       const bool is_alive = m_complex.is_alive(item.vertex, item.time_stamp),
@@ -67,12 +74,12 @@ public:
         m_unfinished[kept] = item.vertex;
         ++kept;
       } else if (!has_arrived) {
-        ++vanished;
+        ++(is_alive ? lost.merged : lost.removed);
       }
     }
     m_open.resize(kept);
     m_unfinished.resize(kept);
-    return vanished;
+    return lost;
   }
 
   // Returns whether v has a destination that it has not reached yet.

@@ -49,21 +49,13 @@ public:
   // Returns whether all vertices of a cell are on the interface and have kept their mutual
   // distances.
   bool has_moved_as_a_whole(Cell_handle c) const {
-    return number_of_rigid_vertices(c, now()) == Complex::corners;
-  }
-
-  // Returns whether all vertices of a cell are on the interface and will keep their mutual
-  // distances until the end of the deformation.
-  bool moves_as_a_whole(Cell_handle c) const {
-    return number_of_rigid_vertices(c, [&](Vertex_handle v) {
-             return m_destinations.final_position(v);
-           }) == Complex::corners;
+    return number_of_rigid_vertices(c) == Complex::corners;
   }
 
   // Returns whether the interface touched by a cell has moved rigidly. The test uses the vertices
   // of the cell or, if only one is on the interface, the interface vertices around it.
   bool touches_rigid_component(Cell_handle c) const {
-    const int number = number_of_rigid_vertices(c, now());
+    const int number = number_of_rigid_vertices(c);
     if (number != 1)
       return number > 1;
     int i = 0;
@@ -73,20 +65,15 @@ public:
   }
 
 private:
-  auto now() const {
-    return [this](Vertex_handle v) { return m_complex.position(v); };
-  }
-
   // Returns the number of vertices of a cell on the interface if they move rigidly, -1 otherwise.
-  template <class Position_of>
-  int number_of_rigid_vertices(Cell_handle c, const Position_of& position) const {
+  int number_of_rigid_vertices(Cell_handle c) const {
     int number = 0;
     for (int i = 0; i < Complex::corners; ++i) {
       if (!c->vertex(i)->is_interface())
         continue;
       ++number;
       for (int j = 0; j < i; ++j)
-        if (c->vertex(j)->is_interface() && !are_as_far(c->vertex(i), c->vertex(j), position))
+        if (c->vertex(j)->is_interface() && !are_as_far(c->vertex(i), c->vertex(j)))
           return -1;
     }
     return number;
@@ -97,25 +84,24 @@ private:
     m_complex.star(v, star);
     return std::all_of(star.begin(), star.end(), [&](Cell_handle c) {
       for (int i = 0; i < Complex::corners; ++i)
-        if (c->vertex(i)->is_interface() && !are_as_far(v, c->vertex(i), now()))
+        if (c->vertex(i)->is_interface() && !are_as_far(v, c->vertex(i)))
           return false;
       return true;
     });
   }
 
-  // Returns whether the distance of two vertices at the given positions equals their distance
-  // before the motion, up to a small relative tolerance and rounding of the coordinates.
-  template <class Position_of>
-  bool are_as_far(Vertex_handle v, Vertex_handle w, const Position_of& position) const {
+  // Returns whether the distance of two vertices equals their distance before the motion, up to a
+  // small relative tolerance and rounding of the coordinates.
+  bool are_as_far(Vertex_handle v, Vertex_handle w) const {
     static constexpr double same = 1e-6, precision = 1e-15;
-    const Position p = position(v);
+    const Position p = m_complex.position(v);
     const double rounding = precision * precision * (p - CGAL::ORIGIN).squared_length();
     const auto squared_distance = [&](const Position& a, const Position& b) {
       return (a - m_complex.domain().near(a, b)).squared_length();
     };
     const double before = squared_distance(m_destinations.position_before(v),
                                            m_destinations.position_before(w)),
-                 after = squared_distance(p, position(w));
+                 after = squared_distance(p, m_complex.position(w));
     return std::abs(after - before) <= same * before + rounding / same;
   }
 

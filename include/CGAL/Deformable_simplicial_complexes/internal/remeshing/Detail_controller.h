@@ -17,6 +17,7 @@
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_split.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/balance/Interface_tolerance.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_operations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Failed_collapses.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
@@ -42,7 +43,7 @@ public:
       : m_complex(complex), m_visitor(visitor), m_options(options),
         m_unit(target_edge_length(complex, options.sizing_field)),
         m_short_unit(shortest_target_edge_length(complex, options.sizing_field)),
-        m_cavity(complex) {}
+        m_tolerance(complex), m_cavity(complex) {}
 
   const Improvement_report& report() const { return m_report; }
 
@@ -104,7 +105,7 @@ private:
     if (m_failed_collapses.contains(removed, kept))
       return false;
     if (!propose_edge_collapse(m_complex, c, i, j, m_options.collapse_quality, m_cavity) ||
-        makes_long_edge()) {
+        !m_tolerance.allows(m_cavity) || makes_long_edge()) {
       m_failed_collapses.add(removed, kept);
       return false;
     }
@@ -167,6 +168,7 @@ private:
   const Detail_options<Complex>& m_options;
   Edge_unit<Complex> m_unit;       // of edge lengths
   Edge_unit<Complex> m_short_unit; // of interface edges to be collapsed
+  Interface_tolerance<Complex> m_tolerance;
   Cavity<Complex> m_cavity;
   Failed_collapses<Complex> m_failed_collapses;
   Improvement_report m_report;

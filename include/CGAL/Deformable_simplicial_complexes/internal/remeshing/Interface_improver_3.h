@@ -56,7 +56,7 @@ private:
              edge.bend() < Base::radians(this->m_options.flip_angle) &&
              propose_interface_edge_flip(this->m_complex, c, i, j, this->m_cavity,
                                          this->m_options.quality_threshold) &&
-             this->commit();
+             this->m_tolerance.allows(this->m_cavity) && this->commit();
     });
   }
 
@@ -109,7 +109,8 @@ private:
       return std::nullopt;
     const auto change = facets_changed_by_flip(edge);
     if (!this->is_small(change, c, i, j) ||
-        !propose_interface_edge_flip(this->m_complex, c, i, j, this->m_cavity))
+        !propose_interface_edge_flip(this->m_complex, c, i, j, this->m_cavity) ||
+        !this->m_tolerance.allows(this->m_cavity))
       return std::nullopt;
     return change;
   }

@@ -18,6 +18,7 @@
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_split.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/balance/Interface_tolerance.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Changed_facets.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_fan.h>
@@ -52,7 +53,8 @@ public:
                      const Interface_improvement_options<Complex>& options)
       : m_complex(complex), m_visitor(visitor), m_options(options),
         m_unit(target_edge_length(complex, options.sizing_field)),
-        m_improver(complex, visitor, options.quality_threshold, m_sequential), m_cavity(complex) {}
+        m_improver(complex, visitor, options.quality_threshold, m_sequential), m_tolerance(complex),
+        m_cavity(complex) {}
 
   Improvement_report report() const { return m_report + m_improver.report(); }
 
@@ -94,7 +96,8 @@ public:
       const Fan fan = this->fan(v);
       if (!null_space_position(m_complex, fan, m_star, m_options.aggressiveness,
                                radians(m_options.feature_angle), m_options.quality_threshold,
-                               target))
+                               target) ||
+          !m_tolerance.allows_motion(v, m_star, m_complex.approximate(target)))
         continue;
       smooth_vertex(m_complex, v, m_star, target, m_visitor);
       ++m_report.smoothed;
@@ -144,7 +147,8 @@ protected:
       return std::nullopt;
     const auto change = facets_changed_by_collapse(m_complex, fan, c->vertex(j));
     if (!(change.worst_after > 0 && change.worst_after >= (std::min)(good, change.worst_before)) ||
-        !is_small(change, c, i, j) || !propose_edge_collapse(m_complex, c, i, j, worst, m_cavity))
+        !is_small(change, c, i, j) || !propose_edge_collapse(m_complex, c, i, j, worst, m_cavity) ||
+        !m_tolerance.allows(m_cavity))
       return std::nullopt;
     return change;
   }
@@ -275,6 +279,7 @@ protected:
   std::unordered_map<std::uint64_t, std::pair<Position, double>> m_sizes;
   For_each_index m_sequential;
   Mesh_improver<Complex> m_improver;
+  Interface_tolerance<Complex> m_tolerance;
   Cavity<Complex> m_cavity;
   std::vector<Cell_handle> m_star;
   Work_list<Cell_handle> m_touched;

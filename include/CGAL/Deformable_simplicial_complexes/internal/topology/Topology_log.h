@@ -44,6 +44,25 @@ public:
     }
   }
 
+  // Records a volume that the motion of the interface adds to a label.
+  void record_swept(Label label, double volume) {
+    change_of_label(m_labels, label).volume_swept += volume;
+  }
+
+  // Records that a cell takes another label. With its vertices at their destinations, the cell has
+  // a signed volume. If it is negative, parts of the interface overlap there, and the swept volumes
+  // count the cell twice.
+  void record_relabeling(Label before, Label after, double final_volume) {
+    const double overlap = (std::max)(0., -final_volume);
+    change_of_label(m_labels, before).volume_of_overlaps += overlap;
+    change_of_label(m_labels, after).volume_of_overlaps -= overlap;
+  }
+
+  // Records the volume that a label gains by an exchange of neighbors.
+  void record_exchange(Label label, double volume) {
+    change_of_label(m_labels, label).volume_of_overlaps += volume;
+  }
+
   // Records that a cell is about to take another label, which changes the topology.
   void record(Cell_handle c, Label label) {
     typename Complex::Approximate_vector sum(CGAL::NULL_VECTOR);

@@ -13,6 +13,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/balance/Contacts.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/local_edge_length.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Manifold_relabeling.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Topology_log.h>
@@ -46,57 +47,46 @@ public:
   using Label = typename Complex::Label;
   using Topology_control = typename Deformation_options<Complex>::Topology_control;
 
-  Trapped_cells(Complex& complex, Any_visitor<Complex>& visitor,
+  Trapped_cells(Complex& complex, Any_visitor<Complex>& visitor, const Contacts<Complex>& contacts,
                 const Deformation_options<Complex>& options)
-      : m_complex(complex), m_visitor(visitor), m_topology_control(options.topology_control),
-        m_energy(options.interface_energy), m_manifold_interface(options.manifold_interface),
-        m_log(complex) {}
+      : m_complex(complex), m_visitor(visitor), m_contacts(contacts),
+        m_topology_control(options.topology_control), m_energy(options.interface_energy),
+        m_manifold_interface(options.manifold_interface), m_log(complex) {}
 
   Topology_log<Complex>& log() { return m_log; }
   std::size_t number_of_relabeled() const { return m_relabeled; }
 
-  // Relabels cells among the given cells and the cells around them, if they are trapped, below the
-  // threshold, and flat according to is_flat(c). Each cell is relabeled at most once, except in
-  // components that are cut off and too small to stay.
-  template <class Is_flat>
-  void relabel(const std::vector<Cell_handle>& cells, double threshold, const Is_flat& is_flat) {
+  // Relabels cells among the given cells and the cells around them, if they are trapped, below a
+  // threshold of quality, and closed by the motion, where they are below `final_threshold`. Each
+  // cell is relabeled at most once, except in components that are cut off and vanish.
+  void relabel(const std::vector<Cell_handle>& cells, double threshold, double final_threshold) {
+    m_final_threshold = final_threshold;
     m_done.clear();
     std::vector<Cell_handle> front = cells;
-    spread(front, threshold, is_flat);
+    spread(front, threshold);
     std::vector<Cell_handle> proposed;
     for (Cell_handle c : cells) {
       Progress_scope::check();
       Label label;
-      if (!propose(c, threshold, is_flat, proposed, label) ||
+      if (!propose(c, threshold, proposed, label) ||
           relabeling_keeps_topology(m_complex, proposed, label) || !may_change_topology(c, label))
         continue;
       record(proposed, label);
       relabel(proposed, label);
       front.clear();
       add_neighbors(proposed, front);
-      remove_small_components(front); // components that were cut off
-      spread(front, threshold, is_flat);
+      // components that were cut off where parts of the interface meet
+      remove_small_components(front, [](const std::vector<Cell_handle>&) { return true; });
+      spread(front, threshold);
     }
   }
 
-  // Gives components of the cells that are too small to be moved the label of the surrounding
+  // Gives small components of the cells that the motion makes vanish the label of the surrounding
   // phase.
-  void remove_small_components(const std::vector<Cell_handle>& cells) {
-    std::vector<Cell_handle> component;
-    std::unordered_set<std::size_t> large; // cells of components known not to be small
-    for (Cell_handle c : cells) {
-      Progress_scope::check();
-      if (is_small_component(c, component, large)) {
-        const Label label = surrounding_label(component);
-        if (label == c->label() || !complete(component, label) ||
-            std::any_of(component.begin(), component.end(), is_at_cut<Complex>) ||
-            !may_change_topology(c, label))
-          continue;
-        record(component, label);
-        relabel(component, label);
-        large.clear(); // a component may have lost cells
-      }
-    }
+  void remove_vanishing_components(const std::vector<Cell_handle>& cells) {
+    remove_small_components(cells, [this](const std::vector<Cell_handle>& component) {
+      return m_contacts.vanishes(component);
+    });
   }
 
   // Relabels a cell of any shape if this keeps the topology. Each cell is relabeled at most once
@@ -111,6 +101,27 @@ public:
   }
 
 private:
+  // Gives small components of the cells for which `is_to_go(component)` is true the label of the
+  // surrounding phase.
+  template <class Is_to_go>
+  void remove_small_components(const std::vector<Cell_handle>& cells, const Is_to_go& is_to_go) {
+    std::vector<Cell_handle> component;
+    std::unordered_set<std::size_t> large; // cells of components known not to be small
+    for (Cell_handle c : cells) {
+      Progress_scope::check();
+      if (is_small_component(c, component, large) && is_to_go(component)) {
+        const Label label = surrounding_label(component);
+        if (label == c->label() || !complete(component, label) ||
+            std::any_of(component.begin(), component.end(), is_at_cut<Complex>) ||
+            !may_change_topology(c, label))
+          continue;
+        record(component, label);
+        relabel(component, label);
+        large.clear(); // a component may have lost cells
+      }
+    }
+  }
+
   // Finds the component of a cell. Returns whether its volume is small relative to the interface
   // edges around it, and it has few cells or fits within an edge length. Otherwise the time stamps
   // of the visited cells are added to `large`, so that they are not visited again.
@@ -174,12 +185,11 @@ private:
   }
 
   // Relabels cells that keep the topology, and then the cells around them.
-  template <class Is_flat>
-  void spread(std::vector<Cell_handle>& front, double threshold, const Is_flat& is_flat) {
+  void spread(std::vector<Cell_handle>& front, double threshold) {
     std::vector<Cell_handle> proposed;
     for (std::size_t i = 0; i < front.size(); ++i) {
       Label label;
-      if (propose(front[i], threshold, is_flat, proposed, label) &&
+      if (propose(front[i], threshold, proposed, label) &&
           relabeling_keeps_topology(m_complex, proposed, label)) {
         relabel(proposed, label);
         add_neighbors(proposed, front);
@@ -189,11 +199,11 @@ private:
 
   // Finds the cells to be relabeled together with a trapped cell, which comes first, and their new
   // label. Returns false if the cell must not be relabeled.
-  template <class Is_flat>
-  bool propose(Cell_handle c, double threshold, const Is_flat& is_flat,
-               std::vector<Cell_handle>& cells, Label& label) const {
+  bool propose(Cell_handle c, double threshold, std::vector<Cell_handle>& cells,
+               Label& label) const {
     if (is_done(c) || is_at_cut<Complex>(c) ||
-        !propose_relabeling(m_complex, c, threshold, label, m_energy) || !is_flat(c))
+        !propose_relabeling(m_complex, c, threshold, label, m_energy) ||
+        !m_contacts.closes(c, m_final_threshold))
       return false;
     cells.assign(1, c);
     return complete(cells, label) && volume(cells) - volume({c}) < small_volume({c}) &&
@@ -230,6 +240,7 @@ private:
   void relabel(const std::vector<Cell_handle>& cells, Label label) {
     const Label before = cells.front()->label();
     for (Cell_handle c : cells) {
+      m_log.record_relabeling(before, label, m_contacts.final_volume(c));
       m_complex.relabel(c, label);
       m_done.insert(c->time_stamp());
     }
@@ -240,11 +251,13 @@ private:
 
   Complex& m_complex;
   Any_visitor<Complex>& m_visitor;
+  const Contacts<Complex>& m_contacts;
   const Topology_control& m_topology_control;
   const Interface_energy& m_energy;
   bool m_manifold_interface;
   Topology_log<Complex> m_log;
   std::unordered_set<std::size_t> m_done; // time stamps of relabeled cells
+  double m_final_threshold = 0;           // bound on the quality at the destinations
   std::size_t m_relabeled = 0;
 };
 

@@ -33,6 +33,12 @@ Label_change& change_of_label(std::vector<Label_change>& changes, int label) {
   return *changes.insert(it, change);
 }
 
+// Adds the volumes that explain a change.
+template <class Label_change> void add_explained(const Label_change& from, Label_change& to) {
+  to.volume_swept += from.volume_swept;
+  to.volume_of_overlaps += from.volume_of_overlaps;
+}
+
 // Counts an event.
 template <class Label_change>
 void count_event(const Component_event& event, std::vector<Label_change>& changes) {

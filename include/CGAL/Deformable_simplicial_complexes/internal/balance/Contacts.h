@@ -1,0 +1,101 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Deformable_simplicial_complexes, written for CGAL
+// (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BALANCE_CONTACTS_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BALANCE_CONTACTS_H
+
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Destinations.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Tests whether parts of the interface come together in a deformation. Only the motion decides. A
+// cell that is flat because its facets are large, and that stays as high as it was, is not a
+// contact.
+template <class Complex> class Contacts
+{
+public:
+  using Vertex_handle = typename Complex::Vertex_handle;
+  using Cell_handle = typename Complex::Cell_handle;
+
+  Contacts(const Complex& complex, const Destinations<Complex>& destinations)
+      : m_complex(complex), m_destinations(destinations) {}
+
+  // Returns whether the motion closes a cell: with its vertices at their destinations, the cell is
+  // inverted, or its height is a small fraction of the height before the motion and its quality is
+  // below a threshold.
+  bool closes(Cell_handle c, double threshold) const {
+    const double after = height(final_frame(c));
+    if (!(after > 0))
+      return true;
+    return after < closed * height(frame(c, at_begin())) &&
+           m_complex.quality(c, at_end()) < threshold;
+  }
+
+  // Returns whether the motion makes a component vanish: with the vertices at their destinations,
+  // the volume of its cells is a small fraction of their volume before the motion.
+  bool vanishes(const std::vector<Cell_handle>& component) const {
+    double before = 0, after = 0;
+    for (Cell_handle c : component) {
+      before += frame(c, at_begin()).parallelotope;
+      after += final_frame(c).parallelotope;
+    }
+    return !(after > 0) || after < closed * before;
+  }
+
+  // Returns the signed volume of a cell with its vertices at their destinations.
+  double final_volume(Cell_handle c) const {
+    static constexpr double factorial = Complex::dimension == 3 ? 6 : 2;
+    return final_frame(c).parallelotope / factorial;
+  }
+
+private:
+  using Frame = typename Complex::Space::Frame;
+
+  // fraction of a height or of a volume that counts as zero
+  static constexpr double closed = .25;
+
+  // Functions that return the positions of vertices before and after the motion.
+  auto at_begin() const {
+    return [this](Vertex_handle v) { return m_destinations.position_before(v); };
+  }
+  auto at_end() const {
+    return [this](Vertex_handle v) { return m_destinations.final_position(v); };
+  }
+
+  Frame final_frame(Cell_handle c) const { return frame(c, at_end()); }
+
+  template <class Position_of> Frame frame(Cell_handle c, const Position_of& position) const {
+    const auto frame_of = [](const auto&... corners) {
+      return Complex::Space::frame({corners...});
+    };
+    return m_complex.domain().template apply<Complex>(
+        frame_of, [&](int i) { return position(c->vertex(i)); });
+  }
+
+  // Returns the signed distance between the largest facet of a cell and the opposite vertex.
+  static double height(const Frame& frame) {
+    double largest = 0;
+    for (const auto& normal : frame.normals)
+      largest = (std::max)(largest, Complex::Space::length(normal));
+    return largest > 0 ? frame.parallelotope / largest : 0;
+  }
+
+  const Complex& m_complex;
+  const Destinations<Complex>& m_destinations;
+};
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BALANCE_CONTACTS_H

@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Interface_flows, written for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTERFACE_FLOWS_INTERNAL_PATHS_LONG_STEPS_H
+#define CGAL_INTERFACE_FLOWS_INTERNAL_PATHS_LONG_STEPS_H
+
+#include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Interface_flows/internal/paths/interface_paths.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Returns the length of a motion in units of the longest motion that one deformation makes well. If
+// free vertices follow a flow of space, neighbors must not turn far around each other, because the
+// paths in a deformation are straight. Otherwise, the mesh limits the displacements.
+// \param limit longest displacement of a vertex relative to its neighbors, in edge lengths
+template <class Complex, class Velocity, class Interface>
+double length_of_step(const Complex& dsc, const Interface& interface_,
+                      const std::vector<typename Complex::Approximate_point>& destinations,
+                      double limit) {
+  using Vector = typename Complex::Approximate_vector;
+  static constexpr double together = 4; // longest displacement with neighbors, in the same unit
+  std::vector<Vector> displacements;
+  double longest = 0; // in units of the limit
+  for (std::size_t i = 0; i < destinations.size(); ++i) {
+    const auto v = interface_.vertices[i];
+    displacements.push_back(destinations[i] - dsc.position(v));
+    // Steps are usually chosen for the mean edge. Few short edges do not make them too long.
+    const double edge =
+        (std::max)(v->spacing() > 0 ? double(v->spacing()) : dsc.interface_edge_length(v),
+                   dsc.mean_interface_edge());
+    longest = (std::max)(longest, Complex::Space::length(displacements[i]) / (limit * edge));
+  }
+  if constexpr (is_flow_of_space<Complex, Velocity>) {
+    if (2 * longest <= 1)
+      return 0; // so are all differences
+    double relative = 0;
+    const Interface_snapshot<Complex> snapshot(dsc);
+    for (const auto& facet : snapshot.facets())
+      for (int k = 0; k < Complex::dimension; ++k) {
+        const std::size_t i = facet.vertices[k], j = facet.vertices[(k + 1) % Complex::dimension];
+        const double edge = Complex::Space::length(
+            dsc.displacement(interface_.vertices[i], interface_.vertices[j]));
+        relative = (std::max)(
+            relative, Complex::Space::length(displacements[i] - displacements[j]) / (limit * edge));
+      }
+    return relative;
+  } else {
+    return longest / together;
+  }
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INTERFACE_FLOWS_INTERNAL_PATHS_LONG_STEPS_H
