@@ -93,7 +93,8 @@ Complex::State abused(Label label, std::size_t n, int fields, unsigned seed) {
     const auto report = DSC::deform_interface(dsc, destination, np);
     EXPECT_TRUE(dsc.is_valid()) << "field " << field << " of seed " << seed;
     EXPECT_LE(report.passes, maximum_number_of_passes);
-    EXPECT_EQ(report.complete, report.unfinished.empty());
+    EXPECT_EQ(report.complete,
+              report.unfinished.empty() && report.stopped_at_boundary == 0 && report.is_balanced());
     if (abuse == Abuse::nothing) {
       EXPECT_TRUE(dsc.state() == before);
     }

@@ -92,7 +92,7 @@ TEST(Torus_3, carries_a_ball_once_around) {
 TEST(Torus_3, merges_a_growing_ball_with_itself_through_the_seams) {
   Complex dsc = ball_on_the_seams(.35, .125);
   EXPECT_EQ(dsc.euler_characteristic(1), 2);
-  for (int i = 0; i < 10; ++i) {
+  for (int i = 0; i < 12; ++i) {
     DSC::advect_interface(dsc, DSC::Normal_offset{1.}, 0, .02);
     ASSERT_TRUE(dsc.is_valid(true));
   }

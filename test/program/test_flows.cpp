@@ -237,4 +237,29 @@ TEST_F(Flows, are_resumed) {
   EXPECT_FALSE(last.contains("distance_to_start"));
 }
 
+// A plate of twelve triangles, whose cells are all flat.
+TEST_F(Flows, keep_a_plate_of_twelve_triangles) {
+  write("plate.off", box(0, 0, 0, 50, 50, 1));
+  for (const double d : {.05, -.05, .2}) {
+    const Json moved = steps("offset plate.off --steps 1 --distance=" + std::to_string(d));
+    const double exact = (50 + 2 * d) * (50 + 2 * d) * (1 + 2 * d);
+    EXPECT_NEAR(volume(moved[1]), exact, 1e-3 * exact) << d;
+    const Json balance = report("report.json").at("balance");
+    ASSERT_EQ(balance.size(), 2u);
+    EXPECT_NEAR(balance[1].at("before").get<double>(), 2500, 1e-6);
+    EXPECT_NEAR(balance[1].at("swept").get<double>(), exact - 2500, 1e-3 * exact);
+    EXPECT_NEAR(balance[1].at("unexplained").get<double>(), 0, 1e-3 * exact);
+  }
+  EXPECT_EQ(run("mean-curvature plate.off --steps 1 --dt 0.001").out.find("vanished"),
+            std::string::npos);
+}
+
+TEST_F(Flows, tell_of_labels_that_vanish_and_of_divided_steps) {
+  write("small.off", box(0, 0, 0, 1, 1, 1));
+  const std::string shrunk = run("offset small.off --steps 2 --distance=-0.3").out;
+  EXPECT_NE(shrunk.find("label 1 (step 2) vanished"), std::string::npos) << shrunk;
+  const std::string turned = run("rotate small.off --axis 0,0,1 --angle 180 --steps 1").out;
+  EXPECT_NE(turned.find("was too long"), std::string::npos) << turned;
+}
+
 } // namespace

@@ -220,6 +220,7 @@ TEST_F(Program, reports_each_step) {
                                            "sweeps",
                                            "complete",
                                            "unfinished_vertices",
+                                           "parts",
                                            "passes",
                                            "vertices",
                                            "tetrahedra",
@@ -236,7 +237,8 @@ TEST_F(Program, reports_each_step) {
                                            "relabeled",
                                            "stopped_at_boundary",
                                            "cells_below_floor",
-                                           "events"}));
+                                           "events",
+                                           "balance"}));
     EXPECT_EQ(step.at("step"), i);
     EXPECT_EQ(step.at("time"), double(i));
     EXPECT_EQ(step.at("complete"), true);

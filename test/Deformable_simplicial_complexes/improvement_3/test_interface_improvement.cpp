@@ -345,7 +345,7 @@ TEST(Improve_interface, needs_a_length) {
 }
 
 TEST(Improve_interface, removes_small_angles) {
-  Complex dsc = mesh_helpers::jittered_grid(6, small_meshes::ball, .45, 8);
+  Complex dsc = mesh_helpers::jittered_grid(8, small_meshes::ball, .45, 8);
   const double worst = worst_facet(dsc);
   const auto report = DSC::improve_interface(dsc, only_smoothing.aggressiveness(0.)
                                                       .feature_angle(180.)

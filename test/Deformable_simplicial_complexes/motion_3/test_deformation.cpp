@@ -51,7 +51,8 @@ int four_phases_in_cube(const Point& p) {
 // Checks the statements of a report about the complex.
 void expect_true(const Report& report, const Complex& dsc) {
   EXPECT_TRUE(dsc.is_valid());
-  EXPECT_EQ(report.complete, report.unfinished.empty());
+  EXPECT_EQ(report.complete,
+            report.unfinished.empty() && report.stopped_at_boundary == 0 && report.is_balanced());
   for (const auto& change : report.labels) {
     EXPECT_EQ(change.volume_after, dsc.volume(change.label));
     EXPECT_EQ(change.after, dsc.number_of_components(change.label));

@@ -177,7 +177,9 @@ TEST(Gaps, between_equal_triangulations_close_at_once_whatever_their_width) {
           return Vector(std::abs(p.x() - middle) > width ? 0 : p.x() > middle ? -.05 : .05, 0, 0);
         },
         parameters::default_values());
-    EXPECT_TRUE(report.complete) << width;
+    EXPECT_TRUE(report.unfinished.empty()) << width;
+    for (const auto& change : report.labels)
+      EXPECT_NEAR(change.volume_unexplained(), 0, .005 * change.volume_before) << width;
     EXPECT_EQ(dsc.number_of_components(1), 1u) << width;
     EXPECT_EQ(dsc.euler_characteristic(1), 2) << width;
   }
@@ -346,14 +348,22 @@ TEST(Topology_events, tell_of_what_splits_and_vanishes) {
   EXPECT_EQ(components, 2u);
   events.clear();
 
-  run([&](const Position& p) {
-    return p.x() < 0 ? shortened(Position(-.5, 0, 0) - p) : Vector(0, 0, 0);
-  });
-  ASSERT_EQ(events.size(), 1u);
-  EXPECT_EQ(events[0].kind, DSC::Component_event::Kind::vanished);
-  EXPECT_EQ(events[0].before.size(), 1u);
-  EXPECT_TRUE(events[0].after.empty());
-  EXPECT_LT(events[0].where.x(), -.3);
+  // A part of the left end may separate before the left end vanishes.
+  const auto is_on_the_left = [&] {
+    const auto vertices = dsc.interface_vertices();
+    return std::any_of(vertices.begin(), vertices.end(),
+                       [&](Vertex_handle v) { return dsc.position(v).x() < 0; });
+  };
+  for (int i = 0; i < 5 && is_on_the_left(); ++i)
+    run([&](const Position& p) {
+      return p.x() < 0 ? shortened(Position(-.5, 0, 0) - p) : Vector(0, 0, 0);
+    });
+  EXPECT_FALSE(is_on_the_left());
+  ASSERT_FALSE(events.empty());
+  EXPECT_EQ(events.back().kind, DSC::Component_event::Kind::vanished);
+  EXPECT_EQ(events.back().before.size(), 1u);
+  EXPECT_TRUE(events.back().after.empty());
+  EXPECT_LT(events.back().where.x(), -.3);
 }
 
 } // namespace test_topology

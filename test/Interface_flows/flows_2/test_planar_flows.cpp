@@ -361,8 +361,9 @@ TEST(Planar_flows, random_fields_never_break_it) {
             return Vector(size * std::sin(a * p.x() + b * p.y() + c),
                           size * std::sin(c * p.x() + d * p.y() + a));
           },
-          0, 1);
-      relabeled += report.relabeled;
+          0, 1, parameters::largest_displacement(run % 2 == 0 ? 0. : .5));
+      const Report grown = DSC::advect_interface(dsc, DSC::Normal_offset{.05}, 0, 1);
+      relabeled += report.relabeled + grown.relabeled;
       ASSERT_TRUE(dsc.is_valid(true));
       double sum = 0;
       for (int label : dsc.labels())

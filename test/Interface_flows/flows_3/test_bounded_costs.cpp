@@ -339,7 +339,8 @@ TEST(Volume_changer, does_not_need_directions_that_are_zero) {
   EXPECT_NEAR(changer.changes(start, positions)[1], .01, 1e-14);
 }
 
-// One cell after the other, without reuse of results.
+// One cell after the other, without reuse of results. All vertices move to one point, so that all
+// components vanish.
 TEST(Trapped_cells, small_components_are_found_from_all_of_their_cells) {
   for (bool manifold : {false, true})
     for (std::size_t number_of_labels : {2, 5}) {
@@ -348,11 +349,18 @@ TEST(Trapped_cells, small_components_are_found_from_all_of_their_cells) {
       DSC::Any_visitor<Complex> visitor;
       DSC::Deformation_options<Complex> options;
       options.manifold_interface = manifold;
-      internal::Trapped_cells<Complex> fast(at_once, visitor, options),
-          slow(one_by_one, visitor, options);
-      fast.remove_small_components(at_once.cells());
+      internal::Destinations<Complex> at_once_to(at_once), one_by_one_to(one_by_one);
+      for (Vertex_handle v : at_once.interface_vertices())
+        at_once_to.add(v, Point(0, 0, 0));
+      for (Vertex_handle v : one_by_one.interface_vertices())
+        one_by_one_to.add(v, Point(0, 0, 0));
+      const internal::Contacts<Complex> at_once_contacts(at_once, at_once_to),
+          one_by_one_contacts(one_by_one, one_by_one_to);
+      internal::Trapped_cells<Complex> fast(at_once, visitor, at_once_contacts, options),
+          slow(one_by_one, visitor, one_by_one_contacts, options);
+      fast.remove_vanishing_components(at_once.cells());
       for (Cell_handle c : one_by_one.cells())
-        slow.remove_small_components({c});
+        slow.remove_vanishing_components({c});
       EXPECT_EQ(fast.number_of_relabeled(), slow.number_of_relabeled());
       EXPECT_TRUE(at_once.state() == one_by_one.state());
       if (!manifold) {
