@@ -53,11 +53,11 @@ Json balances_json(const std::vector<Label_balance>& balances) {
   Json json = Json::array();
   for (const Label_balance& balance : balances)
     json.push_back({{"label", balance.label},
-                    {"before", balance.before},
-                    {"after", balance.after},
-                    {"swept", balance.swept},
-                    {"overlaps", balance.overlaps},
-                    {"unexplained", balance.unexplained}});
+                    {"volume_before", balance.before},
+                    {"volume_after", balance.after},
+                    {"volume_swept", balance.swept},
+                    {"volume_of_overlaps", balance.overlaps},
+                    {"volume_unexplained", balance.unexplained}});
   return json;
 }
 

@@ -143,7 +143,8 @@ TEST_F(Planar_program, moves_images_with_and_without_room_around) {
   write("gray.pgm", "P2 2 2 9\n3 3 3 3\n");
   expect_error("mean-curvature gray.pgm", 1);
   step = last_step("offset gray.pgm --domain=-5,-5,7,7 --distance .5 --steps 1");
-  EXPECT_NEAR(label(step, 3).at("area").get<double>(), 8, .5);
+  // a square of side length 2, whose corners are round after the motion
+  EXPECT_NEAR(label(step, 3).at("area").get<double>(), 8 + std::acos(-1) / 4, .25);
   expect_error("mean-curvature halves.pgm --edge .1", 1);
 }
 

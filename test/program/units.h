@@ -33,6 +33,11 @@ using Dimensions = std::map<std::string, std::array<int, 3>>;
 inline const Dimensions in_space = {{"volume", {3, 0, 0}},
                                     {"volumes_before", {3, 0, 0}},
                                     {"volumes_after", {3, 0, 0}},
+                                    {"volume_before", {3, 0, 0}},
+                                    {"volume_after", {3, 0, 0}},
+                                    {"volume_swept", {3, 0, 0}},
+                                    {"volume_of_overlaps", {3, 0, 0}},
+                                    {"volume_unexplained", {3, 0, 0}},
                                     {"where", {1, 0, 0}},
                                     {"area", {2, 0, 0}},
                                     {"mean_edge", {1, 0, 0}},
@@ -42,6 +47,11 @@ inline const Dimensions in_the_plane = {{"area", {2, 0, 0}},
                                         {"length", {1, 0, 0}},
                                         {"volumes_before", {2, 0, 0}},
                                         {"volumes_after", {2, 0, 0}},
+                                        {"volume_before", {2, 0, 0}},
+                                        {"volume_after", {2, 0, 0}},
+                                        {"volume_swept", {2, 0, 0}},
+                                        {"volume_of_overlaps", {2, 0, 0}},
+                                        {"volume_unexplained", {2, 0, 0}},
                                         {"where", {1, 0, 0}}};
 inline const Dimensions squared_time = {{"time", {2, 0, 0}}}; // for flows by curvature
 

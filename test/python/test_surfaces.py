@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 
-def points_of_torus(n=3000):
+def points_of_torus(n=2960):
     numbers = np.random.default_rng(1)
     u, v, w = numbers.uniform(0, 2 * np.pi, (3, 3 * n))
     u, v = (a[w / 2 / np.pi * 3 < 2 + np.cos(v)][:n] for a in (u, v))  # uniform on the surface
