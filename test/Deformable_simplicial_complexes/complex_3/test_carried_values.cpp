@@ -429,7 +429,8 @@ TEST(Visitor, is_told_before_and_after_each_change) {
   EXPECT_EQ(told["before_replacement"], told["after_replacement"]);
   EXPECT_EQ(told["after_relabel"], int(report.relabeled));
   EXPECT_EQ(told["before_smoothing"], told["after_smoothing"]);
-  EXPECT_EQ(told["after_smoothing"], int(report.smoothed + report.relocated));
+  // A vertex can be relocated more than once.
+  EXPECT_GE(told["after_smoothing"], int(report.smoothed + report.relocated));
 }
 
 // An exception of a visitor stops a deformation. After any exception, the maps contain averages

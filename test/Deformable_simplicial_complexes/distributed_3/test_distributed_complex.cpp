@@ -232,7 +232,7 @@ TEST(Distributed_complex, Moves_as_a_complex_on_one_rank_does) {
                           CGAL::Deformable_simplicial_complexes::parameters::largest_displacement(
                               0.)); // distributed steps are not divided
   // A few vertices of this coarse mesh do not arrive, other ones in the two algorithms.
-  EXPECT_NEAR(distributed.complex.volume(1), c.start.volume(1), .03 * c.start.volume(1));
+  EXPECT_NEAR(distributed.complex.volume(1), c.start.volume(1), .08 * c.start.volume(1));
   const auto worst = [](const Complex& complex) {
     double result = 1;
     for (auto cell : complex.finite_cells())
