@@ -19,8 +19,7 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // Tests whether parts of the interface come together in a deformation. Only the motion decides. A
-// cell that is flat because its facets are large, and that stays as high as it was, is not a
-// contact.
+// cell can be flat because its facets are large. It is no contact if its height stays the same.
 template <class Complex> class Contacts
 {
 public:
