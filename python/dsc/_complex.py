@@ -42,6 +42,7 @@ Density = Union[Callable[[int], float], Mapping[int, float]]
 """Number for each label; 0 for labels that a dictionary lacks."""
 
 Scheme = Literal["euler", "rk2", "rk4", "adaptive"]
+Corners = Literal["miter", "round"]
 
 Self = TypeVar("Self", bound="Complex")
 
@@ -406,6 +407,7 @@ class Complex:
         *,
         scheme: Scheme | None = None,
         integration_tolerance: float | None = None,
+        largest_displacement: float | None = None,
         adapt: bool = False,
         interface_tolerance: float | None = None,
         adaptation_interval: int | None = None,
@@ -419,9 +421,11 @@ class Complex:
         Vertices near the interface move with the field, too.
 
         velocity: `velocity(points, t)` returns velocities of shape (n, d) for points of shape (n, d)
-        t, dt: time and length of the step; vertices should move by at most a quarter of an edge
+        t, dt: time and length of the step
         scheme: integration of paths; default 'rk2', with `adapt` 'rk4'
         integration_tolerance: for 'adaptive', in mean edges of the first interface
+        largest_displacement: longest displacement of a vertex relative to its neighbors in one deformation,
+            in local edge lengths; longer steps are divided. 0 divides no step. Default 0.5
         adapt: whether the interface gets facets as small as its curvature requires, for long runs of
             flows that stretch it
         interface_tolerance: largest distance from the smooth surface, in mean edges (with `adapt`)
@@ -435,6 +439,7 @@ class Complex:
         options = _given(
             scheme=scheme,
             integration_tolerance=integration_tolerance,
+            largest_displacement=largest_displacement,
             adapt=adapt,
             interface_tolerance=interface_tolerance,
             adaptation_interval=adaptation_interval,
@@ -452,6 +457,7 @@ class Complex:
         self,
         distance: float,
         *,
+        corners: Corners = "miter",
         adapt: bool = False,
         topology: Topology | None = None,
         threads: int | None = None,
@@ -460,9 +466,12 @@ class Complex:
     ) -> Report:
         """Moves the boundary of label 0 along its normals, outwards if the distance is positive.
 
-        The distance should be at most a quarter of an edge. Other parameters are those of `advect()`.
+        corners: 'miter' moves faces and keeps corners sharp; 'round' makes arcs of the corners from which
+            the boundary moves away, in the plane only
+
+        A distance of several edges is divided into parts. Other parameters are those of `advect()`.
         """
-        options = _given(adapt=adapt, topology=topology, threads=threads, **deformation)
+        options = _given(corners=corners, adapt=adapt, topology=topology, threads=threads, **deformation)
         return _report_with_warnings(self._compiled.offset(_number(distance, "distance"), options, progress))
 
     def mean_curvature(

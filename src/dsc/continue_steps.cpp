@@ -37,6 +37,7 @@ public:
   void complete(const Offset& before, Offset& asked) {
     complete("--distance", before.distance, asked.distance);
     complete("--move-faces", before.moves_faces, asked.moves_faces);
+    complete("--corners", before.corners, asked.corners);
   }
 
   void complete(const Advection& before, Advection& asked) {

@@ -7,6 +7,7 @@
 
 #include "distance.h"
 
+#include <CGAL/Interface_flows/Corner_rule.h>
 #include <CGAL/Interface_flows/Integration_scheme.h>
 
 #include <array>
@@ -28,6 +29,7 @@ struct Offset
 {
   Distance distance; ///< per step, positive outwards
   bool moves_faces;  ///< whether faces move as a whole, instead of each vertex along its own normal
+  CGAL::Deformable_simplicial_complexes::Corner_rule corners;
 };
 
 /// A motion by a velocity field in the coordinates of the input.

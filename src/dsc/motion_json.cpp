@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -21,25 +22,30 @@ Json json_of(const Rotation& rotation) {
   return {{"command", "rotate"}, {"axis", rotation.axis}, {"angle", rotation.degrees}};
 }
 
+// Returns the name of an option's value.
+template <class Value>
+std::string name_of(const std::map<std::string, Value>& names, const Value& value) {
+  return std::find_if(names.begin(), names.end(),
+                      [&](const auto& named) { return named.second == value; })
+      ->first;
+}
+
 const char* const mean_edge = "mean interface edge";
 
 Json json_of(const Offset& offset) {
   return {{"command", "offset"},
           {"distance", offset.distance.value},
           {"unit", offset.distance.in_mean_edges ? mean_edge : "input"},
-          {"move_faces", offset.moves_faces}};
+          {"move_faces", offset.moves_faces},
+          {"corners", name_of(corner_rules(), offset.corners)}};
 }
 
 Json json_of(const Advection& advection) {
-  const auto& schemes = integration_schemes();
-  const auto scheme = std::find_if(schemes.begin(), schemes.end(), [&](const auto& named) {
-    return named.second == advection.scheme;
-  });
   return {{"command", commands_of_fields[static_cast<std::size_t>(advection.field)]},
           {"velocity", value_or_null(advection.expressions)},
           {"period", value_or_null(advection.period)},
           {"dt", advection.dt},
-          {"scheme", scheme->first},
+          {"scheme", name_of(integration_schemes(), advection.scheme)},
           {"tolerance", advection.tolerance ? Json(*advection.tolerance) : Json()}};
 }
 
@@ -70,7 +76,9 @@ Motion motion_from_json(const Json& json) {
   if (command == "rotate")
     return Rotation{json.at("axis"), json.at("angle")};
   if (command == "offset")
-    return Offset{{json.at("distance"), json.at("unit") == mean_edge}, json.at("move_faces")};
+    return Offset{{json.at("distance"), json.at("unit") == mean_edge},
+                  json.at("move_faces"),
+                  corner_rules().at(json.value("corners", "miter"))};
   if (command == "mean-curvature")
     return Curvature_flow{value_of<double>(json.at("dt")), json.at("keep_volumes"),
                           tolerance_of(json)};

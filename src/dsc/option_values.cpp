@@ -183,6 +183,13 @@ integration_schemes() {
   return schemes;
 }
 
+const std::map<std::string, CGAL::Deformable_simplicial_complexes::Corner_rule>& corner_rules() {
+  using CGAL::Deformable_simplicial_complexes::Corner_rule;
+  static const std::map<std::string, Corner_rule> rules = {{"miter", Corner_rule::miter},
+                                                           {"round", Corner_rule::round}};
+  return rules;
+}
+
 void require_extension(const std::string& path, const std::initializer_list<const char*>& known) {
   const std::string found = extension(path);
   if (std::find(known.begin(), known.end(), found) != known.end())

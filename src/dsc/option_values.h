@@ -7,6 +7,7 @@
 
 #include "distance.h"
 
+#include <CGAL/Interface_flows/Corner_rule.h>
 #include <CGAL/Interface_flows/Integration_scheme.h>
 
 #include <array>
@@ -72,6 +73,9 @@ double parse_aggressiveness(const std::string& text);
 /// Returns the integration schemes by their names.
 const std::map<std::string, CGAL::Deformable_simplicial_complexes::Integration_scheme>&
 integration_schemes();
+
+/// Returns the rules for corners of an offset by their names.
+const std::map<std::string, CGAL::Deformable_simplicial_complexes::Corner_rule>& corner_rules();
 
 void require_extension(const std::string& path, const std::initializer_list<const char*>& known);
 

@@ -88,6 +88,8 @@ struct Step
   Report operator()(const Offset& offset) const {
     if (offset.moves_faces)
       refuse("--move-faces");
+    if (offset.corners != DSC::Corner_rule::miter)
+      refuse("--corners");
     const double unit = offset.distance.in_mean_edges ? complex.mean_interface_edge()
                                                       : 1 / complex.normalization().scale;
     return advect(DSC::Normal_offset{offset.distance.value * unit}, time, 1);

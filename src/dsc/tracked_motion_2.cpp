@@ -80,7 +80,7 @@ struct Step
       throw Usage_error("--move-faces applies only in space; leave it out");
     const double unit = offset.distance.in_mean_edges ? complex.mean_interface_edge() : 1;
     make_room(complex);
-    return advect(DSC::Normal_offset{offset.distance.value * unit}, 1);
+    return advect(DSC::Normal_offset{offset.distance.value * unit, offset.corners}, 1);
   }
 
   Report operator()(const Advection& advection) const {

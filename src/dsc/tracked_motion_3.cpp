@@ -90,7 +90,7 @@ struct Step
                                                       : 1 / complex.normalization().scale;
     const double speed = offset.distance.value * unit;
     if (!offset.moves_faces)
-      return advect(DSC::Normal_offset{speed}, time, 1);
+      return advect(DSC::Normal_offset{speed, offset.corners}, time, 1);
     make_room(complex);
     return advect(DSC::Face_offset_3(speed), time, 1);
   }

@@ -148,8 +148,13 @@ public:
 
   static py::dict offset(Object& object, double distance, const py::dict& options,
                          const py::object& progress) {
-    return move(object, false, Options(options), progress, 1., [&](const Space<Complex>& space) {
-      return DSC::Normal_offset{distance / space.scale()};
+    Options rest(options);
+    DSC::Corner_rule corners = DSC::Corner_rule::miter;
+    rest.read_name<DSC::Corner_rule>(
+        "corners", {{"miter", DSC::Corner_rule::miter}, {"round", DSC::Corner_rule::round}},
+        corners);
+    return move(object, false, rest, progress, 1., [&](const Space<Complex>& space) {
+      return DSC::Normal_offset{distance / space.scale(), corners};
     });
   }
 
@@ -334,20 +339,13 @@ private:
 
   static void read_advection(Options& options, const Space<Complex>& space,
                              DSC::Advection_options<Complex>& advection) {
-    static const std::map<std::string, DSC::Integration_scheme> schemes = {
-        {"euler", DSC::Integration_scheme::euler},
-        {"rk2", DSC::Integration_scheme::rk2},
-        {"rk4", DSC::Integration_scheme::rk4},
-        {"adaptive", DSC::Integration_scheme::adaptive}};
-    std::string scheme;
-    options.read("scheme", scheme);
-    if (!scheme.empty()) {
-      const auto found = schemes.find(scheme);
-      if (found == schemes.end())
-        throw py::value_error("scheme must be 'euler', 'rk2', 'rk4' or 'adaptive', not '" + scheme +
-                              "'");
-      advection.scheme = found->second;
-    }
+    options.read_name<DSC::Integration_scheme>("scheme",
+                                               {{"euler", DSC::Integration_scheme::euler},
+                                                {"rk2", DSC::Integration_scheme::rk2},
+                                                {"rk4", DSC::Integration_scheme::rk4},
+                                                {"adaptive", DSC::Integration_scheme::adaptive}},
+                                               advection.scheme);
+    options.read("largest_displacement", advection.largest_displacement);
     options.read("integration_tolerance", advection.integration_tolerance);
     read_deformation(options, space, advection.deformation);
   }

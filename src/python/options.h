@@ -9,6 +9,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <map>
 #include <string>
 
 namespace dsc_python {
@@ -33,6 +34,25 @@ public:
       throw py::type_error(std::string(name) +
                            " is of the wrong type: " + std::string(py::repr(option)));
     }
+  }
+
+  /// Replaces `value` if the option is given and not None, by the value with the name that is
+  /// given. \throws py::value_error if there is no such name
+  template <class T>
+  void read_name(const char* name, const std::map<std::string, T>& values, T& value) {
+    std::string given;
+    read(name, given);
+    if (given.empty())
+      return;
+    const auto found = values.find(given);
+    if (found != values.end()) {
+      value = found->second;
+      return;
+    }
+    std::string names;
+    for (const auto& known : values)
+      names += (names.empty() ? "'" : ", '") + known.first + "'";
+    throw py::value_error(std::string(name) + " must be one of " + names + ", not '" + given + "'");
   }
 
   /// Removes and returns an option; None if it is not given.

@@ -53,7 +53,9 @@ TEST_F(Planar_program, refuses_what_belongs_to_space) {
         "vortex cube.off --plane", "rotate cube.off --angle 5",
         "advect square.wkt --velocity x,y,z",
         "offset square.wkt --distance .1 --domain 0,0,0,1,1,1", "vortex square.wkt --fit",
-        "offset half.poly square.wkt --distance .1"})
+        "offset half.poly square.wkt --distance .1",
+        "offset cube.off --distance .1 --corners round",
+        "offset square.wkt --distance .1 --corners sharp"})
     expect_error(arguments, 2);
   write("open.wkt", "POLYGON ((0 0, 1 0, 1 1))");
   write("crossing.wkt", "POLYGON ((0 0, 1 1, 1 0, 0 1, 0 0))");
@@ -70,6 +72,20 @@ TEST_F(Planar_program, rotates_and_is_back) {
   EXPECT_EQ(label(step, 0).at("euler_characteristic"), -1);
   EXPECT_EQ(step.at("unfinished_vertices"), 0);
   EXPECT_GT(step.at("min_angle").get<double>(), 1);
+}
+
+// The area of a unit square after an offset by d is 1 + 4 d + pi d^2 with round corners.
+TEST_F(Planar_program, offsets_with_round_corners) {
+  const double pi = std::acos(-1.);
+  const double area =
+      label(last_step("offset square.wkt --distance .05 --steps 2 --corners round --output round"), 1)
+          .at("area");
+  EXPECT_NEAR(area, 1.4 + .01 * pi, 1e-3);
+  const Json sharp = last_step("offset square.wkt --distance .05 --steps 2");
+  EXPECT_NEAR(label(sharp, 1).at("area"), 1.44, 1e-12);
+  // A resumed run keeps the rule.
+  const Json next = last_step("offset --resume round/checkpoint.dsc --steps 1");
+  EXPECT_NEAR(label(next, 1).at("area"), 1.6 + .0225 * pi, 2e-3);
 }
 
 TEST_F(Planar_program, offsets_what_merges) {

@@ -219,6 +219,17 @@ def test_complexes_are_not_hashable(round_complex):
 # Motion
 
 
+def test_round_corners_of_an_offset():
+    square = dsc.Complex2.from_polygons([[np.array([(0, 0), (1, 0), (1, 1), (0, 1)])]])
+    sharp = square.copy()
+    assert square.offset(0.05, corners="round").complete
+    assert square.volumes[1] == pytest.approx(1.2 + 0.0025 * np.pi, rel=1e-3)
+    sharp.offset(0.05)
+    assert sharp.volumes[1] == pytest.approx(1.21)
+    with pytest.raises(ValueError, match="'miter', 'round'"):
+        sharp.offset(0.05, corners="sharp")
+
+
 def test_offset(round_complex):
     before = round_complex.volumes[1]
     report = round_complex.offset(0.02)

@@ -98,7 +98,7 @@ def test_energies_depend_on_labels():
 def test_values_follow_grains():
     c = box_of_grains()
     c.vertex_values["x"] = c.cells().points[:, 0]
-    growth = dsc.GrainGrowth(c, edges=6, step=0.3)
+    growth = dsc.GrainGrowth(c, edges=6, step=0.2)
     for _ in range(5):
         growth.advance()
     assert c.vertex_values["x"] == pytest.approx(c.cells().points[:, 0], abs=0.05)

@@ -12,6 +12,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/Volume_changer.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Interface_flows/internal/curvature/Curvature_system.h>
@@ -21,6 +22,8 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -94,6 +97,11 @@ those of energy densities at the beginning. One step and two steps of half the l
 and both results are extrapolated. The method is of second order in time. Without energy densities,
 it is stable for any time step.
 
+The difference of both results estimates the error. If a vertex differs by more than .005 mean edges
+in the plane, the time step is divided. So corners, where the curvature is not bounded, become round
+at the right speed. Parts are not shorter than about a thousandth of the time step. A step within
+which a component vanishes is not divided.
+
 \cgalModels `InterfaceStep`
 */
 class Mean_curvature_flow
@@ -125,11 +133,11 @@ public:
   bool preserves_volumes() const { return m_preserves_volumes; }
 
   /// Computes the destinations of all vertices, see `InterfaceStep`. The flow solves three linear
-  /// systems by the conjugate gradient method. Its iterations are linear in the size n of the
-  /// interface, and their number grows with the square root of the time step divided by the area of
-  /// a facet. The preservation of volumes solves as many additional systems as there are labels. It
-  /// takes memory for each pair of a vertex and a label on the same connected component of the
-  /// interface.
+  /// systems by the conjugate gradient method in each part of the time step. Its iterations are
+  /// linear in the size n of the interface, and their number grows with the square root of the time
+  /// step divided by the area of a facet. The preservation of volumes solves as many additional
+  /// systems as there are labels. It takes memory for each pair of a vertex and a label on the same
+  /// connected component of the interface.
   /// \throws Error if dt is negative, if all facets of a vertex have area 0, if a function of the
   ///         energy returns a value out of its range, or if a system cannot be solved
   template <class Complex>
@@ -143,14 +151,90 @@ public:
       return;
     const auto whole = implicit_step(interface_, positions, dt);
     const auto half = implicit_step(interface_, positions, dt / 2);
-    destinations = implicit_step(interface_, half, dt / 2);
-    for (std::size_t i = 0; i < destinations.size(); ++i)
-      destinations[i] = destinations[i] + (destinations[i] - whole[i]);
+    const auto halves = implicit_step(interface_, half, dt / 2);
+    destinations = extrapolated<Complex>(whole, halves);
+    if constexpr (Complex::dimension == 2) {
+      const double tolerance = error_bound * mean_edge(interface_, positions);
+      if (largest_distance<Complex>(whole, halves) > tolerance)
+        try {
+          destinations = divided_step(interface_, positions, dt, tolerance);
+        } catch (const Error&) {
+          // A component vanishes within the step, which only the whole step passes over.
+        }
+    }
     if (m_preserves_volumes)
       restore_volumes(interface_, positions, destinations);
   }
 
 private:
+  // Largest difference of one step and two steps of half the length, in mean edges. Longer steps
+  // are divided, in the plane.
+  static constexpr double error_bound = .005;
+  // Shortest part of a step. At a corner, the curvature has no bound.
+  static constexpr double shortest_step = 1. / 1024;
+  static constexpr double rounding = 1e-9; // of the rest of a step
+
+  // Returns the destinations of a step in parts of an error up to the tolerance.
+  template <class Complex>
+  std::vector<typename Complex::Approximate_point>
+  divided_step(const Interface_snapshot<Complex>& interface_,
+               std::vector<typename Complex::Approximate_point> positions, double dt,
+               double tolerance) const {
+    double step = dt / 2;
+    for (double rest = dt; rest > 0;) {
+      step = (std::min)(step, rest);
+      auto whole = implicit_step(interface_, positions, step);
+      for (;;) {
+        Progress_scope::check();
+        const auto half = implicit_step(interface_, positions, step / 2);
+        const auto halves = implicit_step(interface_, half, step / 2);
+        const double error = largest_distance<Complex>(whole, halves);
+        if (error <= tolerance || step / 2 < shortest_step * dt) {
+          positions = extrapolated<Complex>(whole, halves);
+          rest = step < (1 - rounding) * rest ? rest - step : 0;
+          step *= error < tolerance / 4 ? 2 : 1;
+          break;
+        }
+        whole = half;
+        step /= 2;
+      }
+    }
+    return positions;
+  }
+
+  // Returns the result of second order, from one step and from two steps of half the length.
+  template <class Complex>
+  static std::vector<typename Complex::Approximate_point>
+  extrapolated(const std::vector<typename Complex::Approximate_point>& whole,
+               std::vector<typename Complex::Approximate_point> halves) {
+    for (std::size_t i = 0; i < halves.size(); ++i)
+      halves[i] = halves[i] + (halves[i] - whole[i]);
+    return halves;
+  }
+
+  template <class Complex>
+  static double mean_edge(const Interface_snapshot<Complex>& interface_,
+                          const std::vector<typename Complex::Approximate_point>& positions) {
+    double sum = 0;
+    std::size_t number = 0;
+    for (const auto& facet : interface_.facets())
+      for (const auto& [i, j] : Complex::Space::facet_edges) {
+        const auto& p = positions[facet.vertices[i]];
+        sum += Complex::Space::length(interface_.domain.near(p, positions[facet.vertices[j]]) - p);
+        ++number;
+      }
+    return sum / double(number);
+  }
+
+  template <class Complex>
+  static double largest_distance(const std::vector<typename Complex::Approximate_point>& a,
+                                 const std::vector<typename Complex::Approximate_point>& b) {
+    double result = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+      result = (std::max)(result, (a[i] - b[i]).squared_length());
+    return std::sqrt(result);
+  }
+
   // Corrects the destinations so that the volumes of all labels are those at the positions, within
   // the constraints of vertices.
   template <class Complex>

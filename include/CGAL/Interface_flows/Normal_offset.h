@@ -10,9 +10,14 @@
 
 #include <CGAL/license/Interface_flows.h>
 
+#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Interface_flows/Corner_rule.h>
+#include <CGAL/Interface_flows/internal/corners/Opened_corners_2.h>
 
 #include <CGAL/Origin.h>
+#include <CGAL/number_utils.h>
 
 #include <Eigen/Core>
 #include <Eigen/QR>
@@ -33,9 +38,11 @@ namespace internal {
 template <class Vector, int d> class Moving_planes
 {
 public:
-  void add(const Vector& unit_normal, double weight) {
+  // \param into_facet a vector from the vertex into the facet
+  void add(const Vector& unit_normal, double weight, const Vector& into_facet) {
     static constexpr double same = 1e-8; // squared distance of the normals of coplanar facets
     m_sum = m_sum + weight * unit_normal;
+    m_into_facets = m_into_facets + weight / std::sqrt(into_facet.squared_length()) * into_facet;
     const auto end = m_normals.begin() + m_number;
     const bool is_coplanar = std::any_of(m_normals.begin(), end, [&](const Vector& n) {
       return (n - unit_normal).squared_length() < same;
@@ -48,9 +55,10 @@ public:
       m_normals[m_number++] = unit_normal;
   }
 
-  // Returns the velocity of the common point of the planes where few planes meet, as at the corners
-  // and edges of a polyhedron; its length is at most `limit`. Otherwise, returns the mean normal,
-  // or 0 if the normals cancel each other.
+  // Returns the velocity of the common point of the planes where few planes meet, or of the point
+  // with the least sum of squared distances from faces without a common point, as at the corners
+  // and edges of a polyhedron. Its length is at most `limit` if the planes move away from the
+  // facets. Otherwise, returns the mean normal, or 0 if the normals cancel each other.
   Vector velocity(double limit) const {
     static constexpr double common = .01; // distance of a plane from a common point
     // Largest speed at a vertex without coplanar facets. At the corner of a cube, it is 1.73. A
@@ -78,13 +86,15 @@ public:
       v = Vector(solution(0), solution(1), solution(2));
     else
       v = Vector(solution(0), solution(1));
-    for (int k = 0; k < m_number; ++k)
-      if (std::abs(v * m_normals[k] - 1) > common)
-        return mean;
     const double speed = std::sqrt(v.squared_length());
-    if (!m_has_face && speed > sharpest)
+    const bool have_common_point =
+        std::all_of(m_normals.begin(), m_normals.begin() + m_number,
+                    [&](const Vector& n) { return std::abs(v * n - 1) <= common; });
+    if (!m_has_face && (!have_common_point || speed > sharpest))
       return mean;
-    return speed > limit ? limit / speed * v : v;
+    static constexpr double inner_limit = 20; // where planes meet at 6 degrees
+    const double bound = v * m_into_facets < 0 ? limit : inner_limit;
+    return speed > bound ? bound / speed * v : v;
   }
 
 private:
@@ -98,7 +108,7 @@ private:
   int m_number = 0;
   bool m_is_polyhedral = true;
   bool m_has_face = false; // whether facets are coplanar
-  Vector m_sum = Vector(NULL_VECTOR);
+  Vector m_sum = Vector(NULL_VECTOR), m_into_facets = Vector(NULL_VECTOR);
 };
 
 // Returns the angle of a triangle at a corner. `double_area` is twice the area of the triangle.
@@ -116,50 +126,89 @@ template <class Point> double angle_at_corner(const std::array<Point, 2>&, int, 
 /*!
 \ingroup PkgInterfaceFlowsRef
 
-A motion along the normals of the interface. Labelled phases grow into the outside, label 0. With a
+A motion along the normals of the interface. Labeled phases grow into the outside, label 0. With a
 negative speed they shrink. Vertices without a facet that faces label 0 stay.
 
 Where at most four planes meet, as at the edges and corners of a polyhedron, the planes move along
 their normals, and the vertex moves to their common point. Flat faces thus stay flat, and edges and
-corners stay sharp (a mitered offset). The velocity of the vertex is at most `miter_limit` times the
-speed, which cuts off sharper corners. Where more planes meet, as on a curved surface, or where they
-have no common point, the vertex moves along the mean normal with the speed of the offset. The mean
-is weighted by the angles of the facets at the vertex.
+corners stay sharp (a mitered offset). If flat faces of several facets have no common point, the
+vertex moves to the point with the least sum of squared distances from their planes. Where more
+planes meet, as on a curved surface, the vertex moves along the mean normal with the speed of the
+offset. The mean is weighted by the angles of the facets at the vertex.
+
+If a vertex from which the front moves away would be faster than `miter_limit` times the speed, it
+has this velocity in space. A vertex towards which the front moves is at most 20 times as fast as
+the front. In the plane, a segment at a right angle to the mean normal cuts off
+such a corner.
+
+In the plane, corners from which the front moves away can also become round (Huygens' principle).
+Each step then inserts vertices at corners of more than 18 degrees and moves them to the tangents of
+an arc around the corner. The segments of an arc are about a hundredth of the mean edge long or
+longer, so a corner becomes round at once, unless its sides are shorter. Corners towards which the
+front moves stay sharp.
+
+In the plane, `advect_interface()` collapses edges of the interface that become very short, if this
+moves only a small volume, see `keeps_volumes()`. So a corner removes the vertices of the segments
+that it passes.
 
 \cgalModels `InterfaceVelocity`
 */
 struct Normal_offset
 {
   double speed; ///< length per unit of time, in the coordinates of the complex
-  /// largest ratio of the velocity of a vertex and the speed, at least 1
+  /// the front at corners from which it moves away
+  Corner_rule corners = Corner_rule::miter;
+  /// largest ratio of the velocity of a vertex from which the front moves away and the speed, at
+  /// least 1
   double miter_limit = 4;
 
   /// Computes the velocities of all vertices at the given positions, see `InterfaceVelocity`. The
   /// time is linear in the size of the interface.
+  /// \throws Error if corners are to become round in space
   template <class Complex>
   void operator()(const Interface_snapshot<Complex>& interface_,
                   const std::vector<typename Complex::Approximate_point>& positions, double /*t*/,
                   std::vector<typename Complex::Approximate_vector>& velocities) const {
     using Vector = typename Complex::Approximate_vector;
+    if (Complex::dimension == 3 && corners == Corner_rule::round)
+      throw Error("an offset with round corners applies only in the plane: use Corner_rule::miter");
     std::vector<internal::Moving_planes<Vector, Complex::dimension>> planes(positions.size());
     for (const auto& facet : interface_.facets()) {
       if (facet.in_front != 0 && facet.behind != 0)
         continue;
-      std::array<typename Complex::Approximate_point, Complex::dimension> corners;
+      std::array<typename Complex::Approximate_point, Complex::dimension> p;
       for (int i = 0; i < Complex::dimension; ++i)
-        corners[i] =
-            interface_.domain.near(positions[facet.vertices[0]], positions[facet.vertices[i]]);
-      Vector normal = Complex::Space::facet_normal(corners);
+        p[i] = interface_.domain.near(positions[facet.vertices[0]], positions[facet.vertices[i]]);
+      Vector normal = Complex::Space::facet_normal(p);
       const double length = Complex::Space::length(normal);
       if (!(length > 0))
         continue;
       normal = normal / (facet.in_front == 0 ? length : -length);
-      for (int i = 0; i < Complex::dimension; ++i)
-        planes[facet.vertices[i]].add(normal, internal::angle_at_corner(corners, i, length));
+      for (int i = 0; i < Complex::dimension; ++i) {
+        Vector into_facet(NULL_VECTOR);
+        for (const auto& corner : p)
+          into_facet = into_facet + (corner - p[i]);
+        planes[facet.vertices[i]].add(normal, internal::angle_at_corner(p, i, length),
+                                      speed < 0 ? -into_facet : into_facet);
+      }
     }
     velocities.clear();
     for (const auto& p : planes)
       velocities.push_back(speed * p.velocity(miter_limit));
+  }
+
+  /// Inserts vertices at corners that are opened in a step of the length `dt`, in the plane.
+  /// `advect_interface()` calls this function before the step.
+  template <class Complex>
+  internal::Opened_corners_2<Complex> open_corners(Complex& dsc,
+                                                   const Interface_snapshot<Complex>& interface_,
+                                                   double dt, Any_visitor<Complex>& visitor) const {
+    // The area between an arc and tangents of this angle is less than 1 % of the sector.
+    static constexpr double finest = 18 * CGAL_PI / 180;
+    if (corners == Corner_rule::round)
+      return {dsc, interface_, speed, dt, finest, finest, visitor};
+    // two vertices, at right angles to the mean normal
+    return {dsc, interface_, speed, dt, 2 * std::acos(1 / miter_limit), CGAL_PI / 2, visitor};
   }
 };
 

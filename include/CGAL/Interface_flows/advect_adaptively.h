@@ -130,24 +130,22 @@ Deformation_report<Complex> advect_adaptively(Complex& dsc, const Velocity& velo
     };
     Volume_restoration_options<Complex> restoration;
     restoration.deformation = deformation;
+    restoration.deformation.flow = nullptr;
     restoration.deformation.forbid_topology_changes();
     const auto volumes = internal::volumes_but_one(dsc);
     changes = keep_interface_fit(dsc, adaptation, is_stretching, deformation.visitor);
-    if (internal::preserves_volumes(velocity))
+    if ((contracts && Complex::dimension == 2) || internal::preserves_volumes(velocity))
       for (const auto& restored : restore_volumes(dsc, volumes, restoration).deformations)
-        for (const auto& change : restored.labels)
-          internal::add_explained(change, internal::change_of_label(earlier, change.label));
+        changes = changes + Improvement_report{restored.split, restored.collapsed, restored.flipped,
+                                               restored.smoothed, restored.inserted};
     Detail_options<Complex> detail;
     detail.collapse_length = defaults::Adaptive_advection<Complex::dimension>::collapse_length;
     detail.visitor = deformation.visitor;
     changes = changes + control_detail(dsc, detail);
   }
   Deformation_report<Complex> report = advect_interface(dsc, velocity, t, dt, options.advection);
-  for (const auto& before : earlier) {
-    auto& change = internal::change_of_label(report.labels, before.label);
-    change.volume_before = before.volume_before;
-    internal::add_explained(before, change);
-  }
+  for (const auto& before : earlier)
+    internal::change_of_label(report.labels, before.label).volume_before = before.volume_before;
   report.split += changes.split;
   report.collapsed += changes.collapsed;
   report.flipped += changes.flipped;
@@ -174,8 +172,8 @@ the mesh is adapted at the beginning of the step:
 - For a flow that contracts the interface, such as `Mean_curvature_flow`, these edges are always
   split and collapsed. In the plane, vertices where more than three phases meet are split as well,
   see `propose_junction_split()`, unless the parameter `topology_control` is given.
-- If the flow preserves volumes, `restore_volumes()` restores the volumes from before the
-  adaptation.
+- If the flow preserves volumes, or contracts the interface in the plane, `restore_volumes()`
+  restores the volumes from before the adaptation.
 - Edges between two parts of the interface are split, and short edges away from it are collapsed:
   `control_detail()` with a `collapse_length` of 2.
 

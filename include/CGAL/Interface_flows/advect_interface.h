@@ -10,18 +10,23 @@
 
 #include <CGAL/license/Interface_flows.h>
 
+#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Edge_unit.h>
 #include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/require_finite.h>
 #include <CGAL/Interface_flows/Integration_scheme.h>
+#include <CGAL/Interface_flows/internal/corners/Passed_edges.h>
 #include <CGAL/Interface_flows/internal/paths/interface_paths.h>
 #include <CGAL/Interface_flows/internal/paths/long_steps.h>
 #include <CGAL/Interface_flows/internal/paths/velocity_properties.h>
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -72,11 +77,6 @@ void read_parameters(const Complex& complex, const NamedParameters& np,
 
 namespace internal {
 
-// Returns the scheme that integrates the parts of a divided time step.
-inline Integration_scheme scheme_of_parts(Integration_scheme scheme) {
-  return scheme == Integration_scheme::euler ? scheme : Integration_scheme::adaptive;
-}
-
 // Returns the destinations of the vertices of the interface in a time step.
 template <class Complex, class Interface, class Velocity>
 std::vector<typename Complex::Approximate_point>
@@ -90,28 +90,151 @@ destinations_of_step(const Complex& dsc, const Interface& interface_, const Velo
                            options.integration_tolerance * dsc.mean_interface_edge());
 }
 
-} // namespace internal
+// A time step that is divided into parts. Each part is one deformation.
+template <class Complex, class Velocity> class Divided_step
+{
+public:
+  using Report = Deformation_report<Complex>;
+  using Points = std::vector<typename Complex::Approximate_point>;
 
-namespace internal {
+  Divided_step(Complex& dsc, const Velocity& velocity, const Advection_options<Complex>& options)
+      : m_dsc(dsc), m_velocity(velocity), m_options(options),
+        m_for_each_index(options.deformation.number_of_threads) {}
 
-// Does a time step by one deformation.
-template <class Complex, class Velocity, class Interface>
-Deformation_report<Complex>
-advect_undivided(Complex& dsc, const Interface& interface_,
-                 const std::vector<typename Complex::Approximate_point>& destinations,
-                 const Velocity& velocity, double t, double dt,
-                 Deformation_options<Complex> deformation) {
-  deformation.interface_energy = energy_of(velocity, deformation.interface_energy);
-  if constexpr (is_flow_of_space<Complex, Velocity>)
-    if (!deformation.flow)
-      deformation.flow = [&](const std::vector<typename Complex::Vertex_handle>& vertices) {
-        std::vector<typename Complex::Approximate_point> positions;
-        for (const auto v : vertices)
-          positions.push_back(dsc.position(v));
-        return follow_flow<Complex>(dsc.domain(), positions, velocity, t, dt);
-      };
-  return deform_interface_to(dsc, interface_, destinations, deformation);
-}
+  Report run(double t, double dt) {
+    Report report;
+    double rest = dt;
+    m_longest = dt;
+    for (bool is_first = true; is_first || rest != 0; is_first = false) {
+      m_step = std::abs(rest) < std::abs(m_longest) ? rest : m_longest;
+      const Report part = advance(t + (dt - rest), dt);
+      if (is_first)
+        report = part;
+      else
+        report.append(part);
+      if (report.stopped)
+        break;
+      // The last part ends exactly at the end of the time step.
+      static constexpr double rounding = 1e-9; // of a part
+      rest = std::abs(rest - m_step) <= rounding * std::abs(m_step) ? 0 : rest - m_step;
+    }
+    return report;
+  }
+
+private:
+  using Interface = Interface_seen_by<Complex, Velocity>;
+
+  // Does a part of the time step `dt`, from the time `t` on.
+  Report advance(double t, double dt) {
+    const Interface interface_(m_dsc, m_for_each_index);
+    if constexpr (moves_segments<Complex, Velocity>)
+      return advance_segments(interface_, t, dt);
+    else
+      return deform(interface_,
+                    find_part(interface_, dt,
+                              [&] {
+                                return destinations_of_step(m_dsc, interface_, m_velocity, t,
+                                                            m_step, m_options);
+                              }),
+                    t);
+  }
+
+  // Does a part in which edges vanish and corners are opened.
+  Report advance_segments(Interface interface_, double t, double dt) {
+    Report earlier;
+    for (const auto label : m_dsc.labels())
+      change_of_label(earlier.labels, label).volume_before = m_dsc.measure(label);
+    Any_visitor<Complex> none;
+    auto& visitor = m_options.deformation.visitor ? *m_options.deformation.visitor : none;
+    const Points straight =
+        find_part(interface_, dt, [&] { return straight_destinations(interface_, t); });
+    // Errors are found before the interface is changed.
+    require_interface_edge(m_dsc);
+    require_finite(straight, "a destination");
+    Passed_edges<Complex> passed(m_dsc, interface_, straight, visitor);
+    passed.collapse();
+    if (passed.collapsed() > 0)
+      interface_ = Interface(m_dsc, m_for_each_index);
+    shorten(passed.until(), dt);
+    const auto corners = m_velocity.open_corners(m_dsc, interface_, m_step, visitor);
+    if (corners.inserted() > 0)
+      interface_ = Interface(m_dsc, m_for_each_index);
+    Points destinations = straight_destinations(interface_, t);
+    corners.place(interface_, destinations);
+    Report report = deform(interface_, destinations, t);
+    for (const auto& before : earlier.labels)
+      change_of_label(report.labels, before.label).volume_before = before.volume_before;
+    report.split += corners.inserted();
+    report.collapsed += passed.collapsed();
+    report.complete = report.complete && report.is_balanced();
+    return report;
+  }
+
+  bool may_divide() const {
+    return m_options.largest_displacement > 0 && !m_options.deformation.flow;
+  }
+
+  // Ends the part shortly before an edge vanishes, unless the part would be too short.
+  void shorten(double until, double dt) {
+    static constexpr double shortly = .98;      // the edge has a fiftieth of its length then
+    static constexpr double shortest = 1. / 62; // of the time step
+    if (may_divide() && until < 1 && std::abs(m_step * until) >= shortest * std::abs(dt))
+      m_step *= shortly * until;
+  }
+
+  // Returns the destinations by constant velocities: segments move along their normals until one of
+  // them vanishes.
+  Points straight_destinations(const Interface& interface_, double t) const {
+    Points result = interface_.positions(m_dsc);
+    const auto velocities = velocities_at(interface_, result, t, m_velocity);
+    for (std::size_t i = 0; i < result.size(); ++i)
+      result[i] = result[i] + m_step * velocities[i];
+    return result;
+  }
+
+  // Shortens the part until it is not too long. Returns its destinations.
+  // \param find returns the destinations of a part of the length `m_step`
+  template <class Find> Points find_part(const Interface& interface_, double dt, const Find& find) {
+    // A time step that needs more parts is an error of units or of signs.
+    static constexpr double most_parts = 1e4;
+    for (;;) {
+      Points result = find();
+      const double length = may_divide()
+                                ? length_of_step<Complex, Velocity>(m_dsc, interface_, result,
+                                                                    m_options.largest_displacement)
+                                : 0;
+      if (!(length > 1))
+        return result;
+      m_longest = m_step /= std::ceil(length);
+      if (m_options.scheme != Integration_scheme::euler && !moves_segments<Complex, Velocity>)
+        m_options.scheme = Integration_scheme::adaptive;
+      if (!(std::abs(m_step) * most_parts >= std::abs(dt)))
+        throw Error("the time step is too long: it would be divided into more than 10 000 parts; "
+                    "use a shorter time step, or check the unit of the velocities");
+    }
+  }
+
+  Report deform(const Interface& interface_, const Points& destinations, double t) {
+    Deformation_options<Complex> deformation = m_options.deformation;
+    deformation.interface_energy = energy_of(m_velocity, deformation.interface_energy);
+    if constexpr (is_flow_of_space<Complex, Velocity>)
+      if (!deformation.flow)
+        deformation.flow = [&](const std::vector<typename Complex::Vertex_handle>& vertices) {
+          Points positions;
+          for (const auto v : vertices)
+            positions.push_back(m_dsc.position(v));
+          return follow_flow<Complex>(m_dsc.domain(), positions, m_velocity, t, m_step);
+        };
+    return deform_interface_to(m_dsc, interface_, destinations, deformation);
+  }
+
+  Complex& m_dsc;
+  const Velocity& m_velocity;
+  Advection_options<Complex> m_options;
+  For_each_index m_for_each_index;
+  double m_longest = 0; // length of a part
+  double m_step = 0;    // length of the current part
+};
 
 } // namespace internal
 
@@ -126,46 +249,7 @@ template <class Complex, class Velocity>
 Deformation_report<Complex> advect_interface(Complex& dsc, const Velocity& velocity, double t,
                                              double dt, const Advection_options<Complex>& options) {
   options.check();
-  // A time step that needs more parts is an error of units or of signs.
-  static constexpr double most_parts = 1e4;
-  const bool may_divide = options.largest_displacement > 0 && !options.deformation.flow;
-  Deformation_report<Complex> report;
-  Advection_options<Complex> of_parts = options;
-  double rest = dt, step = dt; // of the time
-  for (bool is_first = true; is_first || rest != 0; is_first = false) {
-    const internal::Interface_seen_by<Complex, Velocity> interface_(
-        dsc, For_each_index(options.deformation.number_of_threads));
-    std::vector<typename Complex::Approximate_point> destinations;
-    for (;;) {
-      destinations = internal::destinations_of_step(dsc, interface_, velocity, t + (dt - rest),
-                                                    step, of_parts);
-      const double length =
-          may_divide ? internal::length_of_step<Complex, Velocity>(dsc, interface_, destinations,
-                                                                   options.largest_displacement)
-                     : 0;
-      if (!(length > 1))
-        break;
-      step /= std::ceil(length);
-      of_parts.scheme = internal::scheme_of_parts(options.scheme);
-      if (!(std::abs(step) * most_parts >= std::abs(dt)))
-        throw Error("the time step is too long: it would be divided into more than 10 000 parts; "
-                    "use a shorter time step, or check the unit of the velocities");
-    }
-    const auto part = internal::advect_undivided(dsc, interface_, destinations, velocity,
-                                                 t + (dt - rest), step, options.deformation);
-    if (is_first)
-      report = part;
-    else
-      report.append(part);
-    // The last part ends exactly at the end of the time step.
-    static constexpr double rounding = 1e-9; // of a part
-    rest = std::abs(rest - step) <= rounding * std::abs(step) ? 0 : rest - step;
-    if (std::abs(rest) < std::abs(step))
-      step = rest;
-    if (report.stopped)
-      break;
-  }
-  return report;
+  return internal::Divided_step<Complex, Velocity>(dsc, velocity, options).run(t, dt);
 }
 
 /*!
@@ -216,10 +300,11 @@ vertices near the interface also move with it, unless the parameter `flow` is gi
     \cgalParamDescription{the longest displacement of a vertex relative to its neighbors in one
                           deformation, in local edge lengths, not negative. If the free vertices do
                           not follow the velocity, a vertex also moves by at most four times this
-                          length. A longer time step is divided into parts: a flow map, a step and
-                          an interface velocity are called for each part, and the paths in a field
-                          are integrated adaptively, unless `scheme` is `Integration_scheme::euler`.
-                          With 0, or if the parameter `flow` is given, the time step is not divided}
+                          length. A segment of a `Normal_offset` in the plane moves by at most one
+such length, and parts also end when a segment vanishes; `scheme` is not used. A longer time step is
+divided into parts: a flow map, a step and an interface velocity are called for each part, and the
+paths in a field are integrated adaptively, unless `scheme` is `Integration_scheme::euler`. With 0,
+or if the parameter `flow` is given, the time step is not divided}
     \cgalParamType{`double`}
     \cgalParamDefault{0.5, a turn by 29 degrees}
   \cgalParamNEnd

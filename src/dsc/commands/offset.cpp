@@ -4,10 +4,14 @@
 
 #include "commands/commands.h"
 #include "commands/run_command.h"
+#include "errors.h"
 #include "option_values.h"
 
 #include <memory>
 #include <string>
+#include <variant>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc {
 namespace {
@@ -17,10 +21,13 @@ struct Offset_options
   Run_command_options run;
   std::string distance; ///< as written
   bool moves_faces = false;
+  std::string corners = "miter";
 };
 
-void check_faces(const Run_options& run, bool is_planar) {
+void check_dimension(const Run_options& run, bool is_planar) {
   require_space(run, is_planar, {"--move-faces"});
+  if (!is_planar && std::get<Offset>(run.step.motion).corners == DSC::Corner_rule::round)
+    throw Usage_error("--corners round applies only in the plane; leave it out");
 }
 
 } // namespace
@@ -35,12 +42,18 @@ void add_offset(CLI::App& app, int& exit_code) {
   command->add_flag(
       "--move-faces", options->moves_faces,
       "Move flat faces as a whole: edges that the motion opens become round, others stay sharp");
+  command
+      ->add_option("--corners", options->corners,
+                   "Corners from which the interface moves away: sharp (miter) or, in the "
+                   "plane, arcs (round)")
+      ->check(CLI::IsMember(&corner_rules()))
+      ->capture_default_str();
   command->callback([command, options, &exit_code] {
     Run_options run = begin_run_options(*command, options->run);
     run.step.motion =
         Offset{run.given.count("--distance") > 0 ? parse_distance(options->distance) : Distance(),
-               options->moves_faces};
-    complete_run_options(options->run, {}, check_faces, run);
+               options->moves_faces, corner_rules().at(options->corners)};
+    complete_run_options(options->run, {}, check_dimension, run);
     exit_code = dsc::run(run);
   });
 }

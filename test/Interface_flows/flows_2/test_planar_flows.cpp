@@ -374,4 +374,104 @@ TEST(Planar_flows, random_fields_never_break_it) {
   EXPECT_GT(relabeled, 0u);
 }
 
+// Returns a polygon with sides of a number of equal segments.
+Curve polygon_of_segments(const std::vector<Point>& corners, std::size_t segments) {
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const auto side = corners[(i + 1) % corners.size()] - corners[i];
+    for (std::size_t k = 0; k < segments; ++k)
+      points.push_back(corners[i] + double(k) / double(segments) * side);
+  }
+  return polygon(points);
+}
+
+std::vector<Point> star() {
+  std::vector<Point> corners;
+  for (int i = 0; i < 10; ++i) {
+    const double r = i % 2 == 0 ? 1 : .4;
+    corners.emplace_back(r * std::cos(pi * i / 5), r * std::sin(pi * i / 5));
+  }
+  return corners;
+}
+
+// Returns the area of a polygon after an offset, as long as no side vanishes: corners from which
+// the front moves away become arcs, the others are mitered.
+double area_of_round_offset(const std::vector<Point>& corners, double distance) {
+  double area = 0, perimeter = 0, angles = 0, tangents = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const auto a = corners[i], b = corners[(i + 1) % corners.size()];
+    const auto before = b - a, after = corners[(i + 2) % corners.size()] - b;
+    area += (a.x() * b.y() - a.y() * b.x()) / 2;
+    perimeter += std::sqrt(before.squared_length());
+    const double turn = std::atan2(before.x() * after.y() - before.y() * after.x(), before * after);
+    (turn * distance > 0 ? angles : tangents) +=
+        turn * distance > 0 ? turn / 2 : std::tan(turn / 2);
+  }
+  return area + perimeter * distance + (angles + tangents) * distance * distance;
+}
+
+// Moves a polygon by an offset and compares its area with the exact one.
+void expect_round_offset(const std::vector<Point>& corners, std::size_t segments, double distance,
+                         int steps) {
+  SCOPED_TRACE(testing::Message() << segments << " segments, " << distance << ", " << steps
+                                  << " steps");
+  Complex dsc = make({polygon_of_segments(corners, segments)});
+  for (int i = 0; i < steps; ++i)
+    DSC::advect_interface(dsc, DSC::Normal_offset{distance / steps, DSC::Corner_rule::round}, i,
+                          1.);
+  EXPECT_TRUE(dsc.is_valid());
+  const double exact = area_of_round_offset(corners, distance);
+  EXPECT_NEAR(dsc.area(1), exact, .001 * exact);
+}
+
+// By Huygens' principle, corners from which the front moves away become arcs, for any step length.
+TEST(Offset_2, makes_arcs_of_corners) {
+  const std::vector<Point> square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  for (const int steps : {1, 5, 50})
+    expect_round_offset(square, 1, .05, steps);
+  expect_round_offset(square, 20, -.1, 3);
+  for (const int steps : {1, 20}) {
+    expect_round_offset(star(), 20, .1, steps);
+    expect_round_offset(star(), 20, -.1, steps);
+  }
+}
+
+// Corners stay sharp in a mitered offset. Vertices of the sides that a corner passes are removed,
+// for any ratio of the step and the segments.
+TEST(Offset_2, keeps_sharp_corners_that_pass_vertices) {
+  const std::vector<Point> square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  for (const std::size_t segments : {7, 20, 27, 44})
+    for (const int steps : {1, 3, 10}) {
+      Complex dsc = make({polygon_of_segments(square, segments)});
+      for (int i = 0; i < steps; ++i) {
+        const Report report = DSC::advect_interface(dsc, DSC::Normal_offset{-.05 / steps}, i, 1.);
+        EXPECT_TRUE(report.complete);
+        for (const auto& change : report.labels)
+          EXPECT_NEAR(change.volume_after, dsc.area(change.label), 1e-12);
+      }
+      EXPECT_NEAR(dsc.area(1), .81, 1e-9) << segments << " segments, " << steps << " steps";
+    }
+}
+
+// A segment cuts off the spike of a mitered offset.
+TEST(Offset_2, cuts_off_spikes) {
+  Complex dsc = make({polygon({{0, 0}, {4, -.4}, {4, .4}})});
+  DSC::advect_interface(dsc, DSC::Normal_offset{.1}, 0, 1.);
+  double leftmost = 0;
+  for (const auto v : dsc.interface_vertices())
+    leftmost = (std::min)(leftmost, dsc.position(v).x());
+  EXPECT_NEAR(leftmost, -.1, .01);
+  EXPECT_TRUE(dsc.is_valid());
+}
+
+// Each corner of a curve is worth its turning angle, so a curve loses an area of 2 pi per unit of
+// time, also if its corners are not resolved.
+TEST(Curve_shortening, of_corners_loses_the_exact_area) {
+  Complex dsc = make({polygon_of_segments(star(), 20)});
+  const double before = dsc.area(1);
+  for (int i = 0; i < 10; ++i)
+    DSC::advect_adaptively(dsc, DSC::Mean_curvature_flow(), .005 * i, .005);
+  EXPECT_NEAR(before - dsc.area(1), 2 * pi * .05, .01 * 2 * pi * .05);
+}
+
 } // namespace test_planar_flows

@@ -12,6 +12,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Destinations.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -49,6 +50,27 @@ public:
       after += final_frame(c).parallelotope;
     }
     return !(after > 0) || after < closed * before;
+  }
+
+  // Returns whether a component is thin relative to the displacements of its vertices. The size of
+  // its cells does not count, so a component of few large cells is not thin.
+  bool is_thin(const std::vector<Cell_handle>& component) const {
+    static constexpr double thin = 2; // thickness, in displacements
+    double volume = 0, area = 0, displacement = 0;
+    for (Cell_handle c : component) {
+      volume += m_complex.measure(c);
+      for (int i = 0; i < Complex::corners; ++i) {
+        if (const std::pair<Cell_handle, int> facet(c, i); m_complex.is_interface(facet))
+          area += m_complex.measure(facet);
+        const Vertex_handle v = c->vertex(i);
+        displacement = (std::max)(
+            displacement,
+            Complex::Space::length(m_complex.domain().near(m_destinations.position_before(v),
+                                                           m_destinations.final_position(v)) -
+                                   m_destinations.position_before(v)));
+      }
+    }
+    return 2 * volume <= thin * displacement * area;
   }
 
   // Returns the signed volume of a cell with its vertices at their destinations.

@@ -76,7 +76,9 @@ public:
       front.clear();
       add_neighbors(proposed, front);
       // components that were cut off where parts of the interface meet
-      remove_small_components(front, [](const std::vector<Cell_handle>&) { return true; });
+      remove_small_components(front, [this](const std::vector<Cell_handle>& component) {
+        return m_contacts.is_thin(component) || m_contacts.vanishes(component);
+      });
       spread(front, threshold);
     }
   }

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <vector>
@@ -30,12 +31,13 @@ namespace internal {
 /*
 The forces by which the facets of a snapshot reduce the energy of the interface, and the mass matrix
 of each vertex: the velocity of a vertex is its force divided by its mass. Each vertex has a share
-of the area of its facets, divided by their mobilities. At a vertex with two labels, the mass matrix
-is this share times the identity. At a junction of more labels, for example a line with angles of
-120 degrees, a facet contributes to the mass along its normal only. A motion within the plane of a
-facet changes the size of the facet only, so the facet does not resist it (J. W. Barrett, H. Garcke,
-R. Nürnberg, *On the parametric finite element approximation of evolving hypersurfaces in R^3*,
-Journal of Computational Physics 227, 2008).
+of the area of its facets, divided by their mobilities. In the plane, a vertex between two segments
+has a smaller share, so that a curve loses area at the right rate, also at corners. At a vertex with
+two labels, the mass matrix is this share times the identity. At a junction of more labels, for
+example a line with angles of 120 degrees, a facet contributes to the mass along its normal only. A
+motion within the plane of a facet changes the size of the facet only, so the facet does not resist
+it (J. W. Barrett, H. Garcke, R. Nürnberg, *On the parametric finite element approximation of
+evolving hypersurfaces in R^3*, Journal of Computational Physics 227, 2008).
 
 Constraints: vertices on sides of the domain stay on them. Facets with the mobility 0 do not move
 along their normals. A vertex with such facets only is pinned. Other vertices of such facets slide
@@ -68,7 +70,8 @@ public:
                    const std::vector<Point>& positions, const Interface_energy& energy,
                    const std::vector<Boundary_class::Bits>& sides)
       : m_are_junctions(vertices_on_junctions(interface_)), m_shares(positions.size(), 0),
-        m_masses(positions.size(), Matrix::Zero()), m_forces(positions.size(), Vector::Zero()) {
+        m_masses(positions.size(), Matrix::Zero()), m_forces(positions.size(), Vector::Zero()),
+        m_tangents(positions.size()) {
     Obstacles obstacles;
     for (const auto& facet : interface_.facets()) {
       std::array<Point, d> corners;
@@ -88,6 +91,10 @@ public:
         m_constraints.emplace(v, within(sides[v]));
     for (const auto& [v, normals] : obstacles)
       m_constraints.insert_or_assign(v, along(normals, v, sides[v]));
+    if constexpr (d == 2)
+      for (std::size_t v = 0; v < positions.size(); ++v)
+        if (m_tangents[v].number == 2 && sides[v] == Boundary_class::inside)
+          m_shares[v] *= mass_at_corner(m_tangents[v].sum.norm() / 2);
     for (std::size_t v = 0; v < positions.size(); ++v)
       if (!is_junction(v))
         m_masses[v] = m_shares[v] * Matrix::Identity();
@@ -146,6 +153,10 @@ private:
       m_pulls.push_back({v[i], v[j], tension * parts.weights[k], edge});
       m_forces[v[i]] += m_pulls.back().weight * edge;
       m_forces[v[j]] -= m_pulls.back().weight * edge;
+      if constexpr (d == 2) {
+        m_tangents[v[i]].add(edge.normalized());
+        m_tangents[v[j]].add(-edge.normalized());
+      }
     }
     if (!energy.has_densities())
       return;
@@ -165,6 +176,15 @@ private:
       if (is_junction(v[i]))
         m_masses[v[i]] += share * normal * normal.transpose();
     }
+  }
+
+  // Returns the factor of the mass of a vertex between two segments, for half the length of the sum
+  // of their unit tangents. The vertex has a turning angle a and sweeps area at the rate sin(a).
+  // The rate of a smooth curve with this turning angle is a.
+  static double mass_at_corner(double half_of_sum) {
+    static constexpr double least = .1; // for a spike
+    const double half_angle = std::asin((std::min)(1., half_of_sum));
+    return half_angle > 0 ? (std::max)(least, std::sin(2 * half_angle) / (2 * half_angle)) : 1;
   }
 
   // Adds the area vector of a facet with the mobility 0 to its vertices.
@@ -226,11 +246,24 @@ private:
     mass = solver.eigenvectors() * values.asDiagonal() * solver.eigenvectors().transpose();
   }
 
+  // Unit tangents of the segments at a vertex, in the plane.
+  struct Tangents
+  {
+    Vector sum = Vector::Zero();
+    int number = 0;
+
+    void add(const Vector& tangent) {
+      sum += tangent;
+      ++number;
+    }
+  };
+
   std::vector<char> m_are_junctions;
   std::vector<Pull> m_pulls;
   std::vector<double> m_shares;
   std::vector<Matrix> m_masses;
   std::vector<Vector> m_forces;
+  std::vector<Tangents> m_tangents;
   std::map<std::size_t, Matrix> m_constraints;
   bool m_has_obstacles = false;
 };

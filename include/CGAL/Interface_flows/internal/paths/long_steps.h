@@ -10,6 +10,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Interface_flows/internal/paths/interface_paths.h>
+#include <CGAL/Interface_flows/internal/paths/velocity_properties.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -31,7 +32,7 @@ double length_of_step(const Complex& dsc, const Interface& interface_,
   using Vector = typename Complex::Approximate_vector;
   static constexpr double together = 4; // longest displacement with neighbors, in the same unit
   std::vector<Vector> displacements;
-  double longest = 0; // in units of the limit
+  std::vector<double> lengths; // in units of the limit
   for (std::size_t i = 0; i < destinations.size(); ++i) {
     const auto v = interface_.vertices[i];
     displacements.push_back(destinations[i] - dsc.position(v));
@@ -39,8 +40,19 @@ double length_of_step(const Complex& dsc, const Interface& interface_,
     const double edge =
         (std::max)(v->spacing() > 0 ? double(v->spacing()) : dsc.interface_edge_length(v),
                    dsc.mean_interface_edge());
-    longest = (std::max)(longest, Complex::Space::length(displacements[i]) / (limit * edge));
+    lengths.push_back(Complex::Space::length(displacements[i]) / (limit * edge));
   }
+  double longest = 0;
+  if constexpr (moves_segments<Complex, Velocity>) {
+    // The vertices of sharp corners move farther than the segments. New corners appear where
+    // segments vanish, so parts are shorter.
+    for (const auto& segment : interface_.segments)
+      longest = (std::max)(longest,
+                           (std::min)(lengths[segment.vertices[0]], lengths[segment.vertices[1]]));
+    return longest;
+  }
+  for (const double length : lengths)
+    longest = (std::max)(longest, length);
   if constexpr (is_flow_of_space<Complex, Velocity>) {
     if (2 * longest <= 1)
       return 0; // so are all differences

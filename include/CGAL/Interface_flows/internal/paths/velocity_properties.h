@@ -8,7 +8,9 @@
 #ifndef CGAL_INTERFACE_FLOWS_INTERNAL_PATHS_VELOCITY_PROPERTIES_H
 #define CGAL_INTERFACE_FLOWS_INTERNAL_PATHS_VELOCITY_PROPERTIES_H
 
+#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <type_traits>
 #include <utility>
 
@@ -58,6 +60,18 @@ template <class Velocity>
 Interface_energy energy_of(const Velocity& velocity, const Interface_energy& other) {
   return energy_of(velocity, other, 0);
 }
+
+// Tells whether a velocity moves the segments of a planar interface as a whole, so that corners are
+// opened and segments vanish. It then has the member function `open_corners()`, which inserts
+// vertices into the interface before a step and tells their destinations.
+template <class Complex, class Velocity, class = void> inline constexpr bool moves_segments = false;
+
+template <class Complex, class Velocity>
+inline constexpr bool
+    moves_segments<Complex, Velocity,
+                   std::void_t<decltype(std::declval<const Velocity&>().open_corners(
+                       std::declval<Complex&>(), std::declval<Interface_snapshot<Complex>>(), 0.,
+                       std::declval<Any_visitor<Complex>&>()))>> = Complex::dimension == 2;
 
 } // namespace internal
 } // namespace Deformable_simplicial_complexes

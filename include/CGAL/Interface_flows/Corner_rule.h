@@ -1,0 +1,26 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Interface_flows, written for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTERFACE_FLOWS_CORNER_RULE_H
+#define CGAL_INTERFACE_FLOWS_CORNER_RULE_H
+
+#include <CGAL/license/Interface_flows.h>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+/// \ingroup PkgInterfaceFlowsRef
+/// The front of a `Normal_offset` at corners from which it moves away.
+enum class Corner_rule {
+  miter, ///< the faces move, and corners stay sharp
+  round  ///< corners become arcs, only in the plane
+};
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_INTERFACE_FLOWS_CORNER_RULE_H
