@@ -133,8 +133,8 @@ public:
   /// \throws Error if an option or a mobility is out of its range
   explicit Grain_growth(Complex& complex, const Interface_energy& energy = {},
                         const Grain_growth_options& options = {})
-      : m_complex(complex), m_flow(energy), m_velocity(energy), m_particles(complex, energy),
-        m_options(options) {
+      : m_complex(complex), m_flow(energy, false, false), m_velocity(energy),
+        m_particles(complex, energy), m_options(options) {
     options.check();
   }
 

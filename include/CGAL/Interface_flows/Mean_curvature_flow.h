@@ -122,8 +122,11 @@ public:
   ///        Volumes are preserved up to rounding for labels that do not touch the boundary of the
   ///        domain. The time step must be shorter than the time in which a label would vanish
   ///        without its pressure.
-  explicit Mean_curvature_flow(const Interface_energy& energy, bool preserves_volumes = false)
-      : m_energy(energy), m_preserves_volumes(preserves_volumes) {}
+  /// \param divides_steps whether steps are divided by their error. Flows in which components vanish
+  ///        all the time, and whose steps are short, need no division.
+  explicit Mean_curvature_flow(const Interface_energy& energy, bool preserves_volumes = false,
+                               bool divides_steps = true)
+      : m_energy(energy), m_preserves_volumes(preserves_volumes), m_divides_steps(divides_steps) {}
 
   /// Returns the energy that the flow decreases.
   const Interface_energy& energy() const { return m_energy; }
@@ -155,7 +158,7 @@ public:
     destinations = extrapolated<Complex>(whole, halves);
     if constexpr (Complex::dimension == 2) {
       const double tolerance = error_bound * mean_edge(interface_, positions);
-      if (largest_distance<Complex>(whole, halves) > tolerance)
+      if (m_divides_steps && largest_distance<Complex>(whole, halves) > tolerance)
         try {
           destinations = divided_step(interface_, positions, dt, tolerance);
         } catch (const Error&) {
@@ -303,6 +306,7 @@ private:
 
   Interface_energy m_energy;
   bool m_preserves_volumes = false;
+  bool m_divides_steps = true;
 };
 
 } // namespace Deformable_simplicial_complexes
