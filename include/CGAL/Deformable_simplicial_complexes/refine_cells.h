@@ -74,6 +74,19 @@ Cell_edge<Complex> terminal_edge(const Complex& complex, typename Complex::Cell_
   return result;
 }
 
+// Splits the terminal edge of a cell in the middle. Returns whether the split is admissible.
+template <class Complex>
+bool split_terminal_edge(Complex& complex, typename Complex::Cell_handle cell,
+                         Cavity<Complex>& cavity, Any_visitor<Complex>& visitor,
+                         Improvement_report& report) {
+  const auto edge = terminal_edge(complex, cell);
+  const auto v = edge.cell->vertex(edge.i), w = edge.cell->vertex(edge.j);
+  if (!propose_edge_split(complex, edge.cell, edge.i, edge.j, .5, cavity))
+    return false;
+  commit_split(complex, cavity, v, w, visitor, report);
+  return true;
+}
+
 } // namespace internal
 
 /*!
@@ -111,13 +124,9 @@ std::size_t refine_cells(Complex& complex, const Selects& selects,
     Progress_scope::check();
     if (!complex.is_alive(cell, time_stamp) || !selects(cell))
       continue;
-    while (complex.is_alive(cell, time_stamp)) {
-      const auto edge = internal::terminal_edge(complex, cell);
-      const auto v = edge.cell->vertex(edge.i), w = edge.cell->vertex(edge.j);
-      if (!propose_edge_split(complex, edge.cell, edge.i, edge.j, .5, cavity))
+    while (complex.is_alive(cell, time_stamp))
+      if (!internal::split_terminal_edge(complex, cell, cavity, visitor ? *visitor : none, report))
         break;
-      commit_split(complex, cavity, v, w, visitor ? *visitor : none, report);
-    }
   }
   return report.split;
 }

@@ -156,11 +156,11 @@ public:
     const auto half = implicit_step(interface_, positions, dt / 2);
     const auto halves = implicit_step(interface_, half, dt / 2);
     destinations = extrapolated<Complex>(whole, halves);
-    if constexpr (Complex::dimension == 2) {
+    if (Complex::dimension == 2 && m_divides_steps) {
       const double tolerance = error_bound * mean_edge(interface_, positions);
-      if (m_divides_steps && largest_distance<Complex>(whole, halves) > tolerance)
+      if (largest_distance<Complex>(whole, halves) > tolerance)
         try {
-          destinations = divided_step(interface_, positions, dt, tolerance);
+          destinations = divided_step(interface_, positions, dt, half, tolerance);
         } catch (const Error&) {
           // A component vanishes within the step, which only the whole step passes over.
         }
@@ -178,15 +178,14 @@ private:
   static constexpr double rounding = 1e-9; // of the rest of a step
 
   // Returns the destinations of a step in parts of an error up to the tolerance.
+  // \param whole the positions after half of the step, by one implicit step
   template <class Complex>
   std::vector<typename Complex::Approximate_point>
   divided_step(const Interface_snapshot<Complex>& interface_,
                std::vector<typename Complex::Approximate_point> positions, double dt,
-               double tolerance) const {
+               std::vector<typename Complex::Approximate_point> whole, double tolerance) const {
     double step = dt / 2;
-    for (double rest = dt; rest > 0;) {
-      step = (std::min)(step, rest);
-      auto whole = implicit_step(interface_, positions, step);
+    for (double rest = dt;;) {
       for (;;) {
         Progress_scope::check();
         const auto half = implicit_step(interface_, positions, step / 2);
@@ -201,8 +200,11 @@ private:
         whole = half;
         step /= 2;
       }
+      if (!(rest > 0))
+        return positions;
+      step = (std::min)(step, rest);
+      whole = implicit_step(interface_, positions, step);
     }
-    return positions;
   }
 
   // Returns the result of second order, from one step and from two steps of half the length.

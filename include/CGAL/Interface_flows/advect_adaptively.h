@@ -114,9 +114,7 @@ Deformation_report<Complex> advect_adaptively(Complex& dsc, const Velocity& velo
   require_interface_edge(dsc);
   const Deformation_options<Complex>& deformation = options.advection.deformation;
   Improvement_report changes;
-  std::vector<typename Deformation_report<Complex>::Label_change> earlier; // in the adaptation
-  for (const auto label : dsc.labels())
-    internal::change_of_label(earlier, label).volume_before = dsc.measure(label);
+  const auto earlier = internal::volumes_before(dsc); // the adaptation
   if (std::fmod(std::round(t / dt), options.adaptation_interval) == 0 &&
       !dsc.interface_vertices().empty()) {
     const Adaptation_options adaptation = {
@@ -144,8 +142,7 @@ Deformation_report<Complex> advect_adaptively(Complex& dsc, const Velocity& velo
     changes = changes + control_detail(dsc, detail);
   }
   Deformation_report<Complex> report = advect_interface(dsc, velocity, t, dt, options.advection);
-  for (const auto& before : earlier)
-    internal::change_of_label(report.labels, before.label).volume_before = before.volume_before;
+  internal::begin_with(earlier, report);
   report.split += changes.split;
   report.collapsed += changes.collapsed;
   report.flipped += changes.flipped;

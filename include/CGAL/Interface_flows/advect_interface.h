@@ -77,6 +77,23 @@ void read_parameters(const Complex& complex, const NamedParameters& np,
 
 namespace internal {
 
+// Returns the volumes of all labels, as the beginning of their changes.
+template <class Complex>
+std::vector<typename Deformation_report<Complex>::Label_change> volumes_before(const Complex& dsc) {
+  std::vector<typename Deformation_report<Complex>::Label_change> result;
+  for (const auto label : dsc.labels())
+    change_of_label(result, label).volume_before = dsc.measure(label);
+  return result;
+}
+
+// Replaces the volumes at the beginning of a report by those before earlier operations.
+template <class Complex>
+void begin_with(const std::vector<typename Deformation_report<Complex>::Label_change>& earlier,
+                Deformation_report<Complex>& report) {
+  for (const auto& before : earlier)
+    change_of_label(report.labels, before.label).volume_before = before.volume_before;
+}
+
 // Returns the destinations of the vertices of the interface in a time step.
 template <class Complex, class Interface, class Velocity>
 std::vector<typename Complex::Approximate_point>
@@ -141,9 +158,7 @@ private:
 
   // Does a part in which edges vanish and corners are opened.
   Report advance_segments(Interface interface_, double t, double dt) {
-    Report earlier;
-    for (const auto label : m_dsc.labels())
-      change_of_label(earlier.labels, label).volume_before = m_dsc.measure(label);
+    const auto earlier = volumes_before(m_dsc);
     Any_visitor<Complex> none;
     auto& visitor = m_options.deformation.visitor ? *m_options.deformation.visitor : none;
     const Points straight =
@@ -162,8 +177,7 @@ private:
     Points destinations = straight_destinations(interface_, t);
     corners.place(interface_, destinations);
     Report report = deform(interface_, destinations, t);
-    for (const auto& before : earlier.labels)
-      change_of_label(report.labels, before.label).volume_before = before.volume_before;
+    begin_with(earlier, report);
     report.split += corners.inserted();
     report.collapsed += passed.collapsed();
     report.complete = report.complete && report.is_balanced();

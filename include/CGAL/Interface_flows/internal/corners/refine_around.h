@@ -13,8 +13,6 @@
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
-#include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
-#include <CGAL/Deformable_simplicial_complexes/edge_split.h>
 #include <CGAL/Deformable_simplicial_complexes/refine_cells.h>
 
 #include <algorithm>
@@ -46,13 +44,8 @@ std::size_t refine_around(Complex& complex, typename Complex::Vertex_handle vert
     star.clear();
     complex.star(vertex, star);
     const auto cell = std::find_if(star.begin(), star.end(), is_coarse);
-    if (cell == star.end())
+    if (cell == star.end() || !split_terminal_edge(complex, *cell, cavity, visitor, report))
       break;
-    const auto edge = terminal_edge(complex, *cell);
-    const auto v = edge.cell->vertex(edge.i), w = edge.cell->vertex(edge.j);
-    if (!propose_edge_split(complex, edge.cell, edge.i, edge.j, .5, cavity))
-      break;
-    commit_split(complex, cavity, v, w, visitor, report);
   }
   return report.split;
 }

@@ -71,7 +71,7 @@ public:
                    const std::vector<Boundary_class::Bits>& sides)
       : m_are_junctions(vertices_on_junctions(interface_)), m_shares(positions.size(), 0),
         m_masses(positions.size(), Matrix::Zero()), m_forces(positions.size(), Vector::Zero()),
-        m_tangents(positions.size()) {
+        m_tangents(d == 2 ? positions.size() : 0) {
     Obstacles obstacles;
     for (const auto& facet : interface_.facets()) {
       std::array<Point, d> corners;
