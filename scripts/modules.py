@@ -62,6 +62,7 @@ MODULES = {
         "soups": "triangle soups: intersections, splits, regions",
         "checks": "checks of input surfaces and cells, with the errors that they throw",
         "building": "boxes, labels of cells, meshes of the domain",
+        "fitting": "places where the label given by a function changes, volumes that facets miss",
         "images": "curves between the pixels of an image, triangles between these curves",
         "repair": "repair of surfaces that do not bound solids",
         "conversion": "conversion of labelled images and of meshes of Mesh_3",

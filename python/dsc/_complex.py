@@ -110,6 +110,18 @@ def _report_with_warnings(result: dict[str, Any]) -> Report:
     return report
 
 
+def _warn_of_thin_parts(complex_: Any, edge_per_thickness: float | None) -> Any:
+    missing = complex_.missing_facets(3.0 if edge_per_thickness is None else edge_per_thickness)
+    if missing > 0:
+        warnings.warn(
+            f"thin parts of the interface are coarse: about {missing:.2g} more facets would resolve them; "
+            "use a larger most_new_facets",
+            VolumeWarning,
+            stacklevel=3,
+        )
+    return complex_
+
+
 def _energy(
     tension: float | PairFunction | None, mobility: float | PairFunction | None, density: Density | None
 ) -> dict[str, Any]:
@@ -538,6 +550,7 @@ class Complex:
         minimum_facet_angle: float | None = None,
         manifold_interface: bool | None = None,
         collision_order: bool | None = None,
+        domain: str | None = None,
         progress: Progress | None = None,
     ) -> Report:
         """Moves the vertices of the interface to destinations.
@@ -551,6 +564,13 @@ class Complex:
         minimum_facet_angle: facets with a smaller angle are removed, degrees in [0, 30]
         manifold_interface: whether the boundary of each label stays a manifold
         collision_order: whether vertices are moved in the order of their first collision
+        domain: 'refuse' raises an error if a destination is outside the box, 'stop' lets vertices stop
+            at its sides, which an interface that touches the sides always does; default 'refuse'.
+            Motions with a velocity also know 'grow', which enlarges the box. It is their default
+            unless the complex has values
+
+        Raises `InvalidDestinationError` if a destination is not finite or not permitted; nothing has
+        moved then.
         """
         options = _given(
             topology=topology,
@@ -562,6 +582,7 @@ class Complex:
             minimum_facet_angle=minimum_facet_angle,
             manifold_interface=manifold_interface,
             collision_order=collision_order,
+            domain=domain,
         )
         points = np.asarray(destinations, dtype=float)
         return _report_with_warnings(self._compiled.deform(points, options, progress))
@@ -712,6 +733,8 @@ class Complex3(Complex):
         box: npt.ArrayLike | None = None,
         box_subdivision: int | None = None,
         improve: bool | None = None,
+        edge_per_thickness: float | None = None,
+        most_new_facets: int | None = None,
         progress: Progress | None = None,
     ) -> Complex3:
         """Fills a box around closed surfaces with tetrahedra.
@@ -721,6 +744,9 @@ class Complex3(Complex):
         box: two opposite corners, shape (2, 3); by default a cube around the surfaces
         box_subdivision: number of pieces of each edge of the box
         improve: whether the tetrahedra are improved at the end
+        edge_per_thickness: longest edge of the interface in thicknesses of the part or the gap at it;
+            longer ones are split. 0 splits none. Default 3
+        most_new_facets: largest number of facets that are added in this way, default 10 000
 
         Raises `InvalidSurfaceError` if a surface is open or intersects itself or another one, and
         `TetrahedralizationError` if TetGen fails.
@@ -731,8 +757,11 @@ class Complex3(Complex):
             box=None if box is None else _box(box, 3),
             box_subdivision=box_subdivision,
             improve=improve,
+            edge_per_thickness=edge_per_thickness,
+            most_new_facets=most_new_facets,
         )
-        return cls(_dsc.Complex3.from_surfaces(labelled, options, progress))
+        compiled = _dsc.Complex3.from_surfaces(labelled, options, progress)
+        return cls(_warn_of_thin_parts(compiled, edge_per_thickness))
 
     @classmethod
     def from_tetrahedra(
@@ -744,6 +773,8 @@ class Complex3(Complex):
         surround: bool = False,
         box: npt.ArrayLike | None = None,
         improve: bool | None = None,
+        edge_per_thickness: float | None = None,
+        most_new_facets: int | None = None,
         progress: Progress | None = None,
     ) -> Complex3:
         """Makes a complex of labelled tetrahedra, of shapes (n, 3), (m, 4) and (m,).
@@ -752,20 +783,27 @@ class Complex3(Complex):
             box; otherwise, the tetrahedra are the domain
         box: two opposite corners, shape (2, 3) (with `surround`)
         improve: whether the tetrahedra are improved at the end
+        edge_per_thickness: longest edge of the interface in thicknesses of the part or the gap at it;
+            longer ones are split. 0 splits none. Default 3
+        most_new_facets: largest number of facets that are added in this way, default 10 000
 
         Raises `InvalidCellsError` if the tetrahedra are no valid mesh.
         """
-        options = _given(box=None if box is None else _box(box, 3), improve=improve)
-        return cls(
-            _dsc.Complex3.from_tetrahedra(
-                np.asarray(points, dtype=float),
-                np.asarray(tetrahedra),
-                np.asarray(labels),
-                not surround,
-                options,
-                progress,
-            )
+        options = _given(
+            box=None if box is None else _box(box, 3),
+            improve=improve,
+            edge_per_thickness=edge_per_thickness,
+            most_new_facets=most_new_facets,
         )
+        compiled = _dsc.Complex3.from_tetrahedra(
+            np.asarray(points, dtype=float),
+            np.asarray(tetrahedra),
+            np.asarray(labels),
+            not surround,
+            options,
+            progress,
+        )
+        return cls(_warn_of_thin_parts(compiled, edge_per_thickness))
 
 
     @classmethod
@@ -857,6 +895,8 @@ class Complex2(Complex):
         *,
         box: npt.ArrayLike | None = None,
         improve: bool | None = None,
+        edge_per_thickness: float | None = None,
+        most_new_facets: int | None = None,
         progress: Progress | None = None,
     ) -> Complex2:
         """Fills a rectangle around polygons with triangles.
@@ -866,13 +906,22 @@ class Complex2(Complex):
         labels: labels of the regions; by default 1, 2, ... Label 0 is the outside.
         box: two opposite corners, shape (2, 2); by default a square around the polygons
         improve: whether the triangles are improved at the end
+        edge_per_thickness: longest edge of the interface in thicknesses of the part or the gap at it;
+            longer ones are split. 0 splits none. Default 3
+        most_new_facets: largest number of facets that are added in this way, default 10 000
 
         Raises `InvalidSurfaceError` if polygons intersect themselves or each other.
         """
         regions = [[np.asarray(ring, dtype=float) for ring in rings] for rings in polygons]
         labelled = list(zip(regions, _labels(labels, len(regions))))
-        options = _given(box=None if box is None else _box(box, 2), improve=improve)
-        return cls(_dsc.Complex2.from_polygons(labelled, options, progress))
+        options = _given(
+            box=None if box is None else _box(box, 2),
+            improve=improve,
+            edge_per_thickness=edge_per_thickness,
+            most_new_facets=most_new_facets,
+        )
+        compiled = _dsc.Complex2.from_polygons(labelled, options, progress)
+        return cls(_warn_of_thin_parts(compiled, edge_per_thickness))
 
     @classmethod
     def from_triangles(
@@ -882,23 +931,32 @@ class Complex2(Complex):
         labels: npt.ArrayLike,
         *,
         improve: bool | None = None,
+        edge_per_thickness: float | None = None,
+        most_new_facets: int | None = None,
         progress: Progress | None = None,
     ) -> Complex2:
         """Makes a complex of labelled triangles, of shapes (n, 2), (m, 3) and (m,), which are the domain.
 
         improve: whether the triangles are improved at the end
+        edge_per_thickness: longest edge of the interface in thicknesses of the part or the gap at it;
+            longer ones are split. 0 splits none. Default 3
+        most_new_facets: largest number of facets that are added in this way, default 10 000
 
         Raises `InvalidCellsError` if the triangles are no valid mesh.
         """
-        return cls(
-            _dsc.Complex2.from_triangles(
-                np.asarray(points, dtype=float),
-                np.asarray(triangles),
-                np.asarray(labels),
-                _given(improve=improve),
-                progress,
-            )
+        options = _given(
+            improve=improve,
+            edge_per_thickness=edge_per_thickness,
+            most_new_facets=most_new_facets,
         )
+        compiled = _dsc.Complex2.from_triangles(
+            np.asarray(points, dtype=float),
+            np.asarray(triangles),
+            np.asarray(labels),
+            options,
+            progress,
+        )
+        return cls(_warn_of_thin_parts(compiled, edge_per_thickness))
 
     @classmethod
     def from_image(

@@ -77,7 +77,8 @@ class BusyError(RuntimeError):
 
 
 class VolumeWarning(UserWarning):
-    """A label vanished, or its volume changed in a way that its motion does not explain."""
+    """A label vanished, its volume changed in a way that its motion does not explain, or thin parts of the
+    interface are coarse, so that volumes may change."""
 
 
 class Interrupted(Exception):

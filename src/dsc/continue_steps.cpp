@@ -52,6 +52,8 @@ public:
     complete("--dt", before.dt, asked.dt);
     complete("--keep-volumes", before.keeps_volumes, asked.keeps_volumes);
     complete("--tolerance", before.tolerance, asked.tolerance);
+    if (asked.keeps_volumes)
+      asked.volumes = before.volumes;
   }
 
   void complete(const Zalesak& before, Zalesak& asked) { complete("--dt", before.dt, asked.dt); }
@@ -64,6 +66,7 @@ public:
         asked.motion);
     complete("--improve-interface", before.improves_interface, asked.improves_interface);
     complete("--domain", before.grows_domain, asked.grows_domain);
+    complete("--largest-displacement", before.largest_displacement, asked.largest_displacement);
     complete("--aggressiveness", before.aggressiveness, asked.aggressiveness);
   }
 

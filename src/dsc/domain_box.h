@@ -30,9 +30,11 @@ template <int dimension> auto box_of_dimension(const std::array<double, 6>& d) {
 
 /// Returns the options of a complex with normalized coordinates, in a given or the default domain.
 inline CGAL::Deformable_simplicial_complexes::Construction_options<3>
-normalized(const std::optional<std::array<double, 6>>& domain) {
+normalized(const std::optional<std::array<double, 6>>& domain,
+           const CGAL::Deformable_simplicial_complexes::Thin_part_options& thin_parts) {
   CGAL::Deformable_simplicial_complexes::Construction_options<3> result;
   result.normalize = true;
+  result.thin_parts = thin_parts;
   if (domain)
     result.enclosing_box = box(*domain);
   return result;

@@ -181,7 +181,9 @@ std::vector<Boundary> Scene_boundaries<Boundary, Boundary_of, Boundaries_of_boxe
 
 template <class Complex>
 Complex complex_of_boundaries(const Fluid_scene& scene, const std::string& folder) {
-  const auto domain = parameters::enclosing_box(box_of_dimension<Complex::dimension>(scene.domain));
+  // Scenes give the length of edges.
+  const auto domain = parameters::enclosing_box(box_of_dimension<Complex::dimension>(scene.domain))
+                          .edge_per_thickness(0.);
   if constexpr (Complex::dimension == 2) {
     const auto boundary_of = [&](const Fluid_shape& shape) {
       return curve_of_shape(shape, scene.edge, folder);

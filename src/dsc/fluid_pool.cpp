@@ -240,7 +240,7 @@ Complex complex_of_grid(const Fluid_scene& scene, const Labels_of_places& label_
   bool has_boxes = false;
   label_at.for_each_box([&](const Box_shape&) { has_boxes = true; });
   return make_complex<Complex>(grid.points(), std::move(simplices), labels,
-                               parameters::improve(has_boxes));
+                               parameters::improve(has_boxes).edge_per_thickness(0.));
 }
 
 /// Moves the interface of a complex to the height of a pool.

@@ -11,6 +11,7 @@
 #include <CGAL/Interface_flows/Integration_scheme.h>
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
@@ -40,7 +41,7 @@ struct Advection
   Field field;
   std::string expressions; ///< in x, y, z and t, if `field` is `expressions`
   double period;           ///< T of the factor cos(pi t / T); 0 for no such factor
-  double dt;               ///< per step
+  double dt;               ///< per step; 0 until it is chosen at the start of the run
   CGAL::Deformable_simplicial_complexes::Integration_scheme scheme;
   std::optional<double> tolerance; ///< in mean edges; the library's default if not set
 };
@@ -52,6 +53,8 @@ struct Curvature_flow
              ///< interface edge of the input
   bool keeps_volumes;
   std::optional<double> tolerance; ///< in mean edges; the library's default if not set
+  /// The volumes of all labels at the start of the run, if they are kept.
+  std::map<int, double> volumes = {};
 };
 
 /// A rotation about the point (50, 50) of the plane, one turn in 628 units of time.
@@ -71,6 +74,8 @@ struct Step_options
   bool improves_interface = false;      ///< before the motion
   std::optional<double> aggressiveness; ///< of the improvement; default if not set
   bool grows_domain = false;            ///< when the interface comes near its boundary
+  /// of a vertex in one deformation, in local edges; the default of the library if not set
+  std::optional<double> largest_displacement;
 };
 
 } // namespace dsc

@@ -50,10 +50,13 @@ Json json_of(const Advection& advection) {
 }
 
 Json json_of(const Curvature_flow& flow) {
-  return {{"command", "mean-curvature"},
-          {"dt", value_or_null(flow.dt)},
-          {"keep_volumes", flow.keeps_volumes},
-          {"tolerance", flow.tolerance ? Json(*flow.tolerance) : Json()}};
+  Json result = {{"command", "mean-curvature"},
+                 {"dt", value_or_null(flow.dt)},
+                 {"keep_volumes", flow.keeps_volumes},
+                 {"tolerance", flow.tolerance ? Json(*flow.tolerance) : Json()}};
+  for (const auto& [label, volume] : flow.volumes)
+    result["volumes"].push_back({{"label", label}, {"volume", volume}});
+  return result;
 }
 
 Json json_of(const Zalesak& zalesak) { return {{"command", "zalesak"}, {"dt", zalesak.dt}}; }
@@ -63,6 +66,15 @@ std::optional<double> tolerance_of(const Json& json) {
   const auto found = json.find("tolerance");
   return found == json.end() || found->is_null() ? std::nullopt
                                                  : std::make_optional(found->get<double>());
+}
+
+// Older checkpoints have no volumes.
+std::map<int, double> volumes_of(const Json& json) {
+  std::map<int, double> result;
+  if (json.contains("volumes"))
+    for (const Json& entry : json.at("volumes"))
+      result.emplace(entry.at("label"), entry.at("volume"));
+  return result;
 }
 
 } // namespace
@@ -81,7 +93,7 @@ Motion motion_from_json(const Json& json) {
                   corner_rules().at(json.value("corners", "miter"))};
   if (command == "mean-curvature")
     return Curvature_flow{value_of<double>(json.at("dt")), json.at("keep_volumes"),
-                          tolerance_of(json)};
+                          tolerance_of(json), volumes_of(json)};
   if (command == "zalesak")
     return Zalesak{json.at("dt")};
   const auto field = std::find(commands_of_fields.begin(), commands_of_fields.end(), command);

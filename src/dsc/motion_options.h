@@ -5,10 +5,14 @@
 #ifndef DSC_MOTION_OPTIONS_H
 #define DSC_MOTION_OPTIONS_H
 
+#include "motion.h"
+
 #include <CGAL/Deformable_simplicial_complexes/control_detail.h>
+#include <CGAL/Deformable_simplicial_complexes/restore_volumes.h>
 #include <CGAL/Interface_flows/advect_adaptively.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 
+#include <map>
 #include <optional>
 
 namespace dsc {
@@ -16,9 +20,11 @@ namespace dsc {
 /// Returns the options of a motion that does not adapt the interface.
 template <class Complex>
 CGAL::Deformable_simplicial_complexes::Advection_options<Complex>
-advection_options(unsigned threads) {
+advection_options(const Step_options& step, unsigned threads) {
   CGAL::Deformable_simplicial_complexes::Advection_options<Complex> result;
   result.deformation.number_of_threads = threads;
+  result.deformation.domain_rule = CGAL::Deformable_simplicial_complexes::Domain_rule::stop;
+  result.largest_displacement = step.largest_displacement.value_or(result.largest_displacement);
   return result;
 }
 
@@ -27,12 +33,42 @@ advection_options(unsigned threads) {
 /// \param tolerance of the interface; the default of the library if not set
 template <class Complex>
 void complete(CGAL::Deformable_simplicial_complexes::Adaptive_advection_options<Complex>& options,
-              const std::optional<double>& tolerance, bool improves_interface, unsigned threads) {
+              const std::optional<double>& tolerance, const Step_options& step, unsigned threads) {
   options.advection.deformation.number_of_threads = threads;
+  options.advection.deformation.domain_rule =
+      CGAL::Deformable_simplicial_complexes::Domain_rule::stop;
+  options.advection.largest_displacement =
+      step.largest_displacement.value_or(options.advection.largest_displacement);
   options.interface_tolerance =
-      improves_interface ? 0 : tolerance.value_or(options.interface_tolerance);
-  if (improves_interface)
+      step.improves_interface ? 0 : tolerance.value_or(options.interface_tolerance);
+  if (step.improves_interface)
     options.adaptation_interval = 1;
+}
+
+/// Moves the interface by a little until each label has the volume that it had at the start of the
+/// run. The smallest label takes the rest.
+/// \param volumes in the unit of the input, of labels that may have vanished since
+/// \param unit volume of the unit of the complex, in the unit of the input
+/// \param report of the step, which tells of the changes
+template <class Complex>
+void restore_start_volumes(
+    Complex& complex, const std::map<int, double>& volumes, double unit, unsigned threads,
+    CGAL::Deformable_simplicial_complexes::Deformation_report<Complex>& report) {
+  std::map<typename Complex::Label, double> kept;
+  for (const auto& [label, volume] : volumes)
+    if (complex.number_of_cells(label) > 0)
+      kept.emplace(label, volume / unit);
+  if (!kept.empty() && kept.begin()->first == complex.labels().front())
+    kept.erase(kept.begin());
+  CGAL::Deformable_simplicial_complexes::Volume_restoration_options<Complex> options;
+  options.deformation.number_of_threads = threads;
+  options.deformation.domain_rule = CGAL::Deformable_simplicial_complexes::Domain_rule::stop;
+  options.deformation.forbid_topology_changes();
+  options.volume_tolerance = 1e-6; // does not add up, because the volumes are those of the start
+  const unsigned parts = report.steps;
+  for (const auto& next : restore_volumes(complex, kept, options).deformations)
+    report.append(next);
+  report.steps = parts;
 }
 
 /// Adapts the mesh before an offset, which stretches the interface.

@@ -158,10 +158,11 @@ Cut parse_cut(const std::string& text) {
   return {axis, parse_number(text.substr(2), "--cut", form)};
 }
 
-double parse_tolerance(const std::string& text) {
-  const double number = parse_number(text, "--tolerance", "0.04");
+double parse_not_negative(const std::string& text, const std::string& option,
+                          const std::string& example) {
+  const double number = parse_number(text, option, example);
   if (!(number >= 0))
-    throw Usage_error("--tolerance is negative; choose 0 or more");
+    throw Usage_error(option + " is negative; choose 0 or more");
   return number;
 }
 

@@ -64,8 +64,10 @@ struct Cut
 /// Parses a plane like x=0.5.
 Cut parse_cut(const std::string& text);
 
-/// Parses a number that is at least 0.
-double parse_tolerance(const std::string& text);
+/// Parses the value of an option that is at least 0.
+/// \param example a typical value, for messages
+double parse_not_negative(const std::string& text, const std::string& option,
+                          const std::string& example);
 
 /// Parses a number in [0, 1).
 double parse_aggressiveness(const std::string& text);

@@ -65,7 +65,7 @@ void Output_folder::keep_until(double time) {
 
 void Output_folder::write(const Tracked_complex& complex, const Run_position& position,
                           const std::string& metadata) {
-  if (complex.agreed(position.time > m_last_time)) {
+  if (complex.agreed(position.time > m_last_time) > 0) {
     const std::string extension = complex.grid_extension();
     const std::string volume = file(numbered("volume_%06u", position.step) + extension);
     const std::string interface = file(numbered("interface_%06u", position.step) + extension);
@@ -80,7 +80,7 @@ void Output_folder::write(const Tracked_complex& complex, const Run_position& po
     });
     m_last_time = position.time;
   }
-  if (complex.agreed(!holds(position))) {
+  if (complex.agreed(!holds(position)) > 0) {
     complex.write_checkpoint(checkpoint(), metadata);
     m_checkpoint_time = position.time;
   }

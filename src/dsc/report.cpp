@@ -15,6 +15,8 @@ Json parameters_json(const Run_options& options, const Run_start& start) {
   json["steps"] = options.steps;
   json["triangles"] = value_or_null(start.triangles);
   json["segments"] = value_or_null(start.segments);
+  json["edge_per_thickness"] = start.thin_parts.edge_per_thickness;
+  json["most_new_facets"] = start.thin_parts.most_new_facets;
   json["repair"] = start.repairs;
   json["fit"] = start.ball && !start.inputs.empty();
   json["domain"] = options.domain ? Json(*options.domain) : Json();

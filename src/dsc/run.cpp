@@ -20,6 +20,7 @@
 #include "surface.h"
 #include "tracked_complex.h"
 #include "translations.h"
+#include "velocity_expressions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -139,6 +140,35 @@ void print_summary(const Run_position& position, const Statistics& statistics,
               statistics.min_quality, unfinished, noun(unfinished, "vertex", "vertices"), seconds);
 }
 
+/// Returns the time in which the fastest vertex moves by a mean edge, or a little less, so that
+/// steps end with a period.
+double chosen_time_step(const Tracked_complex& complex, const Advection& flow, double time) {
+  static constexpr double at_rest = .01; // if nothing moves, any time step will do
+  const Velocity_expressions velocity(flow.expressions, complex.dimension());
+  double fastest = 0;
+  for (const Surface_point& p : complex.interface_points()) {
+    const auto [x, y, z] = velocity.at({p.x(), p.y(), p.z()}, time);
+    fastest = std::max(fastest, std::hypot(x, y, z));
+  }
+  double result = fastest > 0 ? complex.mean_edge() / fastest : at_rest;
+  if (flow.period > 0)
+    result = flow.period / std::ceil(flow.period / result);
+  return result;
+}
+
+/// Completes what a motion takes from the complex at the start of a run.
+void complete_motion(const Tracked_complex& complex, double time, bool is_quiet, Motion& motion) {
+  if (auto* flow = std::get_if<Advection>(&motion); flow && flow->dt == 0) {
+    flow->dt = complex.agreed(chosen_time_step(complex, *flow, time));
+    if (!is_quiet)
+      complex.run_once([&] { std::printf("dsc: the time step is %.4g\n", flow->dt); });
+  }
+  if (auto* flow = std::get_if<Curvature_flow>(&motion);
+      flow && flow->keeps_volumes && flow->volumes.empty())
+    for (const Label_statistics& region : complex.statistics().labels)
+      flow->volumes.emplace(region.label, region.volume);
+}
+
 /// Does a step. A growing domain is enlarged before the interface comes near its boundary. If the
 /// step would leave the domain, the domain is enlarged and the step is repeated.
 Step_outcome step_with_room(Tracked_complex& complex, const Run_options& options, double time) {
@@ -171,6 +201,15 @@ void print_divided(const Divided_steps& divided) {
   if (divided.steps > 0)
     std::printf("dsc: %u %s too long and divided into at most %u parts\n", divided.steps,
                 noun(divided.steps, "step was", "steps were"), divided.most);
+}
+
+void print_missing(std::size_t facets,
+                   const CGAL::Deformable_simplicial_complexes::Thin_part_options& thin_parts) {
+  if (facets > 0)
+    std::printf("dsc: thin parts of the interface are coarse: about %.2g more %s would resolve "
+                "them; use a larger --most-new-facets (now %u)\n",
+                static_cast<double>(facets), noun(facets, "facet", "facets"),
+                thin_parts.most_new_facets);
 }
 
 void print_boundary(std::size_t stopped) {
@@ -253,18 +292,22 @@ void Run::start() {
   m_complex = start_or_resume(m_options, m_position, repairs, changes);
   // Precedes all output, because it may need another program.
   m_complex->run_once([&] { m_from_start = start_distance(m_options, m_position); });
-  m_measures_distance = m_complex->agreed(m_from_start.has_value());
+  m_measures_distance = m_complex->agreed(m_from_start.has_value()) > 0;
   if (!m_options.output.quiet) {
     if (!changes.empty())
       print_changes(m_position, changes);
     print_repairs(with_user_names(m_options.start.inputs), repairs);
   }
+  if (!m_options.output.quiet && m_options.resume.empty())
+    print_missing(m_complex->missing_facets(m_options.start.thin_parts.edge_per_thickness),
+                  m_options.start.thin_parts);
   if (!m_options.output.picture.empty() && m_complex->dimension() == 2)
     throw Usage_error(
         "--picture applies only in space; in the plane, use --output to write pictures");
   if (m_folder && !m_options.resume.empty())
     m_complex->run_once([&] { m_folder->keep_until(m_position.time); });
 
+  complete_motion(*m_complex, m_position.time, m_options.output.quiet, m_options.step.motion);
   m_time_step = m_complex->time_step(m_options.step.motion);
   if (!(m_position.time + m_time_step > m_position.time))
     throw Input_error("the time step is too small to advance the time " +

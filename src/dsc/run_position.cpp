@@ -17,6 +17,8 @@ std::string to_metadata(const Run_position& position, const Step_options& step) 
   Json parameters = motion_json(step.motion);
   parameters["grow_domain"] = step.grows_domain;
   parameters["improve_interface"] = step.improves_interface;
+  if (step.largest_displacement)
+    parameters["largest_displacement"] = *step.largest_displacement;
   parameters["aggressiveness"] = step.aggressiveness ? Json(*step.aggressiveness) : Json();
   parameters["triangles"] = position.start.triangles;
   parameters["segments"] = position.start.segments;
@@ -56,6 +58,8 @@ std::optional<Saved_run> from_metadata(const std::string& metadata) {
     }
     run.step.motion = motion_from_json(parameters);
     run.step.grows_domain = parameters.value("grow_domain", false); // missing in older checkpoints
+    if (parameters.contains("largest_displacement"))
+      run.step.largest_displacement = parameters.at("largest_displacement").get<double>();
     run.step.improves_interface = parameters.at("improve_interface");
     if (const Json& aggressiveness = parameters.at("aggressiveness"); !aggressiveness.is_null())
       run.step.aggressiveness = aggressiveness.get<double>();

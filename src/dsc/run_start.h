@@ -7,6 +7,8 @@
 
 #include "distance.h"
 
+#include <CGAL/Deformable_simplicial_complexes/Thin_part_options.h>
+
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -40,6 +42,8 @@ struct Run_start
                       ///< everywhere; empty for an array with a known name
   std::optional<Distance> largest_hole; ///< length of the boundary of the largest hole to be
                                         ///< filled; the default of the library if not set
+  /// How thin parts are resolved.
+  CGAL::Deformable_simplicial_complexes::Thin_part_options thin_parts;
   double edge = 0; ///< target edge length of the interface for images and inequalities; 0 for
                    ///< the default
 };

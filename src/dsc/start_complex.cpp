@@ -87,9 +87,9 @@ std::unique_ptr<Tracked_complex> start_complex(const Run_options& options, Repai
   case Input_kind::inequalities:
     return track_inequalities(start, *options.domain);
   case Input_kind::image:
-    return track_image(start.inputs.front(), start.edge, options.domain);
+    return track_image(start.inputs.front(), options);
   case Input_kind::tetrahedra:
-    return track_tetrahedra(start.inputs.front(), start.labels, options.domain);
+    return track_tetrahedra(start.inputs.front(), options);
   case Input_kind::surfaces:
     break;
   }

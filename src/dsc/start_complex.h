@@ -26,18 +26,12 @@ namespace dsc {
 std::unique_ptr<Tracked_complex> start_complex(const Run_options& options, Repairs& repairs);
 
 /// Returns the complex of a labelled image (.inr, .inr.gz).
-/// \param edge target edge length of the interface, in the unit of the image; 0 for the default
-/// \param domain lower and upper bounds of the box; the default of the library if not set
-std::unique_ptr<Tracked_complex> track_image(const std::string& path, double edge,
-                                             const std::optional<std::array<double, 6>>& domain);
+std::unique_ptr<Tracked_complex> track_image(const std::string& path, const Run_options& options);
 
 /// Returns the complex of a mesh of labelled tetrahedra (.mesh, .vtu). If there is no room around
 /// its interface, the complex is built from the boundary of the tetrahedra.
-/// \param labels as in `Run_start`
-/// \param domain as above
-std::unique_ptr<Tracked_complex>
-track_tetrahedra(const std::string& path, const std::string& labels,
-                 const std::optional<std::array<double, 6>>& domain);
+std::unique_ptr<Tracked_complex> track_tetrahedra(const std::string& path,
+                                                  const Run_options& options);
 
 /// Largest number of triangles to which surfaces are refined. TetGen would take minutes for more.
 /// The complex is refined instead.

@@ -17,13 +17,12 @@ namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc {
 
-std::unique_ptr<Tracked_complex> track_image(const std::string& path, double edge,
-                                             const std::optional<std::array<double, 6>>& domain) {
+std::unique_ptr<Tracked_complex> track_image(const std::string& path, const Run_options& options) {
   const CGAL::Image_3 image = read_inr(path);
   try {
     auto result = std::make_unique<Tracked_complex_3>(
-        DSC::make_complex_from_labelled_image_3<Tracked_complex_3::Complex>(image, edge,
-                                                                            normalized(domain)));
+        DSC::make_complex_from_labelled_image_3<Tracked_complex_3::Complex>(
+            image, options.start.edge, normalized(options.domain, options.start.thin_parts)));
     if (result->complex.interface_facets().empty())
       throw Input_error(path + ": all voxels have the same label, so there is no interface; give a "
                                "larger --domain");

@@ -43,10 +43,10 @@ using Reason = Invalid_surface_error::Reason;
 /// Returns the complex of the space inside and around surfaces.
 /// \param boundaries surfaces or patches
 template <class Boundaries>
-std::unique_ptr<Tracked_complex_3> fill(const Boundaries& boundaries,
-                                        const std::optional<std::array<double, 6>>& domain) {
+std::unique_ptr<Tracked_complex_3> fill(const Boundaries& boundaries, const Run_options& options) {
   return std::make_unique<Tracked_complex_3>(DSC::make_deformable_simplicial_complex_3<Complex>(
-      boundaries, CGAL::Tetgen_tetrahedralizer_3(), normalized(domain)));
+      boundaries, CGAL::Tetgen_tetrahedralizer_3(),
+      normalized(options.domain, options.start.thin_parts)));
 }
 
 bool may_have_walls(Reason reason) {
@@ -106,14 +106,14 @@ std::unique_ptr<Tracked_complex_3> fill(const std::vector<Surface>& surfaces,
                                         const std::vector<std::string>& names,
                                         const Run_options& options) {
   try {
-    return fill(surfaces, options.domain);
+    return fill(surfaces, options);
   } catch (const Invalid_surface_error& error) {
     const auto patches = may_have_walls(error.reason()) ? patches_of(surfaces) : std::nullopt;
     if (!patches)
       refuse(error, names);
     if (!options.output.quiet)
       tell_labels(*patches, names);
-    return fill(patches->patches, options.domain);
+    return fill(patches->patches, options);
   }
 }
 

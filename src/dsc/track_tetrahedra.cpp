@@ -11,6 +11,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/refine_thin_parts.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 
 #include <algorithm>
@@ -51,31 +52,33 @@ std::unique_ptr<Tracked_complex_3> Tracked_complex_3::from_mesh(const std::strin
                                                                 const Labelled_tetrahedra& mesh) {
   try {
     return std::make_unique<Tracked_complex_3>(DSC::make_deformable_simplicial_complex_3<Complex>(
-        mesh.points, mesh.tetrahedra, mesh.labels, parameters::improve(false)));
+        mesh.points, mesh.tetrahedra, mesh.labels,
+        parameters::improve(false).edge_per_thickness(0.)));
   } catch (const Invalid_cells_error& error) {
     throw Input_error(path + ": " + error.what() + place_of(error, mesh));
   }
 }
 
-std::unique_ptr<Tracked_complex>
-track_tetrahedra(const std::string& path, const std::string& labels,
-                 const std::optional<std::array<double, 6>>& domain) {
-  Labelled_tetrahedra mesh = read_tetrahedra(path, labels);
+std::unique_ptr<Tracked_complex> track_tetrahedra(const std::string& path,
+                                                  const Run_options& options) {
+  Labelled_tetrahedra mesh = read_tetrahedra(path, options.start.labels);
   mesh.leave_out_arrays();
   mesh.leave_out_entities();
   print_unused(path, mesh.unused);
-  if (!domain) {
+  if (!options.domain) {
     try {
       auto complex = Tracked_complex_3::from_mesh(path, mesh);
-      if (has_room_around(complex->complex))
+      if (has_room_around(complex->complex)) {
+        DSC::refine_thin_parts(complex->complex, options.start.thin_parts);
         return complex;
+      }
     } catch (const Input_error&) { // not a ball, or invalid
     }
   }
   try {
     return track(DSC::make_deformable_simplicial_complex_3<Complex>(
         mesh.points, mesh.tetrahedra, mesh.labels, CGAL::Tetgen_tetrahedralizer_3(),
-        normalized(domain)));
+        normalized(options.domain, options.start.thin_parts)));
   } catch (const Invalid_cells_error& error) {
     throw Input_error(path + ": " + error.what() + place_of(error, mesh));
   } catch (const Invalid_surface_error& error) {

@@ -39,8 +39,9 @@ public:
   /// Returns whether this process holds the whole complex.
   virtual bool is_whole() const { return true; }
 
-  /// Returns the answer of the process on which `run_once()` calls functions.
-  virtual bool agreed(bool answer) const { return answer; }
+  /// Returns the number that the process on which `run_once()` calls functions gives. It is at
+  /// least 0.
+  virtual double agreed(double number) const { return number; }
 
   /// Returns the extension of the files of `write_volume_vtu()` and `write_interface_vtu()`.
   virtual std::string grid_extension() const { return ".vtu"; }
@@ -63,6 +64,10 @@ public:
   virtual void keep() = 0;
   virtual void forget() = 0;
   virtual void go_back() = 0; ///< to the stored complex, if any
+
+  /// Returns the estimated number of further facets of the interface that would resolve its thin
+  /// parts.
+  virtual std::size_t missing_facets(double edge_per_thickness) const = 0;
 
   /// Returns the statistics. Some passes over all cells, so call it for output only.
   virtual Statistics statistics() const = 0;

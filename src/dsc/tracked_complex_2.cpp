@@ -23,6 +23,7 @@
 #include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
 
 #include <CGAL/Bbox_2.h>
+#include <CGAL/Deformable_simplicial_complexes/refine_thin_parts.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -83,6 +84,7 @@ std::unique_ptr<Tracked_complex> track_image_2(const Run_start& start, const std
   const double edge = start.edge > 0 ? start.edge : default_edge;
   DSC::Construction_options<2> options;
   options.enclosing_box = box;
+  options.thin_parts = start.thin_parts;
   try {
     auto result = std::make_unique<Tracked_complex_2>(
         DSC::make_deformable_simplicial_complex_2<Complex>(image, edge, options));
@@ -130,6 +132,7 @@ std::unique_ptr<Tracked_complex> track_figure(const Run_start& start,
   const Curves curves = start_curves(start);
   DSC::Construction_options<2> options;
   options.enclosing_box = box;
+  options.thin_parts = start.thin_parts;
   try {
     auto result = std::make_unique<Tracked_complex_2>(
         curves.seeded ? DSC::make_deformable_simplicial_complex_2<Complex>(*curves.seeded, options)
@@ -156,6 +159,10 @@ void Tracked_complex_2::go_back() {
   complex.clear(); // to save memory
   complex.restore(*m_kept);
   m_kept.reset();
+}
+
+std::size_t Tracked_complex_2::missing_facets(double edge_per_thickness) const {
+  return DSC::missing_facets(complex, edge_per_thickness);
 }
 
 Statistics Tracked_complex_2::statistics() const {

@@ -16,6 +16,7 @@
 #include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_3.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/labelled_surface_3.h>
 #include <CGAL/Deformable_simplicial_complexes/extract_interface_3.h>
+#include <CGAL/Deformable_simplicial_complexes/refine_thin_parts.h>
 #include <CGAL/Deformable_simplicial_complexes/subdivide_interface_3.h>
 
 #include <algorithm>
@@ -54,6 +55,10 @@ void Tracked_complex_3::go_back() {
   complex.clear(); // to save memory
   complex.restore(*m_kept);
   m_kept.reset();
+}
+
+std::size_t Tracked_complex_3::missing_facets(double edge_per_thickness) const {
+  return DSC::missing_facets(complex, edge_per_thickness);
 }
 
 Statistics Tracked_complex_3::statistics() const {

@@ -52,6 +52,7 @@ public:
   void keep() override { m_kept = complex.state(); }
   void forget() override { m_kept.reset(); }
   void go_back() override;
+  std::size_t missing_facets(double edge_per_thickness) const override;
   Statistics statistics() const override;
   double worst_quality() const override;
   std::vector<Surface_point> interface_points() const override;

@@ -25,6 +25,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <functional>
 #include <map>
 #include <optional>
@@ -68,6 +69,7 @@ struct Step
   Distributed& complex;
   double time;
   unsigned threads;
+  const Step_options& options;
 
   using Report = DSC::Distributed_report<Complex>;
 
@@ -131,22 +133,22 @@ private:
   Report follow(const Field& field, const Advection& advection) const {
     Complex frame; // of the coordinates
     frame.set_normalization(complex.normalization());
-    Options options;
-    options.advection.scheme = advection.scheme;
+    Options chosen;
+    chosen.advection.scheme = advection.scheme;
     return follow(DSC::Velocity_in_user_coordinates_3<Complex, Field>(frame, field), time,
-                  advection.dt, advection.tolerance, options);
+                  advection.dt, advection.tolerance, chosen);
   }
 
   template <class Velocity>
   Report follow(const Velocity& velocity, double t, double dt,
-                const std::optional<double>& tolerance, Options options) const {
-    complete(options, tolerance, false, threads);
-    return DSC::advect_adaptively(complex, velocity, t, dt, options);
+                const std::optional<double>& tolerance, Options chosen) const {
+    complete(chosen, tolerance, options, threads);
+    return DSC::advect_adaptively(complex, velocity, t, dt, chosen);
   }
 
   template <class Flow> Report advect(const Flow& flow, double t, double dt) const {
-    return DSC::advect_interface(complex, flow, t, dt,
-                                 advection_options<Distributed::Part>(threads).deformation);
+    return DSC::advect_interface(
+        complex, flow, t, dt, advection_options<Distributed::Part>(options, threads).deformation);
   }
 };
 
@@ -159,8 +161,14 @@ void Tracked_distributed::run_once(const std::function<void()>& function) const 
   });
 }
 
-bool Tracked_distributed::agreed(bool answer) const {
-  return complex.communicator().reduced(Operation::maximum, is_first() && answer ? 1 : 0) != 0;
+double Tracked_distributed::agreed(double number) const {
+  // Numbers that are not negative have the order of their bits.
+  std::int64_t bits = 0;
+  if (is_first())
+    std::memcpy(&bits, &number, sizeof bits);
+  bits = complex.communicator().reduced(Operation::maximum, bits);
+  std::memcpy(&number, &bits, sizeof number);
+  return number;
 }
 
 double Tracked_distributed::mean_edge() const {
@@ -177,9 +185,11 @@ Step_outcome Tracked_distributed::advance(const Step_options& options, double ti
     refuse("--improve-interface");
   if (options.grows_domain)
     refuse("--domain grow");
+  if (options.largest_displacement.value_or(0) > 0)
+    refuse("--largest-displacement");
   const auto start = Clock::now();
   m_divide(complex);
-  const auto report = std::visit(Step{complex, time, threads}, options.motion);
+  const auto report = std::visit(Step{complex, time, threads, options}, options.motion);
   Step_outcome outcome;
   outcome.seconds = seconds_since(start);
   outcome.complete = report.complete;

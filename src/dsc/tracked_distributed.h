@@ -31,7 +31,7 @@ public:
 
   void run_once(const std::function<void()>& function) const override;
   bool is_whole() const override { return complex.communicator().size() == 1; }
-  bool agreed(bool answer) const override;
+  double agreed(double number) const override;
   std::string grid_extension() const override { return ".pvtu"; }
   int dimension() const override { return 3; }
   double time_step(const Motion& motion) const override;
@@ -41,6 +41,7 @@ public:
   void keep() override { m_kept = complex.state(); }
   void forget() override { m_kept.reset(); }
   void go_back() override;
+  std::size_t missing_facets(double) const override { return 0; } // not known
   Statistics statistics() const override;
   double worst_quality() const override;
   /// Returns the points on the first process, and none on the others.

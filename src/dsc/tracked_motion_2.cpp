@@ -62,7 +62,7 @@ struct Step
   Complex& complex;
   double time;
   unsigned threads;
-  bool improves_interface; // before the motion
+  const Step_options& options;
 
   using Report = DSC::Deformation_report<Complex>;
 
@@ -103,8 +103,11 @@ struct Step
   }
 
   Report operator()(const Curvature_flow& flow) const {
-    return follow(DSC::Mean_curvature_flow(flow.keeps_volumes), Time_step{complex}(flow),
-                  flow.tolerance, Options(true));
+    Report report = follow(DSC::Mean_curvature_flow(flow.keeps_volumes), Time_step{complex}(flow),
+                           flow.tolerance, Options(true));
+    if (flow.keeps_volumes)
+      restore_start_volumes(complex, flow.volumes, 1, threads, report);
+    return report;
   }
 
 private:
@@ -112,20 +115,21 @@ private:
   using Field = std::function<Vector(const Point&, double)>;
 
   Report follow(const Field& field, const Advection& advection) const {
-    Options options;
-    options.advection.scheme = advection.scheme;
-    return follow(field, advection.dt, advection.tolerance, options);
+    Options chosen;
+    chosen.advection.scheme = advection.scheme;
+    return follow(field, advection.dt, advection.tolerance, chosen);
   }
 
   template <class Velocity>
   Report follow(const Velocity& velocity, double dt, const std::optional<double>& tolerance,
-                Options options) const {
-    complete(options, tolerance, improves_interface, threads);
-    return DSC::advect_adaptively(complex, velocity, time, dt, options);
+                Options chosen) const {
+    complete(chosen, tolerance, options, threads);
+    return DSC::advect_adaptively(complex, velocity, time, dt, chosen);
   }
 
   template <class Flow> Report advect(const Flow& flow, double dt) const {
-    return DSC::advect_interface(complex, flow, time, dt, advection_options<Complex>(threads));
+    return DSC::advect_interface(complex, flow, time, dt,
+                                 advection_options<Complex>(options, threads));
   }
 };
 
@@ -159,8 +163,7 @@ Step_outcome Tracked_complex_2::advance(const Step_options& options, double time
   const auto start = Clock::now();
   if (options.improves_interface)
     improve_interface(complex, options.aggressiveness);
-  const auto report =
-      std::visit(Step{complex, time, threads, options.improves_interface}, options.motion);
+  const auto report = std::visit(Step{complex, time, threads, options}, options.motion);
   return step_outcome(seconds_since(start), complex, report);
 }
 

@@ -68,7 +68,7 @@ struct Step
   Complex& complex;
   double time;
   unsigned threads;
-  bool improves_interface; // before the motion
+  const Step_options& options;
 
   using Report = DSC::Deformation_report<Complex>;
 
@@ -116,8 +116,12 @@ struct Step
 
   Report operator()(const Curvature_flow& flow) const {
     const double scale = complex.normalization().scale;
-    return follow(DSC::Mean_curvature_flow(flow.keeps_volumes), time / (scale * scale),
-                  Time_step{complex}(flow) / (scale * scale), flow.tolerance, Options(true));
+    Report report =
+        follow(DSC::Mean_curvature_flow(flow.keeps_volumes), time / (scale * scale),
+               Time_step{complex}(flow) / (scale * scale), flow.tolerance, Options(true));
+    if (flow.keeps_volumes)
+      restore_start_volumes(complex, flow.volumes, scale * scale * scale, threads, report);
+    return report;
   }
 
 private:
@@ -126,20 +130,21 @@ private:
 
   Report follow(const Field& field, const Advection& advection) const {
     const DSC::Velocity_in_user_coordinates_3<Complex, Field> velocity(complex, field);
-    Options options;
-    options.advection.scheme = advection.scheme;
-    return follow(velocity, time, advection.dt, advection.tolerance, options);
+    Options chosen;
+    chosen.advection.scheme = advection.scheme;
+    return follow(velocity, time, advection.dt, advection.tolerance, chosen);
   }
 
   template <class Velocity>
   Report follow(const Velocity& velocity, double t, double dt,
-                const std::optional<double>& tolerance, Options options) const {
-    complete(options, tolerance, improves_interface, threads);
-    return DSC::advect_adaptively(complex, velocity, t, dt, options);
+                const std::optional<double>& tolerance, Options chosen) const {
+    complete(chosen, tolerance, options, threads);
+    return DSC::advect_adaptively(complex, velocity, t, dt, chosen);
   }
 
   template <class Flow> Report advect(const Flow& flow, double t, double dt) const {
-    return DSC::advect_interface(complex, flow, t, dt, advection_options<Complex>(threads));
+    return DSC::advect_interface(complex, flow, t, dt,
+                                 advection_options<Complex>(options, threads));
   }
 };
 
@@ -173,8 +178,7 @@ Step_outcome Tracked_complex_3::advance(const Step_options& options, double time
   const auto start = Clock::now();
   if (options.improves_interface)
     improve_interface(complex, options.aggressiveness);
-  const auto report =
-      std::visit(Step{complex, time, threads, options.improves_interface}, options.motion);
+  const auto report = std::visit(Step{complex, time, threads, options}, options.motion);
   return step_outcome(seconds_since(start), complex, report);
 }
 

@@ -20,6 +20,7 @@
 #include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
 #include <CGAL/Deformable_simplicial_complexes/remove_components.h>
+#include <CGAL/Deformable_simplicial_complexes/refine_thin_parts.h>
 #include <CGAL/Deformable_simplicial_complexes/restore_volumes.h>
 #include <CGAL/Deformable_simplicial_complexes/sample_labels.h>
 #include <CGAL/Deformable_simplicial_complexes/topology_control.h>
@@ -122,6 +123,13 @@ public:
     else
       throw py::value_error("labels cannot be sampled on a torus");
     return array_of<std::int32_t>(labels.size(), [&](std::size_t i) { return labels[i]; });
+  }
+
+  static std::size_t missing_facets(const Object& object, double edge_per_thickness) {
+    if constexpr (Complex::Domain::has_outside)
+      return DSC::missing_facets(object.read(), edge_per_thickness);
+    else
+      throw py::value_error("thin parts are not measured on a torus");
   }
 
   static py::bytes to_bytes(const Object& object) {
@@ -293,6 +301,11 @@ public:
     options.read("minimum_facet_angle", deformation.minimum_facet_angle);
     options.read("manifold_interface", deformation.manifold_interface);
     options.read("collision_order", deformation.collision_order);
+    options.read_name<DSC::Domain_rule>("domain",
+                                        {{"refuse", DSC::Domain_rule::refuse},
+                                         {"grow", DSC::Domain_rule::grow},
+                                         {"stop", DSC::Domain_rule::stop}},
+                                        deformation.domain_rule);
     read_topology(options.take("topology"), space, deformation);
   }
 
@@ -328,7 +341,13 @@ private:
       rest.read("feature_angle", adaptive.feature_angle);
     }
     DSC::Advection_options<Complex>& advection = adapts ? adaptive.advection : plain;
+    if (!object.has_values()) // a domain that grows gets other vertices and cells
+      advection.deformation.domain_rule = DSC::Domain_rule::grow;
     read_advection(rest, space, advection);
+    if (object.has_values() && advection.deformation.domain_rule == DSC::Domain_rule::grow)
+      throw py::value_error(
+          "the domain of a complex with values cannot grow: remove the values, or "
+          "use a larger box");
     rest.require_all_read();
     const auto report = change(object, progress, advection.deformation, [&](Complex& changed) {
       return adapts ? DSC::advect_adaptively(changed, flow, t, dt, adaptive)
@@ -442,6 +461,7 @@ py::class_<Complex_object<Complex>> bind_complex(py::module_& module, const char
       .def("restore_volumes", &Functions::restore_volumes)
       .def("improve", &Functions::improve)
       .def("improve_interface", &Functions::improve_interface)
+      .def("missing_facets", &Functions::missing_facets)
       .def("control_detail", &Functions::control_detail);
 }
 

@@ -205,6 +205,55 @@ TEST_F(Flows, stop_at_the_boundary_or_let_it_grow) {
   expect_error("offset 'x<1' --distance 1 --domain grow", 2);
 }
 
+// Without --dt, the fastest vertex moves by a mean edge, and steps end with the period.
+TEST_F(Flows, choose_a_time_step) {
+  const double mean_edge = 10 * (2 + std::sqrt(2.)) / 3;
+  const Json step = steps("advect box.off --velocity '0,4,3' --steps 1")[1];
+  EXPECT_NEAR(step.at("time").get<double>(), mean_edge / 5, 1e-9);
+  EXPECT_NE(run("advect box.off --velocity '0,4,3' --steps 1").out.find("the time step is 2.27"),
+            std::string::npos);
+  const Json back = steps("advect box.off --velocity '0,4,3' --period 5 --steps 3");
+  EXPECT_NEAR(back[3].at("time").get<double>(), 5, 1e-9);
+  EXPECT_LT(back[3].at("distance_to_start").at("maximum").get<double>(), 1e-6);
+}
+
+TEST_F(Flows, divide_steps_as_far_as_they_are_told) {
+  const std::string turn = "advect box.off --velocity '105-y,x-105,0' --dt 1.5 --steps 1 ";
+  EXPECT_NEAR(volume(steps(turn)[1]), 1000, .01);
+  EXPECT_GT(report("report.json").at("steps")[1].at("parts").get<int>(), 2);
+  EXPECT_EQ(steps(turn + "--largest-displacement 0")[1].at("parts"), 1);
+  const int half = steps(turn + "--largest-displacement .25")[1].at("parts");
+  EXPECT_GT(half, 5);
+  expect_error(turn + "--largest-displacement -1", 2);
+  expect_error(turn + "--largest-displacement x", 2);
+}
+
+// The volumes are those of the start of the run, also after a resume.
+TEST_F(Flows, keep_the_volumes_of_the_start) {
+  write("wide.off", box(100, 100, 110, 112, 110, 118)); // on the box, with a wall
+  const std::string flow = "mean-curvature --dt .2 --keep-volumes ";
+  const Json start =
+      steps(flow + "box.off wide.off --triangles 300 --steps 3 --output out --domain grow")[0];
+  const Json last = steps(flow + "--resume out/checkpoint.dsc --steps 3").back();
+  for (const int label : {1, 2})
+    EXPECT_NEAR(volume(last, label) / volume(start, label), 1, 1e-6) << label;
+}
+
+TEST_F(Flows, tell_of_thin_parts_that_stay_coarse) {
+  write("plate.off", box(0, 0, 0, 100, 100, 1));
+  const std::string motion = "offset plate.off --distance .1 --steps 1 ";
+  const Json resolved = steps(motion + "--edge-per-thickness 8")[0];
+  EXPECT_GT(resolved.at("interface_triangles").get<int>(), 400);
+  EXPECT_NE(run(motion + "--most-new-facets 100").out.find("more facets would resolve them"),
+            std::string::npos);
+  EXPECT_EQ(steps(motion + "--edge-per-thickness 0")[0].at("interface_triangles"), 12);
+  const std::string turn = "rotate plate.off --axis 0,0,1 --angle 10 --steps 1 ";
+  EXPECT_EQ(steps(turn)[1].at("interface_triangles"), 12);
+  for (const char* wrong : {"--edge-per-thickness .5", "--edge-per-thickness -1",
+                            "--most-new-facets -1", "--edge-per-thickness 3 --resume a.dsc"})
+    expect_error(turn + wrong, 2);
+}
+
 // A vanished surface has no distance to the start.
 TEST_F(Flows, are_resumed) {
   const std::string flow = "enright --period 0.08 --dt 0.02 ";

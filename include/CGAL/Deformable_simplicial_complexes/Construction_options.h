@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
+#include <CGAL/Deformable_simplicial_complexes/Thin_part_options.h>
 #include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
@@ -43,6 +44,8 @@ template <int dimension> struct Construction_options
   bool normalize = false;
   /// Number of pieces that each edge of the box is divided into, in [1, 1000], in space.
   unsigned box_subdivision = 4;
+  /// Thin parts are resolved by new facets of the interface.
+  Thin_part_options thin_parts;
   /// Whether the mesh is improved at the end.
   bool improve = true;
   /// Only cells of lower quality are improved, in [0, 1].
@@ -53,6 +56,7 @@ template <int dimension> struct Construction_options
   /// Throws an exception unless all values are in their ranges.
   /// \throws Error if a value is out of its range
   void check() const {
+    thin_parts.check();
     require_quality(quality_threshold);
     if (box_subdivision < 1 || box_subdivision > 1000)
       throw Error("the subdivision of the enclosing box is out of range: use 1 to 1000");
@@ -87,6 +91,8 @@ Construction_options<dimension> construction_options(const NamedParameters& np) 
       result.enclosing_box = internal::box_of(parameter(np, tags::enclosing_box));
     replace_value(np, tags::normalize, result.normalize);
     replace_count(np, tags::box_subdivision, "box_subdivision", result.box_subdivision);
+    replace_value(np, tags::edge_per_thickness, result.thin_parts.edge_per_thickness);
+    replace_count(np, tags::most_new_facets, "most_new_facets", result.thin_parts.most_new_facets);
     replace_value(np, tags::improve, result.improve);
     replace_value(np, tags::quality_threshold, result.quality_threshold);
     replace_count(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",

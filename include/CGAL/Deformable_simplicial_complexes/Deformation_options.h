@@ -12,6 +12,7 @@
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Domain_rule.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
@@ -55,6 +56,8 @@ template <class Complex> struct Deformation_options
   double minimum_facet_angle = defaults::Minimum_facet_angle::in_motion;
   /// Whether the boundary of each phase stays a manifold.
   bool manifold_interface = false;
+  /// What happens if a destination is outside the domain.
+  Domain_rule domain_rule = Domain_rule::refuse;
   /// Whether vertices that are moved one by one are sorted by the time of their first collision.
   bool collision_order = false;
   /// Permits or forbids changes of topology. If empty, all are permitted.
@@ -140,6 +143,7 @@ void read_parameters(const Complex& complex, const NamedParameters& np,
   replace_value(np, tags::minimum_angle, options.minimum_angle);
   replace_value(np, tags::minimum_facet_angle, options.minimum_facet_angle);
   replace_value(np, tags::manifold_interface, options.manifold_interface);
+  replace_value(np, tags::domain_rule, options.domain_rule);
   replace_value(np, tags::collision_order, options.collision_order);
   replace_value(np, tags::topology_control, options.topology_control);
   replace_value(np, tags::interface_energy, options.interface_energy);

@@ -54,6 +54,18 @@ template <class Complex_> struct Interface_vertices
     return result;
   }
 
+  /// Returns the corners of a facet, as seen from its first corner.
+  /// \param facet a facet
+  /// \param positions of the vertices
+  std::array<typename Complex::Approximate_point, Complex::dimension>
+  corners(const Facet& facet,
+          const std::vector<typename Complex::Approximate_point>& positions) const {
+    std::array<typename Complex::Approximate_point, Complex::dimension> result;
+    for (std::size_t i = 0; i < result.size(); ++i)
+      result[i] = domain.near(positions[facet.vertices[0]], positions[facet.vertices[i]]);
+    return result;
+  }
+
   /// Lists the vertices of the interface. n log n in their number, plus linear in the number of
   /// vertices of the complex. The second parameter is not used; `Interface_snapshot` has the same
   /// parameters and uses it.

@@ -73,7 +73,8 @@ public:
                                   const std::vector<Point>& to) const {
     std::map<Label, double> result;
     for (const auto& facet : m_interface.facets()) {
-      const double change = swept_measure(corners(facet, from), corners(facet, to));
+      const double change =
+          swept_measure(m_interface.corners(facet, from), m_interface.corners(facet, to));
       result[facet.behind] += change;
       result[facet.in_front] -= change;
     }
@@ -96,7 +97,7 @@ public:
       row.emplace(label, Eigen::Index(row.size()));
     Directions result(positions.size());
     for (const auto& facet : m_interface.facets()) {
-      const Vector share = normal(corners(facet, positions)) / d;
+      const Vector share = normal(m_interface.corners(facet, positions)) / d;
       for (const auto& [label, sign] :
            {std::make_pair(facet.behind, 1.), std::make_pair(facet.in_front, -1.)}) {
         const auto found = row.find(label);
@@ -158,7 +159,7 @@ public:
     Directions directions = gradients(amounts, positions);
     std::vector<double> areas(positions.size(), 0); // for each vertex, 1 / d of the incident facets
     for (const auto& facet : m_interface.facets()) {
-      const Vector share = normal(corners(facet, positions)) / d;
+      const Vector share = normal(m_interface.corners(facet, positions)) / d;
       for (std::size_t v : facet.vertices)
         areas[v] += std::sqrt(share.squared_length());
     }
@@ -171,16 +172,6 @@ public:
 private:
   static constexpr int d = Complex::dimension;
   using Corners = std::array<Point, Complex::dimension>;
-
-  // Returns the corners of a facet as seen from the first corner.
-  template <class Facet>
-  Corners corners(const Facet& facet, const std::vector<Point>& positions) const {
-    Corners result;
-    for (std::size_t i = 0; i < result.size(); ++i)
-      result[i] =
-          m_interface.domain.near(positions[facet.vertices[0]], positions[facet.vertices[i]]);
-    return result;
-  }
 
   // Returns the normal towards the front of a facet; its length is the measure of the facet.
   static Vector normal(const Corners& p) { return Complex::Space::facet_normal(p) / (d - 1); }

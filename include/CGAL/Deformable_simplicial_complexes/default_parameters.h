@@ -84,6 +84,15 @@ inline constexpr double integration_tolerance = 1e-4;
 inline constexpr double largest_displacement = .5;
 
 /// \ingroup PkgDeformableSimplicialComplexesRef
+/// Default value of `edge_per_thickness`: longest edge of the interface of a new complex, in
+/// thicknesses. Cells of thin parts then have a quality above that at which they are relabeled.
+inline constexpr double edge_per_thickness = 3;
+
+/// \ingroup PkgDeformableSimplicialComplexesRef
+/// Default value of `most_new_facets`: their cells take about a second.
+inline constexpr unsigned most_new_facets = 10000;
+
+/// \ingroup PkgDeformableSimplicialComplexesRef
 /// Default values of `advect_adaptively()`, and of `Incompressible_fluid` for some parameters of
 /// the same names. They are for long runs of flows that stretch an interface and can reverse this.
 /// Flows that contract the interface cannot reverse it and have values of their own.

@@ -141,6 +141,11 @@ Each pass does the following:
                           not increase.}
     \cgalParamType{`bool`} \cgalParamDefault{`false`}
   \cgalParamNEnd
+  \cgalParamNBegin{domain_rule}
+    \cgalParamDescription{what happens if a destination is outside the domain, a box, and the
+                          interface does not touch its sides}
+    \cgalParamType{`Domain_rule`} \cgalParamDefault{`Domain_rule::refuse`}
+  \cgalParamNEnd
   \cgalParamNBegin{collision_order}
     \cgalParamDescription{order of the vertices that are moved one by one: if true, by the time at
                           which their stars would first have a flat cell; otherwise, the order of
@@ -158,7 +163,8 @@ Each pass does the following:
 
 \return the vertices that did not arrive with their remaining distances, and the changes of labels
         and mesh
-\throws Invalid_destination_error if a destination is not finite; the complex is then unchanged
+\throws Invalid_destination_error if a destination is not finite, or not permitted by the rule of
+        the domain; the complex is then unchanged
 \throws Error if a parameter is out of its range, or there is an interface, but no
         `dsc.mean_interface_edge()`; the complex is then unchanged
 

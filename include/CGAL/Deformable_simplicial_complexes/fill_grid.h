@@ -15,6 +15,7 @@
 #include <CGAL/Deformable_simplicial_complexes/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/fit_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/building/torus_grid.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/fitting/labels_at.h>
 
 #include <cstddef>
 #include <utility>

@@ -15,7 +15,8 @@
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/fitting/Missed_volumes.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/fitting/labels_at.h>
 
 #include <CGAL/Origin.h>
 
@@ -26,30 +27,6 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
-
-// Returns the labels at points, given by a function of a point or of a vector of points. On a
-// torus, the function is called with points of the box.
-template <class Complex, class LabelAt>
-std::vector<typename Complex::Label>
-labels_at(const Complex& complex, const LabelAt& label_at,
-          std::vector<typename Complex::Approximate_point> points) {
-  using Labels = std::vector<typename Complex::Label>;
-  for (auto& p : points)
-    p = complex.domain().canonical(p);
-  Labels result;
-  if constexpr (std::is_invocable_v<const LabelAt&, typename Complex::Approximate_point>) {
-    for (const auto& p : points) {
-      Progress_scope::check();
-      result.push_back(label_at(p));
-    }
-  } else if (!points.empty()) {
-    result = label_at(points);
-    if (result.size() != points.size())
-      throw Error("the number of labels differs from the number of points: give one label for each "
-                  "point");
-  }
-  return result;
-}
 
 // Returns the barycenter of a cell, as seen from its vertex 0.
 template <class Complex>
@@ -138,7 +115,11 @@ nearby points of change, which are found by bisection. This is repeated several 
 from a smooth interface is then of the order of its curvature times the square of the edge length.
 Lines where labels meet are approximated up to a fraction of the edge length.
 
-The function calls `label_at` about 40 times for each facet in each repetition.
+At the end, vertices move along their normals so that facets no longer cut off volume of round
+phases: the volume of a ball with a radius of three edges is correct to a thousandth.
+
+The function calls `label_at` about 40 times for each facet in each of three repetitions, then 100
+times in space, 50 times in the plane, in each of at most five more.
 
 \param dsc the complex
 \param label_at `label_at(p)` returns the label at an `Approximate_point` of the domain; or
@@ -158,6 +139,16 @@ Deformation_report<Complex> fit_interface(Complex& dsc, const LabelAt& label_at,
     const Interface_snapshot<Complex> interface_(dsc);
     report = deform_interface_to(dsc, interface_,
                                  internal::changes_of_labels(dsc, label_at, interface_), np);
+  }
+  // Usually two rounds; lines where labels meet need more, because each sheet moves them.
+  static constexpr int most_volume_rounds = 5;
+  static constexpr double shortest = 1e-3; // displacement, in mean edges
+  for (int i = 0; i < most_volume_rounds && !report.stopped; ++i) {
+    const Interface_snapshot<Complex> interface_(dsc);
+    const internal::Missed_volumes<Complex> missed(dsc, label_at, interface_);
+    if (!(missed.longest_displacement() > shortest * dsc.mean_interface_edge()))
+      break;
+    report = deform_interface_to(dsc, interface_, missed.destinations(), np);
   }
   return report;
 }

@@ -54,6 +54,24 @@ bool has_room_around_interface(const Complex& dsc, double fraction = .125) {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
+Returns whether a motion of the interface would leave the domain, a box. Linear in the size of the
+interface and of the boundary.
+
+\param dsc the complex
+\param interface_ its interface
+\param destinations of the vertices of the interface
+\return whether a destination is outside the box, and no vertex of the interface is on its sides,
+        which are walls otherwise
+*/
+template <class Complex>
+bool leaves_domain(const Complex& dsc, const Interface_vertices<Complex>& interface_,
+                   const std::vector<typename Complex::Approximate_point>& destinations) {
+  return !internal::Domain_box<Complex>(dsc).leaving(interface_.vertices, destinations).empty();
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
 Enlarges the domain, a box, about its center, so that an interface near its boundary can move on.
 The space between the old and the new box is filled with cells of label 0. The old cells stay, and
 are improved together with the new ones. The vertices of the interface, the normalization,
@@ -82,7 +100,9 @@ template <class Complex> void grow_domain(Complex& dsc, double factor = 1.5) {
   after.mean_interface_edge = before.mean_interface_edge;
   after.minimum_interface_edge = before.minimum_interface_edge;
   grown.restore(after);
-  internal::improve_new_mesh(grown, Construction_options<Complex::dimension>());
+  Construction_options<Complex::dimension> options;
+  options.thin_parts.edge_per_thickness = 0; // the interface stays
+  internal::improve_new_mesh(grown, options);
   dsc = std::move(grown);
 }
 

@@ -120,6 +120,18 @@ curves are bitwise unchanged.
     \cgalParamDefault{the square centered at the barycenter of the points, whose half side is 2.5
                       times the largest distance of a point from the barycenter}
   \cgalParamNEnd
+  \cgalParamNBegin{edge_per_thickness}
+    \cgalParamDescription{Longest edge of the interface, in thicknesses of the phase or the gap at it;
+                          longer ones are split, see `refine_thin_parts()`. At least 1; with 0, the
+                          interface keeps its facets.}
+    \cgalParamType{`double`}
+    \cgalParamDefault{3}
+  \cgalParamNEnd
+  \cgalParamNBegin{most_new_facets}
+    \cgalParamDescription{Largest number of facets that are added in this way.}
+    \cgalParamType{`unsigned`}
+    \cgalParamDefault{10 000}
+  \cgalParamNEnd
   \cgalParamNBegin{improve}
     \cgalParamDescription{Whether the mesh is improved at the end, as in each pass of a
                           deformation.}
@@ -253,7 +265,7 @@ The interface is bitwise unchanged. n log n in the number of triangles, plus the
 \param points the vertices; each is in a triangle
 \param triangles indices into `points`
 \param labels one label for each triangle
-\param np named parameters: `improve`, `quality_threshold`, `number_of_iterations`, as above
+\param np named parameters: `improve`, `edge_per_thickness`, `most_new_facets`, `quality_threshold`, `number_of_iterations`, as above
 
 \throws Invalid_cells_error if coordinates are not finite, sizes or indices do not fit, a triangle
         is degenerate, or the union is not a disk

@@ -54,10 +54,11 @@ Complex make_from_soups(const std::vector<Triangle_soup_3>& surfaces,
                         const std::vector<typename Complex::Label>& surface_labels,
                         const Tetrahedralizer& tetrahedralizer,
                         const Construction_options<3>& options) {
-  const Boxed_soup_3 boxed = put_into_box(check_surfaces(surfaces), options);
-  const auto mesh = fill_box(boxed, tetrahedralizer);
-  return make_in_frame<Complex>(
-      mesh, label_cells<3>(mesh.tetrahedra, boxed.walls(), surface_labels), boxed.frame, options);
+  return make_resolved<Complex>(
+      put_into_box(check_surfaces(surfaces), options), tetrahedralizer, options,
+      [&](const Tetrahedralization_3& mesh, const Boxed_soup_3& boxed) {
+        return label_cells<3>(mesh.tetrahedra, boxed.walls(), surface_labels);
+      });
 }
 
 template <class Points> std::vector<Coordinates_3> all_coordinates(const Points& points) {
@@ -88,7 +89,8 @@ crosses as few triangles as possible: it is the label of the surface entered las
 all surfaces have label 0.
 
 Triangles between different labels form the interface of the complex. The coordinates of the points
-are bitwise unchanged unless `normalize` is set.
+are bitwise unchanged unless `normalize` is set. Triangles at thin parts are divided; edges between
+triangles that are coplanar up to a millionth of their length are then exchanged, too.
 
 \tparam Complex an instance of `Deformable_simplicial_complex_3`
 \tparam Tetrahedralizer model of `ConstrainedTetrahedralizer_3`, such as `Tetgen_tetrahedralizer_3`
@@ -119,6 +121,18 @@ are bitwise unchanged unless `normalize` is set.
     \cgalParamDescription{Number of pieces that each edge of the box is divided into, in [1, 1000].}
     \cgalParamType{`unsigned`}
     \cgalParamDefault{4}
+  \cgalParamNEnd
+  \cgalParamNBegin{edge_per_thickness}
+    \cgalParamDescription{Longest edge of the interface, in thicknesses of the phase or the gap at it;
+                          longer ones are split, see `refine_thin_parts()`. At least 1; with 0, the
+                          interface keeps its facets.}
+    \cgalParamType{`double`}
+    \cgalParamDefault{3}
+  \cgalParamNEnd
+  \cgalParamNBegin{most_new_facets}
+    \cgalParamDescription{Largest number of facets that are added in this way.}
+    \cgalParamType{`unsigned`}
+    \cgalParamDefault{10 000}
   \cgalParamNEnd
   \cgalParamNBegin{improve}
     \cgalParamDescription{Whether the mesh is improved at the end, as in each pass of a deformation.
@@ -234,10 +248,11 @@ Complex make_deformable_simplicial_complex_3(
     sides.push_back({patch.label_behind, patch.label_in_front});
   }
   const auto options = construction_options<3>(np);
-  const auto boxed = internal::put_into_box(internal::check_patches(soups), options);
-  const auto mesh = internal::fill_box(boxed, tetrahedralizer);
-  return internal::make_in_frame<Complex>(mesh, internal::label_by_sides(mesh, boxed, sides),
-                                          boxed.frame, options);
+  return internal::make_resolved<Complex>(
+      internal::put_into_box(internal::check_patches(soups), options), tetrahedralizer, options,
+      [&](const Tetrahedralization_3& mesh, const internal::Boxed_soup_3& boxed) {
+        return internal::label_by_sides(mesh, boxed, sides);
+      });
 }
 
 /*!
@@ -252,7 +267,7 @@ The interface is bitwise unchanged. n log n in the number of tetrahedra, plus th
 \param points the vertices; each is in a tetrahedron
 \param tetrahedra indices into `points`
 \param labels one label for each tetrahedron
-\param np named parameters: `improve`, `quality_threshold`, `number_of_iterations`, as above
+\param np named parameters: `improve`, `edge_per_thickness`, `most_new_facets`, `quality_threshold`, `number_of_iterations`, as above
 
 \throws Invalid_cells_error if coordinates are not finite, sizes or indices do not fit, a
         tetrahedron is degenerate, or the union is not a ball
@@ -313,7 +328,10 @@ make_deformable_simplicial_complex_3(const std::vector<typename Complex::Point_3
   const auto mesh = solid.with_space_around(internal::fill_box(boxed, tetrahedralizer), boxed);
   auto all_labels = labels;
   all_labels.resize(mesh.tetrahedra.size(), 0);
-  return internal::make_in_frame<Complex>(mesh, all_labels, boxed.frame, options);
+  Complex dsc;
+  dsc.assign(internal::exact_points<Complex>(mesh), mesh.tetrahedra, all_labels);
+  internal::complete_in_frame(dsc, boxed.frame, options);
+  return dsc;
 }
 
 /*!

@@ -56,14 +56,11 @@ rates_of_change(const Interface_snapshot<Complex>& interface_,
   static constexpr int d = Complex::dimension;
   std::map<typename Complex::Label, double> result;
   for (const auto& facet : interface_.facets()) {
-    std::array<typename Complex::Approximate_point, d> corners;
     typename Complex::Approximate_vector sum(NULL_VECTOR);
-    for (int i = 0; i < d; ++i) {
-      corners[i] =
-          interface_.domain.near(positions[facet.vertices[0]], positions[facet.vertices[i]]);
-      sum = sum + velocities[facet.vertices[i]];
-    }
-    const double swept = Complex::Space::facet_normal(corners) * sum / (d * (d - 1));
+    for (std::size_t v : facet.vertices)
+      sum = sum + velocities[v];
+    const double swept =
+        Complex::Space::facet_normal(interface_.corners(facet, positions)) * sum / (d * (d - 1));
     result[facet.behind] += swept;
     result[facet.in_front] -= swept;
   }

@@ -176,9 +176,7 @@ struct Normal_offset
     for (const auto& facet : interface_.facets()) {
       if (facet.in_front != 0 && facet.behind != 0)
         continue;
-      std::array<typename Complex::Approximate_point, Complex::dimension> p;
-      for (int i = 0; i < Complex::dimension; ++i)
-        p[i] = interface_.domain.near(positions[facet.vertices[0]], positions[facet.vertices[i]]);
+      const auto p = interface_.corners(facet, positions);
       Vector normal = Complex::Space::facet_normal(p);
       const double length = Complex::Space::length(normal);
       if (!(length > 0))

@@ -17,6 +17,7 @@
 #include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/grow_domain.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/require_finite.h>
 #include <CGAL/Interface_flows/Integration_scheme.h>
@@ -143,26 +144,35 @@ private:
 
   // Does a part of the time step `dt`, from the time `t` on.
   Report advance(double t, double dt) {
-    const Interface interface_(m_dsc, m_for_each_index);
+    Interface interface_(m_dsc, m_for_each_index);
+    Points destinations = destinations_of_part(interface_, t, dt);
+    if constexpr (Complex::Domain::has_outside)
+      while (m_options.deformation.domain_rule == Domain_rule::grow &&
+             leaves_domain(m_dsc, interface_, destinations)) {
+        grow_domain(m_dsc);
+        interface_ = Interface(m_dsc, m_for_each_index);
+        destinations = destinations_of_part(interface_, t, dt);
+      }
     if constexpr (moves_segments<Complex, Velocity>)
-      return advance_segments(interface_, t, dt);
+      return advance_segments(interface_, destinations, t, dt);
     else
-      return deform(interface_,
-                    find_part(interface_, dt,
-                              [&] {
-                                return destinations_of_step(m_dsc, interface_, m_velocity, t,
-                                                            m_step, m_options);
-                              }),
-                    t);
+      return deform(interface_, destinations, t);
+  }
+
+  Points destinations_of_part(const Interface& interface_, double t, double dt) {
+    return find_part(interface_, dt, [&] {
+      if constexpr (moves_segments<Complex, Velocity>)
+        return straight_destinations(interface_, t);
+      else
+        return destinations_of_step(m_dsc, interface_, m_velocity, t, m_step, m_options);
+    });
   }
 
   // Does a part in which edges vanish and corners are opened.
-  Report advance_segments(Interface interface_, double t, double dt) {
+  Report advance_segments(Interface interface_, const Points& straight, double t, double dt) {
     const auto earlier = volumes_before(m_dsc);
     Any_visitor<Complex> none;
     auto& visitor = m_options.deformation.visitor ? *m_options.deformation.visitor : none;
-    const Points straight =
-        find_part(interface_, dt, [&] { return straight_destinations(interface_, t); });
     // Errors are found before the interface is changed.
     require_interface_edge(m_dsc);
     require_finite(straight, "a destination");
@@ -326,7 +336,8 @@ or if the parameter `flow` is given, the time step is not divided}
 
 \return the report of `deform_interface()`. The report of a divided time step contains the sums over
         its parts.
-\throws Invalid_destination_error if a velocity is not finite, or an interface velocity or an
+\throws Invalid_destination_error if a velocity is not finite, if the interface would leave the
+        domain and `domain_rule` is `Domain_rule::refuse`, or if an interface velocity or an
         interface step returns another number of vectors or points than there are vertices.
 \throws Error if the tolerance is not positive, or the time step would be divided into more than
         10 000 parts. With `Integration_scheme::adaptive`, also if the
@@ -334,7 +345,8 @@ or if the parameter `flow` is given, the time step is not divided}
         beside the time `t` by rounding, or if there is an interface and `dsc.mean_interface_edge()`
         is 0.
 
-The complex is unchanged if one of these errors is thrown.
+The complex is unchanged if one of these errors is thrown in the first part of the time step.
+Otherwise, the earlier parts are done.
 */
 template <class Complex, class Velocity,
           class NamedParameters = parameters::Default_named_parameters>

@@ -9,7 +9,7 @@
 namespace dsc {
 namespace {
 
-constexpr double default_dt = .01;
+constexpr double default_dt = .01; // of the flows with given velocities
 
 } // namespace
 
@@ -26,9 +26,11 @@ void add_flow_options(CLI::App& command, Flow_options& options) {
       "--period", options.period,
       "Multiply velocities by cos(pi t / PERIOD), so that the interface returns after the "
       "period");
-  command.add_option("--dt", options.dt,
-                     "Time step (default: 0.01). The report contains the distance to the initial "
-                     "interface for each step that ends with a period");
+  command.add_option(
+      "--dt", options.dt,
+      "Time step (default: the fastest vertex moves by a mean edge at the start; for "
+      "enright and vortex 0.01). The report contains the distance to the initial "
+      "interface for each step that ends with a period");
   command.add_option("--scheme", options.scheme, "Integration scheme")
       ->check(CLI::IsMember(&integration_schemes()))
       ->capture_default_str();
@@ -37,8 +39,9 @@ void add_flow_options(CLI::App& command, Flow_options& options) {
 
 std::optional<double> read_tolerance(const Tolerance_option& option,
                                      const std::set<std::string>& given) {
-  return given.count("--tolerance") > 0 ? std::make_optional(parse_tolerance(option.tolerance))
-                                        : std::nullopt;
+  return given.count("--tolerance") > 0
+             ? std::make_optional(parse_not_negative(option.tolerance, "--tolerance", "0.04"))
+             : std::nullopt;
 }
 
 Advection read_flow(const Flow_options& options, Advection::Field field,
@@ -47,7 +50,9 @@ Advection read_flow(const Flow_options& options, Advection::Field field,
   return {field,
           expressions,
           given.count("--period") > 0 ? parse_positive(options.period, "--period") : default_period,
-          given.count("--dt") > 0 ? parse_positive(options.dt, "--dt") : default_dt,
+          given.count("--dt") > 0                  ? parse_positive(options.dt, "--dt")
+          : field == Advection::Field::expressions ? 0
+                                                   : default_dt,
           integration_schemes().at(options.scheme),
           read_tolerance(options.tolerance, given)};
 }

@@ -61,6 +61,10 @@ CLI::App* add_run_command(CLI::App& app, const std::string& name, const std::str
       ->capture_default_str();
   add_start_options(*command, options.start, resume);
   add_improvement_options(*command, options.improvement);
+  command->add_option(
+      "--largest-displacement", options.largest_displacement,
+      "Divide steps in which a vertex moves farther than this number of edges relative to its "
+      "neighbors (default: 0.5); 0 turns off the division");
   add_threads_option(*command, options.threads);
   add_output_options(*command, options.output);
   return command;
@@ -90,6 +94,9 @@ void complete_run_options(const Run_command_options& options, const Default_star
   read_domain(options.start, is_planar, run);
   if (run.given.count("--aggressiveness") > 0)
     run.step.aggressiveness = parse_aggressiveness(options.improvement.aggressiveness);
+  if (run.given.count("--largest-displacement") > 0)
+    run.step.largest_displacement =
+        parse_not_negative(options.largest_displacement, "--largest-displacement", "0.5");
   if (run.resume.empty()) {
     require_options(run.step.motion, run.given);
     require_effect_of_options(run.step, run.given);

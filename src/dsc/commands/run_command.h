@@ -29,6 +29,7 @@ struct Run_command_options
   unsigned steps = 10;
   Start_options start;
   Interface_improvement_options improvement;
+  std::string largest_displacement; ///< as written
   unsigned threads = default_number_of_threads();
   Output_options output;
 };

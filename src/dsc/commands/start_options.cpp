@@ -136,6 +136,19 @@ void add_start_options(CLI::App& command, Start_options& options, CLI::Option* r
           "Target length of interface edges for inequalities and images (default: 1/40 of the "
           "longest side of the domain; 2.5 voxels or pixels)")
       ->excludes(resume);
+  command
+      .add_option(
+          "--edge-per-thickness", options.edge_per_thickness,
+          "Split interface edges that are longer than this number of thicknesses of the part or "
+          "the gap at them (default: 3; 0, which turns this off, with --triangles and for "
+          "rotations)")
+      ->excludes(resume);
+  command
+      .add_option(
+          "--most-new-facets", options.start.thin_parts.most_new_facets,
+          "Largest number of interface triangles, in the plane segments, that thin parts add")
+      ->excludes(resume)
+      ->capture_default_str();
   add_labels_option(command, options.start.labels)->excludes(resume);
   command
       .add_option("--threshold", options.start.thresholds,
@@ -174,6 +187,11 @@ void read_domain(const Start_options& options, bool is_planar, Run_options& run)
     run.domain = parse_domain(domain, is_planar ? 2 : 3);
 }
 
+/// Returns whether a motion keeps the shape of the interface.
+bool is_rigid(const Motion& motion) {
+  return std::holds_alternative<Rotation>(motion) || std::holds_alternative<Zalesak>(motion);
+}
+
 void complete_start(const Start_options& options, const Default_start& defaults, bool is_planar,
                     const Start_check& check, Run_options& run) {
   require_inputs(run, defaults, is_planar);
@@ -187,6 +205,14 @@ void complete_start(const Start_options& options, const Default_start& defaults,
     run.start.largest_hole = parse_length(options.largest_hole, "--largest-hole");
   if (run.given.count("--edge") > 0)
     run.start.edge = parse_positive(options.edge, "--edge");
+  double& edge_per_thickness = run.start.thin_parts.edge_per_thickness;
+  if (run.given.count("--edge-per-thickness") > 0)
+    edge_per_thickness =
+        parse_not_negative(options.edge_per_thickness, "--edge-per-thickness", "3");
+  else if (run.given.count("--triangles") > 0 || is_rigid(run.step.motion))
+    edge_per_thickness = 0; // the triangles of the input or those that are asked for
+  if (edge_per_thickness > 0 && edge_per_thickness < 1)
+    throw Usage_error("--edge-per-thickness is less than 1; choose 1 or more, or 0");
   set_default_start(defaults, is_planar, run);
 }
 

@@ -21,7 +21,7 @@ namespace dsc {
 struct Start_options
 {
   Run_start start;
-  std::string domain, edge, largest_hole; ///< as written
+  std::string domain, edge, edge_per_thickness, largest_hole; ///< as written
 };
 
 /// The start of a command without start options.

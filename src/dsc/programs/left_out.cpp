@@ -58,13 +58,11 @@ void convert_to_image(const std::string&, const std::string&, const std::string&
 
 Curves start_curves(const Run_start&) { leave(plane); }
 
-std::unique_ptr<Tracked_complex> track_image(const std::string&, double,
-                                             const std::optional<std::array<double, 6>>&) {
+std::unique_ptr<Tracked_complex> track_image(const std::string&, const Run_options&) {
   leave("the reader of voxel images");
 }
 
-std::unique_ptr<Tracked_complex> track_tetrahedra(const std::string&, const std::string&,
-                                                  const std::optional<std::array<double, 6>>&) {
+std::unique_ptr<Tracked_complex> track_tetrahedra(const std::string&, const Run_options&) {
   leave("the readers of tetrahedra");
 }
 

@@ -48,6 +48,25 @@ TEST(Make_complex_in_a_box, of_a_torus) {
   EXPECT_LT(last, .02);
 }
 
+// A ball of few edges, in several positions relative to the grid, and its two halves.
+TEST(Make_complex_in_a_box, of_a_small_ball) {
+  const double volume = 4. / 3 * pi;
+  const CGAL::Bbox_3 box(-2, -2, -2, 2, 2, 2);
+  for (const double edges : {2., 3., 4.})
+    for (const double shift : {0., .137, .31}) {
+      const auto is_inside = [&](const Point& p) {
+        return std::hypot(p.x() - shift, p.y() - shift / 2, p.z() + shift / 3) < 1;
+      };
+      const Complex whole = make(box, 1 / edges, [&](const Point& p) { return int(is_inside(p)); });
+      EXPECT_NEAR(whole.volume(1) / volume, 1, 1e-3) << edges << ' ' << shift;
+      const Complex halves = make(box, 1 / edges, [&](const Point& p) {
+        return is_inside(p) ? p.x() < shift ? 1 : 2 : 0;
+      });
+      EXPECT_NEAR(halves.volume(1) / volume, .5, 5e-3) << edges << ' ' << shift;
+      EXPECT_NEAR(halves.volume(2) / volume, .5, 5e-3) << edges << ' ' << shift;
+    }
+}
+
 TEST(Make_complex_in_a_box, labels_at_many_points_give_the_same_complex) {
   const auto label = [](const Point& p) { return p.x() + p.y() * p.y() < .2 ? 1 : 0; };
   const auto labels = [&](const std::vector<Point>& points) {

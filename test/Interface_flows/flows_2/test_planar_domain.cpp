@@ -25,6 +25,7 @@ namespace test_planar_domain {
 using Complex = CGAL::Deformable_simplicial_complex_2<>;
 using Point = Complex::Point_2;
 using Curve = DSC::Labelled_curve_2<Point>;
+using CGAL::Deformable_simplicial_complexes::Domain_rule;
 using CGAL::Deformable_simplicial_complexes::Error;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
@@ -48,7 +49,8 @@ TEST(Domain_boundary_2, stops_an_offset_without_loss_of_area) {
   std::size_t stopped = 0;
   double area = dsc.area(1);
   for (int step = 0; step < 12; ++step) {
-    const auto report = DSC::advect_interface(dsc, DSC::Normal_offset{.1}, step, 1);
+    const auto report = DSC::advect_interface(dsc, DSC::Normal_offset{.1}, step, 1,
+                                              parameters::domain_rule(Domain_rule::stop));
     ASSERT_TRUE(dsc.is_valid(true));
     EXPECT_GE(dsc.area(1), area * (1 - 1e-12)) << step;
     area = dsc.area(1);
@@ -57,6 +59,18 @@ TEST(Domain_boundary_2, stops_an_offset_without_loss_of_area) {
   EXPECT_GT(stopped, 0u);
   EXPECT_GT(area, .9 * 9);
   EXPECT_NEAR(dsc.area(0) + area, 9, 1e-12);
+}
+
+TEST(Domain_boundary_2, moves_away_from_the_interface_if_asked) {
+  Complex dsc = disk({-1.5, -1.5, 1.5, 1.5});
+  const double area = dsc.area(1), apothem = std::cos(pi / 40);
+  EXPECT_THROW(DSC::advect_interface(dsc, DSC::Normal_offset{1.}, 0, 1), Error);
+  dsc = disk({-1.5, -1.5, 1.5, 1.5});
+  EXPECT_TRUE(DSC::advect_interface(dsc, DSC::Normal_offset{1.}, 0, 1,
+                                    parameters::domain_rule(Domain_rule::grow))
+                  .complete);
+  EXPECT_TRUE(dsc.is_valid(true));
+  EXPECT_NEAR(dsc.area(1) / area, std::pow(1 + 1 / apothem, 2), .01);
 }
 
 TEST(Domain_boundary_2, lets_nothing_stop_inside) {

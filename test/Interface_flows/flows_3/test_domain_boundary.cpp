@@ -15,7 +15,10 @@ namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_domain_boundary {
 
+using CGAL::Deformable_simplicial_complexes::Domain_rule;
+using CGAL::Deformable_simplicial_complexes::Invalid_destination_error;
 using small_meshes::Complex;
+namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 Complex ball() {
   const auto mesh = small_meshes::grid(8, small_meshes::ball);
@@ -29,7 +32,8 @@ TEST(Domain_boundary_3, stops_an_offset_without_loss_of_volume) {
   double volume = dsc.volume(1);
   std::size_t stopped = 0;
   for (int step = 0; step < 12; ++step) {
-    const auto report = DSC::advect_interface(dsc, DSC::Normal_offset{.08}, step, 1);
+    const auto report = DSC::advect_interface(dsc, DSC::Normal_offset{.08}, step, 1,
+                                              parameters::domain_rule(Domain_rule::stop));
     ASSERT_TRUE(dsc.is_valid());
     EXPECT_GE(dsc.volume(1), volume * (1 - 1e-12)) << step;
     volume = dsc.volume(1);
@@ -37,6 +41,37 @@ TEST(Domain_boundary_3, stops_an_offset_without_loss_of_volume) {
   }
   EXPECT_GT(stopped, 0u);
   EXPECT_NEAR(dsc.volume(0) + volume, 8, 1e-10);
+}
+
+TEST(Domain_boundary_3, is_an_error_for_an_interface_that_would_leave) {
+  Complex dsc = ball();
+  const auto before = dsc.state();
+  EXPECT_THROW(DSC::advect_interface(dsc, DSC::Normal_offset{.5}, 0, 1,
+                                     parameters::largest_displacement(0.)),
+               Invalid_destination_error);
+  EXPECT_TRUE(dsc.state() == before);
+  try {
+    DSC::deform_interface(dsc, [&](Complex::Vertex_handle v) {
+      return dsc.exact(dsc.position(v) + Complex::Approximate_vector_3(.6, 0, 0));
+    });
+    ADD_FAILURE() << "the interface left the domain";
+  } catch (const Invalid_destination_error& error) {
+    EXPECT_FALSE(error.vertices().empty());
+  }
+  EXPECT_TRUE(dsc.state() == before);
+}
+
+TEST(Domain_boundary_3, moves_away_from_the_interface_if_asked) {
+  Complex dsc = ball();
+  const double volume = dsc.volume(1);
+  const auto grow = parameters::domain_rule(Domain_rule::grow);
+  const auto report = DSC::advect_interface(
+      dsc, [](const auto&, double) { return Complex::Approximate_vector_3(3, 0, -1); }, 0, 1, grow);
+  EXPECT_TRUE(report.complete);
+  EXPECT_TRUE(dsc.is_valid());
+  EXPECT_NEAR(dsc.volume(1), volume, 1e-10);
+  EXPECT_TRUE(DSC::advect_interface(dsc, DSC::Normal_offset{1.}, 0, 1, grow).complete);
+  EXPECT_GT(dsc.volume(1), 15);
 }
 
 TEST(Grow_domain_3, keeps_the_interface_bit_for_bit) {

@@ -16,11 +16,14 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/building/enclosing_box_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/building/label_cells.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/improve_new_mesh.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/Thickness.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/soups/Soup_bisector_3.h>
 
 #include <CGAL/Bbox_3.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -77,20 +80,97 @@ Tetrahedralization_3 fill_box(const Boxed_soup_3& boxed, const Tetrahedralizer& 
   return mesh;
 }
 
-// Returns the complex of labelled tetrahedra that are given in a frame.
+// Returns the exact points of a mesh.
 template <class Complex>
-Complex make_in_frame(const Tetrahedralization_3& mesh,
-                      const std::vector<typename Complex::Label>& labels,
-                      const Building_frame_3& frame, const Construction_options<3>& options) {
-  std::vector<typename Complex::Point_3> points;
+std::vector<typename Complex::Point_3> exact_points(const Tetrahedralization_3& mesh) {
+  std::vector<typename Complex::Point_3> result;
   const auto construct_point = typename Complex::Geom_traits().construct_exact_point_3_object();
   for (const Coordinates_3& p : mesh.points)
-    points.push_back(construct_point({p[0], p[1], p[2]}));
-  Complex dsc;
-  dsc.assign(points, mesh.tetrahedra, labels);
+    result.push_back(construct_point({p[0], p[1], p[2]}));
+  return result;
+}
+
+// Completes a complex of labelled tetrahedra that are given in a frame.
+template <class Complex>
+void complete_in_frame(Complex& dsc, const Building_frame_3& frame,
+                       const Construction_options<3>& options) {
   const Coordinates_3& t = frame.translation();
   dsc.set_normalization({{t[0], t[1], t[2]}, frame.scale()});
   improve_new_mesh(dsc, options);
+}
+
+// Returns what the thin parts of a complex require of the triangles of a soup, so that about `most`
+// triangles arise at most. The points of the soup are the first ones of `vertices`.
+template <class Complex>
+std::vector<Soup_bisector_3::Requirement>
+requirements_of_thin_parts(const Complex& dsc, const Triangle_soup_3& soup,
+                           const std::vector<typename Complex::Vertex_handle>& vertices,
+                           double edge_per_thickness, std::size_t most) {
+  const auto coarse = coarse_facets(dsc, edge_per_thickness, most).facets;
+  if (coarse.empty())
+    return {};
+  std::map<typename Complex::Vertex_handle, std::size_t> number;
+  for (std::size_t i = 0; i < soup.points.size(); ++i)
+    number.emplace(vertices[i], i);
+  std::map<Triangle_indices, std::size_t> triangles;
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+    Triangle_indices key = soup.triangles[t];
+    std::sort(key.begin(), key.end());
+    triangles.emplace(key, t);
+  }
+  std::vector<Soup_bisector_3::Requirement> result;
+  for (const auto& facet : coarse) {
+    Triangle_indices key = {};
+    for (int i = 0, k = 0; i < Complex::corners; ++i)
+      if (i != facet.facet.second)
+        if (const auto found = number.find(facet.facet.first->vertex(i)); found != number.end())
+          key[k++] = found->second;
+    std::sort(key.begin(), key.end());
+    if (const auto found = triangles.find(key); found != triangles.end()) {
+      Soup_bisector_3::Requirement requirement = {found->second, facet.longest, {}};
+      for (const auto& [place, longest] : facet.places)
+        requirement.places.push_back({coordinates(place), longest});
+      result.push_back(std::move(requirement));
+    }
+  }
+  return result;
+}
+
+// Fills the box, and returns the complex. Triangles that are large beside the thickness of a part
+// are bisected, and the box is filled again: so cells are better than those that arise from the
+// bisection of flat cells.
+// \param label `label(mesh, boxed)` returns the labels of tetrahedra
+template <class Complex, class Tetrahedralizer, class Label>
+Complex make_resolved(Boxed_soup_3 boxed, const Tetrahedralizer& tetrahedralizer,
+                      Construction_options<3> options, const Label& label) {
+  const auto make = [&](std::vector<typename Complex::Vertex_handle>& vertices) {
+    const auto mesh = fill_box(boxed, tetrahedralizer);
+    Complex dsc;
+    vertices = dsc.assign(exact_points<Complex>(mesh), mesh.tetrahedra, label(mesh, boxed));
+    return dsc;
+  };
+  std::vector<typename Complex::Vertex_handle> vertices;
+  Complex dsc = make(vertices);
+  static constexpr int most_fillings = 8; // two usually suffice
+  const std::size_t most = boxed.soup.triangles.size() + options.thin_parts.most_new_facets;
+  for (int i = 0; i < most_fillings && options.thin_parts.edge_per_thickness > 0; ++i) {
+    if (boxed.soup.triangles.size() >= most)
+      break;
+    Soup_bisector_3 bisector(boxed.soup);
+    if (!bisector.run(requirements_of_thin_parts(dsc, boxed.soup, vertices,
+                                                 options.thin_parts.edge_per_thickness,
+                                                 most - boxed.soup.triangles.size()),
+                      most))
+      break;
+    boxed.soup = bisector.soup();
+    try {
+      dsc = make(vertices);
+    } catch (const Tetrahedralization_error&) {
+      break; // the complex of the coarser triangles will do
+    }
+  }
+  options.thin_parts.edge_per_thickness = 0; // done
+  complete_in_frame(dsc, boxed.frame, options);
   return dsc;
 }
 

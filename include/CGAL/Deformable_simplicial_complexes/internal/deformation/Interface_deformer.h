@@ -78,12 +78,18 @@ public:
 
   // Sets the destinations of the interface vertices. A destination outside the box of the domain is
   // replaced by the nearest point of the box, where the interface stops. Throws
-  // `Invalid_destination_error` if a destination is not finite; nothing is changed then.
+  // `Invalid_destination_error` if a destination is not finite or not permitted by the rule of the
+  // domain; nothing is changed then.
   void set_destinations(const std::vector<Vertex_handle>& vertices,
                         const std::vector<typename Complex::Approximate_point>& destinations) {
     require_finite(destinations, "a destination");
-    m_trapped_cells.log().begin();
     const Domain_box<Complex> box(m_complex);
+    if (m_options.domain_rule != Domain_rule::stop)
+      if (const auto leaving = box.leaving(vertices, destinations); !leaving.empty())
+        throw Invalid_destination_error("the interface would leave the domain: use a larger box, "
+                                        "let it grow, or let the interface stop at its sides",
+                                        leaving);
+    m_trapped_cells.log().begin();
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       const Point admissible =
           m_complex.admissible_destination(vertices[i], m_complex.exact(destinations[i]));

@@ -14,14 +14,17 @@
 #include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver.h>
+#include <CGAL/Deformable_simplicial_complexes/refine_thin_parts.h>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
-// Improves a mesh that was just made, and sorts its storage.
+// Resolves thin parts of a mesh that was just made, improves it, and sorts its storage.
 template <class Complex>
 void improve_new_mesh(Complex& dsc, const Construction_options<Complex::dimension>& options) {
+  if constexpr (Complex::Domain::has_outside)
+    refine_thin_parts(dsc, options.thin_parts);
   const Progress_phase phase("improving the mesh");
   if (options.improve) {
     Any_visitor<Complex> visitor;

@@ -66,6 +66,21 @@ public:
     return is_outside;
   }
 
+  // Returns the indices of the vertices that would leave the box, if no vertex of the interface is
+  // on a side. Otherwise, sides are walls, and no vertex leaves the box.
+  template <class Vertex_handle>
+  std::vector<std::size_t> leaving(const std::vector<Vertex_handle>& vertices,
+                                   std::vector<Point> destinations) const {
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      if (vertices[i]->boundary_class() != Boundary_class::inside)
+        return {};
+      if (clamp(destinations[i]))
+        result.push_back(i);
+    }
+    return result;
+  }
+
 private:
   Extent<d> m_extent;
   bool m_is_box = false;

@@ -123,6 +123,7 @@ Incompressible_fluid<Complex, Solver>::move(const Flow& flow, const Contacts& co
     if (!mesh.is_on_interface[i])
       inside.emplace(mesh.vertices[i]->time_stamp(), point(destinations[i]));
   Deformation_options<Complex> options = chosen.deformation;
+  options.domain_rule = Domain_rule::stop; // at the walls
   options.flow = [&inside](const std::vector<Vertex_handle>& vertices) {
     const Approximate_point unknown =
         point(Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()));
@@ -222,6 +223,7 @@ auto Incompressible_fluid<Complex, Solver>::move_interface(const Flow& flow,
       m_liquids.volumes(), interface_.snapshot().positions(m_complex),
       [&](std::size_t v) { return is_constrained[v] != 0; }, to);
   Deformation_options<Complex> options = chosen.deformation;
+  options.domain_rule = Domain_rule::stop; // at the walls
   options.preserve_mesh();
   options.flow = nullptr;
   const auto deformation = change_mesh([&](Any_visitor<Complex>* visitor) {

@@ -74,10 +74,7 @@ public:
         m_tangents(d == 2 ? positions.size() : 0) {
     Obstacles obstacles;
     for (const auto& facet : interface_.facets()) {
-      std::array<Point, d> corners;
-      for (int i = 0; i < d; ++i)
-        corners[i] =
-            interface_.domain.near(positions[facet.vertices[0]], positions[facet.vertices[i]]);
+      const auto corners = interface_.corners(facet, positions);
       add_forces(facet, corners, energy);
       const double mobility = energy.mobility(facet.behind, facet.in_front);
       if (mobility > 0)

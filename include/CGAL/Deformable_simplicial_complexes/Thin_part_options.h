@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Deformable_simplicial_complexes, written for CGAL
+// (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_THIN_PART_OPTIONS_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_THIN_PART_OPTIONS_H
+
+#include <CGAL/license/Deformable_simplicial_complexes.h>
+
+#include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+Options of `refine_thin_parts()`, and of the functions that make a complex.
+*/
+struct Thin_part_options
+{
+  /// Longest edge of the interface, in thicknesses of the phase or the gap at it; at least 1, or 0
+  /// for no refinement.
+  double edge_per_thickness = defaults::edge_per_thickness;
+  /// Largest number of new facets of the interface.
+  unsigned most_new_facets = defaults::most_new_facets;
+
+  /// Throws an exception unless all values are in their ranges.
+  /// \throws Error if a value is out of its range
+  void check() const {
+    if (!(edge_per_thickness >= 1 || edge_per_thickness == 0))
+      throw Error("the length of edges in thicknesses is out of range: use 1 or more, or 0");
+  }
+};
+
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_THIN_PART_OPTIONS_H

@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Deformable_simplicial_complexes, written for CGAL
+// (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_FITTING_LABELS_AT_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_FITTING_LABELS_AT_H
+
+#include <CGAL/license/Deformable_simplicial_complexes.h>
+
+#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes {
+namespace internal {
+
+// Returns the labels at points, given by a function of a point or of a vector of points. On a
+// torus, the function is called with points of the box.
+template <class Complex, class LabelAt>
+std::vector<typename Complex::Label>
+labels_at(const Complex& complex, const LabelAt& label_at,
+          std::vector<typename Complex::Approximate_point> points) {
+  using Labels = std::vector<typename Complex::Label>;
+  for (auto& p : points)
+    p = complex.domain().canonical(p);
+  Labels result;
+  if constexpr (std::is_invocable_v<const LabelAt&, typename Complex::Approximate_point>) {
+    for (const auto& p : points) {
+      Progress_scope::check();
+      result.push_back(label_at(p));
+    }
+  } else if (!points.empty()) {
+    result = label_at(points);
+    if (result.size() != points.size())
+      throw Error("the number of labels differs from the number of points: give one label for each "
+                  "point");
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_FITTING_LABELS_AT_H
