@@ -82,7 +82,7 @@ Improvement_report remove_degeneracies(Complex& dsc, const Degeneracy_options<Co
 
   Improvement_report report;
   Cavity<Complex> cavity(dsc);
-  const internal::Interface_tolerance<Complex> tolerance(dsc);
+  internal::Interface_tolerance<Complex> tolerance(dsc);
   const auto propose = [&](Cell_handle c) {
     if (internal::Mesh_operations<Complex>::propose_degenerate_cell_removal(
             dsc, c, options.degenerate_quality, options.degenerate_cosine, cavity) &&

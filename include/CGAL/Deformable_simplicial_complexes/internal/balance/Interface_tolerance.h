@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -28,7 +29,8 @@ namespace internal {
 // The volume that a mesh operation may move from one label to another. It is a part of the volumes
 // that the labels have in the cells around the operation. The part is smaller where the edges of
 // the interface are long compared with the local thickness of a label. So a thin phase under large
-// facets keeps its volume, whatever the shape of its cells.
+// facets keeps its volume, whatever the shape of its cells. All operations together must not move
+// more than a small part of a label in one direction.
 template <class Complex> class Interface_tolerance
 {
 public:
@@ -48,7 +50,8 @@ public:
   // Returns whether a proposed replacement moves a volume that is small enough. It is a collapse of
   // a vertex of the interface, or a flip of an edge of the interface; other proposals move nothing.
   // The bound is multiplied by `factor`.
-  bool allows(const Cavity<Complex>& cavity, double factor = 1) const {
+  bool allows(const Cavity<Complex>& cavity, double factor = 1) {
+    m_proposed.clear();
     if (cavity.kind() == Proposal_kind::collapse)
       return allows_motion(cavity.vanishing_vertex(), cavity.removed(),
                            final_position(cavity.kept_vertex()), factor);
@@ -58,35 +61,48 @@ public:
     return true;
   }
 
+  // Records that the last operation that was allowed is done.
+  void record() {
+    for (const auto& [label, gain] : m_proposed)
+      m_gains[label] += gain;
+    m_proposed.clear();
+  }
+
   // Returns whether the vertex of a star may move to a position.
   bool allows_motion(Vertex_handle v, const std::vector<Cell_handle>& star, const Position& to,
-                     double factor = 1) const {
+                     double factor = 1) {
+    m_proposed.clear();
     if (!v->is_interface())
       return true;
     const Position from = final_position(v);
     const Vector step = m_complex->domain().near(from, to) - from;
-    std::vector<Facet> facets;
-    double swept = 0;
+    std::vector<Swept_facet> facets;
     for (Cell_handle c : star)
       for (int i = 0; i < Complex::corners; ++i)
-        if (const Facet facet(c, i); c->vertex(i) != v && is_first_side(facet)) {
-          facets.push_back(facet);
-          swept += std::abs(step * Complex::Space::facet_normal(corners(facet))) / factorial;
-        }
-    return is_small(swept, facets, star, factor);
+        if (const Facet facet(c, i); c->vertex(i) != v && is_first_side(facet))
+          facets.push_back(
+              {facet, step * Complex::Space::facet_normal(corners(facet)) / factorial});
+    return is_small(facets, star, factor);
   }
 
   // Returns whether a cell may get the label behind one of its facets.
-  bool allows_relabeling(const Facet& facet) const {
-    return is_small(m_complex->measure(facet.first), {facet}, {facet.first}, 1);
+  bool allows_relabeling(const Facet& facet) {
+    return is_small({{facet, -m_complex->measure(facet.first)}}, {facet.first}, 1);
   }
 
 private:
   static constexpr double factorial = Complex::dimension == 3 ? 6 : 2; // d!
 
+  // A facet, and the volume by which it enlarges the label of its cell.
+  struct Swept_facet
+  {
+    Facet facet;
+    double volume;
+  };
+
   // Returns whether the edge that is common to all removed cells may be flipped. The interface
   // sweeps the tetrahedron of its two facets.
-  bool allows_flip(const std::vector<Cell_handle>& removed, double factor) const {
+  bool allows_flip(const std::vector<Cell_handle>& removed, double factor) {
     std::vector<Facet> facets;
     for (Cell_handle c : removed)
       for (int i = 0; i < Complex::corners; ++i)
@@ -101,28 +117,33 @@ private:
     });
     const auto base = corners(facets[0]);
     const Vector height = m_complex->domain().near(base[0], final_position(*opposite)) - base[0];
-    return is_small(std::abs(height * Complex::Space::facet_normal(base)) / factorial, facets,
-                    removed, factor);
+    return is_small(
+        {{facets[0], height * Complex::Space::facet_normal(base) / factorial}, {facets[1], 0}},
+        removed, factor);
   }
 
   // The cells of a label around an operation.
   struct Surroundings
   {
     double volume = 0, area = 0; // area of their facets of the interface
+    double gain = 0;             // of the label
   };
 
-  // Returns whether a swept volume is small enough for the labels on both sides of the facets that
-  // move. The cells are those that the operation changes.
-  bool is_small(double swept, const std::vector<Facet>& facets,
-                const std::vector<Cell_handle>& cells, double factor) const {
+  // Returns whether the swept volumes are small enough for the labels on both sides of the facets
+  // that move. The cells are those that the operation changes.
+  bool is_small(const std::vector<Swept_facet>& facets, const std::vector<Cell_handle>& cells,
+                double factor) {
+    // of a label in all operations together, a third of a change that would be reported
+    static constexpr double part_in_all = 3e-4;
     static constexpr double part = .03; // of the volume of a label around a well-resolved interface
     static constexpr double rounding = 1e-12; // relative to the cube of an edge
-    double edge = 0;
+    double edge = 0, swept = 0;
     boost::container::flat_map<Label, Surroundings> labels;
-    for (const Facet& facet : facets) {
+    for (const auto& [facet, volume] : facets) {
       edge = (std::max)(edge, longest_edge(corners(facet)));
-      labels[facet.first->label()];
-      labels[facet.first->neighbor(facet.second)->label()];
+      swept += std::abs(volume);
+      labels[facet.first->label()].gain += volume;
+      labels[facet.first->neighbor(facet.second)->label()].gain -= volume;
     }
     if (swept <= rounding * std::pow(edge, Complex::dimension))
       return true;
@@ -133,13 +154,20 @@ private:
           if (m_complex->is_interface(Facet(c, i)))
             found->second.area += m_complex->measure(Facet(c, i));
       }
-    return std::all_of(labels.begin(), labels.end(), [&](const auto& item) {
-      const Surroundings& around = item.second;
+    for (const auto& [label, around] : labels) {
       // of a sheet between two parallel facets: its thickness
       const double thickness = 2 * around.volume / around.area;
       const double resolution = (std::min)(1., thickness / edge);
-      return swept <= factor * part * resolution * std::sqrt(resolution) * around.volume;
-    });
+      const double most = factor * part * resolution * std::sqrt(resolution) * around.volume;
+      const auto before = m_gains.find(label);
+      const double gain = around.gain + (before == m_gains.end() ? 0 : before->second);
+      if (!(swept <= most &&
+            std::abs(gain) <= (std::max)(most, part_in_all * m_complex->measure(label))))
+        return false;
+    }
+    for (const auto& [label, around] : labels)
+      m_proposed.emplace_back(label, around.gain);
+    return true;
   }
 
   // Returns whether the facet is on the interface and its cell has the larger label.
@@ -183,6 +211,8 @@ private:
 
   const Complex* m_complex;
   const Destinations<Complex>* m_destinations;
+  std::unordered_map<Label, double> m_gains;        // of labels, by all recorded operations
+  std::vector<std::pair<Label, double>> m_proposed; // gains by the last one that was allowed
 };
 
 } // namespace internal

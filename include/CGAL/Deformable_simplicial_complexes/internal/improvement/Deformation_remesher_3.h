@@ -136,12 +136,11 @@ private:
     return n->label() < c->label() && !m_complex.is_infinite(n);
   }
 
-  // Returns whether a facet will have a small angle that is smaller than the current one. `now` and
-  // `final` return positions of vertices.
+  // Returns whether a facet will have a small angle that is clearly smaller than the current one: a
+  // needle of the input that keeps its shape stays. `now` and `final` return positions of vertices.
   template <class Now, class Final>
   bool will_degenerate(const typename Complex::Facet& f, const Now& now, const Final& final) const {
     using Triangle = std::array<typename Complex::Approximate_point, 3>;
-    static constexpr double more = 1 + 1e-6; // excludes changes by rounding
     const auto v = m_complex.facet_vertices(f);
     const auto cosine_with = [&](const auto& position_of) {
       const auto p = position_of(v[0]);
@@ -149,7 +148,10 @@ private:
                                      m_complex.domain().near(p, position_of(v[2]))});
     };
     const double after = cosine_with(final);
-    return after > m_degenerate_cosine && after > more * cosine_with(now);
+    if (!(after > m_degenerate_cosine))
+      return false;
+    const double before = cosine_with(now);
+    return std::sqrt(1 - after * after) < reduction_of_angles * std::sqrt(1 - before * before);
   }
 
   // Removes one degenerate interface facet of a cell. Returns whether there was one that could be

@@ -197,8 +197,10 @@ public:
       for (int j = i + 1; j < Complex::corners; ++j)
         if (Own::is_interface_edge(m_complex, c, i, j) &&
             propose_degenerate_edge_removal(m_complex, c, i, j, bound, 0, m_cavity) &&
-            m_tolerance.allows(m_cavity, m_tolerance_factor))
+            m_tolerance.allows(m_cavity, m_tolerance_factor)) {
+          m_tolerance.record();
           return commit(touched);
+        }
     return false;
   }
 

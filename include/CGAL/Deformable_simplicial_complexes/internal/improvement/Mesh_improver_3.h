@@ -44,7 +44,10 @@ public:
                                 cavity) ||
          this->covers_interface()))
       return false;
-    return this->m_tolerance.allows(cavity, this->m_tolerance_factor) && this->commit(touched);
+    if (!this->m_tolerance.allows(cavity, this->m_tolerance_factor))
+      return false;
+    this->m_tolerance.record();
+    return this->commit(touched);
   }
 };
 

@@ -47,6 +47,10 @@ namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
+// A motion must reduce a small angle to less than this part before the interface changes to remove
+// it. So needles of the input that keep their shape stay.
+inline constexpr double reduction_of_angles = .9;
+
 // A function object that removes cells with a dihedral angle below a bound, or above its
 // supplement. For each cell, it chooses the operation that maximizes the smallest sine of a
 // dihedral angle. Operations that change the interface are tried last, and their changes of the
@@ -144,7 +148,9 @@ private:
   // the motion are kept.
   bool may_change_interface(Cell_handle c) const {
     return touches_interface(c) && is_to_be_removed(c) &&
-           sine(c) < sine_of([&](int i) { return m_destinations.position_before(c->vertex(i)); });
+           sine(c) < reduction_of_angles * sine_of([&](int i) {
+                       return m_destinations.position_before(c->vertex(i));
+                     });
   }
 
   static bool touches_interface(Cell_handle c) {
@@ -179,6 +185,8 @@ private:
         return true;
     }
     if (!m_best.removed().empty()) {
+      if (m_tolerance.allows(m_best, slack()))
+        m_tolerance.record();
       commit_proposal(m_complex, m_best, m_visitor, m_report);
       touch(m_best.created(), touched);
       return true;
@@ -294,6 +302,7 @@ private:
       if (!is_inside || !(after < growth * before) ||
           !m_tolerance.allows_relabeling(std::make_pair(c, i)) || !relabel(c, label))
         continue;
+      m_tolerance.record();
       touch({c, c->neighbor(0), c->neighbor(1), c->neighbor(2), c->neighbor(3)}, touched);
       return true;
     }
@@ -334,6 +343,8 @@ private:
     else
       ++m_report.smoothed;
     m_complex.star(moving, m_star);
+    if (m_tolerance.allows_motion(moving, m_star, target, slack()))
+      m_tolerance.record();
     smooth_vertex(m_complex, moving, m_star, exact(target), m_visitor);
     touch(m_star, touched);
     return true;
