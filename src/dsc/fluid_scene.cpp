@@ -78,11 +78,8 @@ Scene_gas read_gas(const Json_fields& gas, std::size_t index) {
 
 /// Reads a number, or an expression in t.
 Expression read_flux(const Json_fields& source) {
-  static const std::string form = "a number, or an expression in t like '0.1*sin(t)'";
-  const Expression result =
-      source.any("flux").is_string()
-          ? source.expression("flux", {"t"}, 1, form)
-          : Expression(Json(source.number("flux")).dump(), {"t"}, "flux of " + source.name(), form);
+  const Expression result = source.number_or_expression(
+      "flux", {"t"}, "a number, or an expression in t like '0.1*sin(t)'");
   if (result.is_constant() && *result.at({0.}) == 0)
     source.refuse("flux", "must not be 0: the source has no effect; remove the source");
   return result;
@@ -166,11 +163,8 @@ Scene_opening read_opening(const Json_fields& side, std::size_t number,
                                                  : std::vector<std::string>{"x", "y", "z", "t"};
   const std::string form = is_planar ? "a number, or an expression in x, y and t like '1-y'"
                                      : "a number, or an expression in x, y, z and t like '1-z'";
-  Scene_opening result{side.any("pressure").is_string()
-                           ? side.expression("pressure", variables, 1, form)
-                           : Expression(Json(side.number("pressure")).dump(), variables,
-                                        "pressure of " + side.name(), form),
-                       std::nullopt, read_part(side, number, domain)};
+  Scene_opening result{side.number_or_expression("pressure", variables, form), std::nullopt,
+                       read_part(side, number, domain)};
   if (side.has("velocity")) {
     result.velocity = side.point("velocity");
     if ((*result.velocity)[number / 2] != 0)

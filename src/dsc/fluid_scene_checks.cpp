@@ -69,13 +69,10 @@ bool measures_label(Scene_probe::Kind kind) {
 
 /// Throws unless the label of a probe belongs to a liquid or, if no velocity is measured, to a gas.
 void require_label(const Scene_probe& probe, const Fluid_scene& scene, const Json_fields& json) {
-  const bool is_liquid =
-      std::any_of(scene.liquids.begin(), scene.liquids.end(),
-                  [&](const Scene_liquid& liquid) { return liquid.label == probe.label; });
   const bool is_gas = std::any_of(scene.gases.begin(), scene.gases.end(),
                                   [&](const Scene_gas& gas) { return gas.label == probe.label; });
   const bool has_velocity = probe.kind == Scene_probe::Kind::velocity;
-  if (!is_liquid && (has_velocity || !is_gas))
+  if (!is_liquid(scene, probe.label) && (has_velocity || !is_gas))
     json.refuse("probes", "no liquid " + std::string(has_velocity ? "" : "or gas ") +
                               "has the label " + std::to_string(probe.label) + " of the probe '" +
                               probe.name + "'; correct the label");

@@ -18,14 +18,6 @@ std::vector<std::string> coordinate_names(int dimension) {
                         : std::vector<std::string>{"x", "y", "z"};
 }
 
-/// Reads a number, or an expression.
-Expression read_expression(const Json_fields& json, const std::string& field,
-                           const std::vector<std::string>& variables, const std::string& form) {
-  if (json.any(field).is_string())
-    return json.expression(field, variables, 1, form);
-  return Expression(Json(json.number(field)).dump(), variables, field + " of " + json.name(), form);
-}
-
 /// Reads the given values of a field on the sides of the domain and on free surfaces.
 void read_given_values(const Json_fields& fixed, Scene_field& result) {
   std::vector<std::string> places(names_of_sides.begin(),
@@ -37,9 +29,9 @@ void read_given_values(const Json_fields& fixed, Scene_field& result) {
   const std::string form = "a number, or an expression in the coordinates and t like '1+0.1*x'";
   for (std::size_t side = 0; side + 1 < places.size(); ++side)
     if (fixed.has(places[side]))
-      result.on_sides[side] = read_expression(fixed, places[side], variables, form);
+      result.on_sides[side] = fixed.number_or_expression(places[side], variables, form);
   if (fixed.has("surface"))
-    result.on_surface = read_expression(fixed, "surface", variables, form);
+    result.on_surface = fixed.number_or_expression("surface", variables, form);
 }
 
 } // namespace
@@ -47,8 +39,8 @@ void read_given_values(const Json_fields& fixed, Scene_field& result) {
 Scene_field read_field(const Json_fields& field) {
   field.require_known({"initial", "diffusivity", "fixed"});
   Scene_field result{
-      read_expression(field, "initial", coordinate_names(field.dimension()),
-                      "a number, or an expression in the coordinates like '1+0.1*x'"),
+      field.number_or_expression("initial", coordinate_names(field.dimension()),
+                                 "a number, or an expression in the coordinates like '1+0.1*x'"),
       field.not_negative("diffusivity", 0),
       {},
       {}};

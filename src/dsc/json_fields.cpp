@@ -109,6 +109,14 @@ Expression Json_fields::expression(const std::string& field,
   return result;
 }
 
+Expression Json_fields::number_or_expression(const std::string& field,
+                                             const std::vector<std::string>& variables,
+                                             const std::string& form) const {
+  return any(field).is_string()
+             ? expression(field, variables, 1, form)
+             : Expression(Json(number(field)).dump(), variables, field + " of " + m_name, form);
+}
+
 void Json_fields::read_numbers(const std::string& field, std::size_t n, double* result,
                                const std::string& reason) const {
   const Json& json = any(field);

@@ -53,6 +53,10 @@ public:
   /// \param form expected form, for messages
   Expression expression(const std::string& field, const std::vector<std::string>& variables,
                         int size, const std::string& form) const;
+  /// Returns a number as an expression, or an expression.
+  Expression number_or_expression(const std::string& field,
+                                  const std::vector<std::string>& variables,
+                                  const std::string& form) const;
   template <std::size_t n> std::array<double, n> numbers(const std::string& field) const {
     std::array<double, n> result;
     read_numbers(field, n, result.data());
