@@ -56,35 +56,23 @@ public:
   }
 
   template <class Cavity> void before_replacement(const Cavity& cavity) {
-    if (m_carried_averages)
-      m_carried_averages->before_replacement(cavity);
-    if (m_carried_values)
-      m_carried_values->before_replacement(cavity);
+    for_both([&](auto& carried) { carried.before_replacement(cavity); });
     m_new_integers.clear();
     for (std::size_t i = 0; i < cavity.vertices().size(); ++i)
       if (cavity.vertices()[i].handle == Vertex_handle())
         m_new_integers.emplace_back(i, integers_near(cavity, cavity.vertices()[i].position));
   }
   template <class Cavity> void after_replacement(const Cavity& cavity) {
-    if (m_carried_averages)
-      m_carried_averages->after_replacement(cavity);
-    if (m_carried_values)
-      m_carried_values->after_replacement(cavity);
+    for_both([&](auto& carried) { carried.after_replacement(cavity); });
     for (auto& [i, integers] : m_new_integers)
       put(Content_map<Vertex_handle>{&m_integers}, cavity.vertices()[i].handle, integers);
   }
   template <class Star, class Point>
   void before_smoothing(Vertex_handle v, const Star& star, const Point& target) {
-    if (m_carried_averages)
-      m_carried_averages->before_smoothing(v, star, target);
-    if (m_carried_values)
-      m_carried_values->before_smoothing(v, star, target);
+    for_both([&](auto& carried) { carried.before_smoothing(v, star, target); });
   }
   template <class Star> void after_smoothing(Vertex_handle v, const Star& star) {
-    if (m_carried_averages)
-      m_carried_averages->after_smoothing(v, star);
-    if (m_carried_values)
-      m_carried_values->after_smoothing(v, star);
+    for_both([&](auto& carried) { carried.after_smoothing(v, star); });
   }
 
   /// Returns the content for the current vertices and cells. Must be called once, after all
@@ -105,6 +93,13 @@ public:
   }
 
 private:
+  template <class Call> void for_both(const Call& call) {
+    if (m_carried_averages)
+      call(*m_carried_averages);
+    if (m_carried_values)
+      call(*m_carried_values);
+  }
+
   static Content_row row(const std::vector<Mesh_array>& arrays, bool of_integers, std::size_t i) {
     Content_row result;
     for (const Mesh_array& array : arrays)
