@@ -133,8 +133,6 @@ private:
     Coordinates best{};
     double deepest = 0;
     for (Cell_handle c : cells) {
-      if (m_complex.is_infinite(c) || (m_has_values && !m_has_values(c)))
-        continue;
       Coordinates b;
       if (!find_barycentric_coordinates(c, p, b))
         continue;
@@ -160,8 +158,6 @@ private:
     Value sum = 0. * get(m_values, v);
     double all = 0;
     for (Cell_handle c : star) {
-      if (m_complex.is_infinite(c) || (m_has_values && !m_has_values(c)))
-        continue;
       Coordinates b;
       if (!find_barycentric_coordinates(c, p, b))
         continue;
@@ -173,9 +169,11 @@ private:
     return all > 0 ? (1 / all) * sum : interpolate(star, p);
   }
 
-  // Computes barycentric coordinates with the sum 1. Returns false if the cell is flat up to
-  // rounding.
+  // Computes barycentric coordinates with the sum 1. Returns false if the cell is infinite, has no
+  // values, or is flat up to rounding.
   bool find_barycentric_coordinates(Cell_handle c, const Position& p, Coordinates& result) const {
+    if (m_complex.is_infinite(c) || (m_has_values && !m_has_values(c)))
+      return false;
     const auto corners = internal::cell_corners(m_complex, c, p);
     double sum = 0;
     for (int i = 0; i < Complex::corners; ++i) {

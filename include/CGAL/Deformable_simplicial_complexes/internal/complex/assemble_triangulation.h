@@ -40,8 +40,8 @@ template <int d> struct Cell_facet
   }
 };
 
-// Sorts the vertices of a facet. Returns whether the permutation is even.
-template <std::size_t n> bool sort_facet(std::array<std::size_t, n>& vertices) {
+// Sorts the vertices of a simplex. Returns whether the permutation is even.
+template <class Number, std::size_t n> bool sort_vertices(std::array<Number, n>& vertices) {
   bool is_even = true;
   for (std::size_t i = 1; i < n; ++i)
     for (std::size_t j = i; j > 0 && vertices[j] < vertices[j - 1]; --j) {
@@ -68,7 +68,7 @@ sorted_facets(const std::vector<std::array<std::size_t, corners>>& cells) {
       for (int k = 0; k < d; ++k)
         f[k] = cells[c][k < i ? k : k + 1];
       // The vertex i is moved to the front by i exchanges.
-      const bool is_even = sort_facet(f) == (i % 2 == 0);
+      const bool is_even = sort_vertices(f) == (i % 2 == 0);
       unsorted.push_back({f, c, i, is_even});
       if (bucket_ends.size() < f[0] + 2)
         bucket_ends.resize(f[0] + 2, 0);

@@ -10,7 +10,6 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CONVERSION_VOXEL_OCTREE_3_H
 
 #include <CGAL/Deformable_simplicial_complexes/Octree_3.h>
-#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/conversion/Voxel_pyramid_3.h>
 
@@ -74,18 +73,6 @@ private:
     return result;
   }
 
-  // Calls `visit(place)` for all places less than `size`.
-  template <class Visit>
-  static void for_each_place(const Voxel_pyramid_3::Place& size, const Visit& visit) {
-    Voxel_pyramid_3::Place p;
-    for (p[2] = 0; p[2] < size[2]; ++p[2])
-      for (p[1] = 0; p[1] < size[1]; ++p[1]) {
-        Progress_scope::check();
-        for (p[0] = 0; p[0] < size[0]; ++p[0])
-          visit(p);
-      }
-  }
-
   // Returns the block of level `level` that contains a block of the pyramid of level `from`.
   Place block_of(const Voxel_pyramid_3::Place& p, unsigned from, unsigned level) const {
     Place result;
@@ -96,7 +83,7 @@ private:
 
   void split_mixed_blocks() {
     for (unsigned level = 1; level <= m_pyramid.last_level(); ++level)
-      for_each_place(m_pyramid.size(level), [&](const Voxel_pyramid_3::Place& p) {
+      Voxel_pyramid_3::for_each_place(m_pyramid.size(level), [&](const Voxel_pyramid_3::Place& p) {
         if (m_pyramid(level, p) == Voxel_pyramid_3::mixed)
           m_tree.split(level, block_of(p, level, level));
       });
@@ -109,7 +96,7 @@ private:
     auto vertices = m_pyramid.size(last);
     for (std::size_t& n : vertices)
       --n;
-    for_each_place(vertices, [&](const Voxel_pyramid_3::Place& p) {
+    Voxel_pyramid_3::for_each_place(vertices, [&](const Voxel_pyramid_3::Place& p) {
       const auto block = [&](std::size_t i) {
         return Voxel_pyramid_3::Place{p[0] + (i & 1), p[1] + (i >> 1 & 1), p[2] + (i >> 2)};
       };

@@ -68,15 +68,7 @@ public:
     return result;
   }
 
-private:
-  struct Level
-  {
-    Place size;
-    std::vector<int> components;
-
-    std::size_t index(const Place& p) const { return (p[2] * size[1] + p[1]) * size[0] + p[0]; }
-  };
-
+  // Calls `visit(place)` for all places less than `size`.
   template <class Visit> static void for_each_place(const Place& size, const Visit& visit) {
     Place p;
     for (p[2] = 0; p[2] < size[2]; ++p[2])
@@ -86,6 +78,15 @@ private:
           visit(p);
       }
   }
+
+private:
+  struct Level
+  {
+    Place size;
+    std::vector<int> components;
+
+    std::size_t index(const Place& p) const { return (p[2] * size[1] + p[1]) * size[0] + p[0]; }
+  };
 
   void set_voxels() {
     Level& voxels = m_levels[0];

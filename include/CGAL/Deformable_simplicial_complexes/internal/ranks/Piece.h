@@ -10,6 +10,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_RANKS_PIECE_H
 
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/assemble_triangulation.h>
 
 #include <algorithm>
 #include <array>
@@ -86,13 +87,7 @@ template <int d> bool less_vertices(const Sent_cell<d>& a, const Sent_cell<d>& b
 // Sorts the vertices of a positively oriented cell as `Sent_cell` does.
 template <std::size_t corners>
 std::array<Global_id, corners> canonical_cell(std::array<Global_id, corners> vertices) {
-  bool is_even = true;
-  for (std::size_t i = 1; i < corners; ++i)
-    for (std::size_t j = i; j > 0 && vertices[j] < vertices[j - 1]; --j) {
-      std::swap(vertices[j], vertices[j - 1]);
-      is_even = !is_even;
-    }
-  if (!is_even)
+  if (!sort_vertices(vertices))
     std::swap(vertices[corners - 2], vertices[corners - 1]);
   return vertices;
 }
