@@ -230,7 +230,8 @@ private:
       if (!(length > 1))
         return result;
       m_longest = m_step /= std::ceil(length);
-      if (m_options.scheme != Integration_scheme::euler && !moves_segments<Complex, Velocity>)
+      // Velocities of the interface are not smooth where its normals change.
+      if (m_options.scheme != Integration_scheme::euler && is_flow_of_space<Complex, Velocity>)
         m_options.scheme = Integration_scheme::adaptive;
       if (!(std::abs(m_step) * most_parts >= std::abs(dt)))
         throw Error("the time step is too long: it would be divided into more than 10 000 parts; "
