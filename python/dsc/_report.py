@@ -112,6 +112,8 @@ class Report(Changes):
     """Number of vertices that a collapse removed before they arrived."""
     merged_vertices: int
     """Number of vertices that left the interface before they arrived, because parts of the interface met."""
+    estimated_error: float
+    """Estimated error of a vertex due to the length of the time step; 0 if the motion has no estimate."""
     stopped_at_boundary: int
     """Number of vertices with destinations outside the domain."""
     steps: int

@@ -77,6 +77,7 @@ struct Step_outcome
   double seconds = 0; ///< time of the deformation, and of the preparation of mesh and interface
   bool complete = true;
   std::size_t unfinished_vertices = 0;
+  double estimated_error = 0;          ///< due to the length of the step, in the unit of the input
   std::size_t stopped_at_boundary = 0; ///< vertices with destinations outside the domain
   std::size_t flat_cells = 0;          ///< cells below the quality floor after the step
   unsigned parts = 1;                  ///< into which a long step was divided

@@ -171,6 +171,7 @@ Step_outcome step_outcome(double seconds, const Complex& complex, const Report& 
   return {seconds,
           report.complete,
           report.unfinished.size(),
+          report.estimated_error * complex.normalization().scale,
           report.stopped_at_boundary,
           report.flat.size(),
           report.steps,

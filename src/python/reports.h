@@ -71,6 +71,7 @@ py::dict report_to_dict(const DSC::Deformation_report<Complex>& report, const Co
   result["flat_cells"] = report.flat.size();
   result["vanished_vertices"] = report.vanished;
   result["merged_vertices"] = report.merged;
+  result["estimated_error"] = report.estimated_error * space.scale();
   result["stopped_at_boundary"] = report.stopped_at_boundary;
   result["steps"] = report.steps;
   result["passes"] = report.passes;

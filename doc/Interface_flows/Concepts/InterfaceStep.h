@@ -2,12 +2,17 @@
 \ingroup PkgInterfaceFlowsConcepts
 \cgalConcept
 
-A flow that computes the destinations of the whole interface for a time step. It suits flows that are not integrated from
-velocities, for example flows whose destinations solve a system of equations.
+A flow that computes the destinations of the whole interface for a time step. It suits flows that
+are not integrated from velocities, for example flows whose destinations solve a system of
+equations.
 
-`CGAL::Deformable_simplicial_complexes::advect_adaptively()` uses two optional members. The member `static constexpr bool
-contracts_interface` is `true` if the flow decreases the area of the interface; then the interface is adapted in each
-step. The function `bool preserves_volumes() const` returns `true` if volumes are to be restored after an adaptation.
+`CGAL::Deformable_simplicial_complexes::advect_adaptively()` uses two optional members. The member
+`static constexpr bool contracts_interface` is `true` if the flow decreases the area of the
+interface; then the interface is adapted in each step. The function `bool preserves_volumes() const`
+returns `true` if volumes are to be restored after an adaptation.
+
+The function call may return a `double` instead of nothing: the estimated error of the destinations
+due to the length of the step. `Deformation_report::estimated_error` contains it.
 
 `Complex` is the type of the complex. A step need not define it, and its function can be a template.
 
@@ -32,7 +37,8 @@ public:
          vertices at the time `t + dt`. If a coordinate is not finite,
          `CGAL::Deformable_simplicial_complexes::advect_interface()` throws.
   */
-  void operator()(const CGAL::Deformable_simplicial_complexes::Interface_snapshot<Complex>& snapshot,
-                  const std::vector<Complex::Approximate_point>& positions, double t, double dt,
-                  std::vector<Complex::Approximate_point>& destinations) const;
+  void
+  operator()(const CGAL::Deformable_simplicial_complexes::Interface_snapshot<Complex>& snapshot,
+             const std::vector<Complex::Approximate_point>& positions, double t, double dt,
+             std::vector<Complex::Approximate_point>& destinations) const;
 };

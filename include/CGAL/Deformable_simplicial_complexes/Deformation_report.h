@@ -120,6 +120,9 @@ template <class Complex> struct Deformation_report
   /// number of vertices with destinations outside the domain, a box; each was sent to the nearest
   /// point of the box
   std::size_t stopped_at_boundary = 0;
+  /// estimated error of destinations due to the length of the time step, in the coordinates of the
+  /// complex, summed over its parts; 0 if the velocity does not estimate it
+  double estimated_error = 0;
   unsigned steps = 1;  ///< deformations into which a long time step was divided
   unsigned passes = 0; ///< executions of the main loop of Algorithm 1
   /// whether the visitor ended the deformation: `go_further()` returned false
@@ -166,6 +169,7 @@ template <class Complex> struct Deformation_report
                               &Deformation_report::smoothed, &Deformation_report::inserted,
                               &Deformation_report::relocated, &Deformation_report::relabeled})
       this->*number += next.*number;
+    estimated_error += next.estimated_error;
     passes += next.passes;
     steps += next.steps;
     for (const auto part :

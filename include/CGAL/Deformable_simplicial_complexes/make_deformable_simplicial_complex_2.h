@@ -258,14 +258,16 @@ Complex make_deformable_simplicial_complex_2(const Labelled_image_2& image, doub
 \ingroup PkgDeformableSimplicialComplexesRef
 
 Makes a complex from given triangles whose union is a disk. Triangles may be oriented in any way.
-The interface is bitwise unchanged. n log n in the number of triangles, plus the improvement.
+The interface keeps its shape; segments at thin parts are bisected. n log n in the number of
+triangles, plus the improvement.
 
 \tparam Complex an instance of `Deformable_simplicial_complex_2`
 
 \param points the vertices; each is in a triangle
 \param triangles indices into `points`
 \param labels one label for each triangle
-\param np named parameters: `improve`, `edge_per_thickness`, `most_new_facets`, `quality_threshold`, `number_of_iterations`, as above
+\param np named parameters: `improve`, `edge_per_thickness`, `most_new_facets`,
+       `quality_threshold`, `number_of_iterations`, as above
 
 \throws Invalid_cells_error if coordinates are not finite, sizes or indices do not fit, a triangle
         is degenerate, or the union is not a disk

@@ -259,7 +259,8 @@ Complex make_deformable_simplicial_complex_3(
 \ingroup PkgDeformableSimplicialComplexesRef
 
 Makes a complex from given tetrahedra whose union is a ball. Tetrahedra may be oriented in any way.
-The interface is bitwise unchanged. n log n in the number of tetrahedra, plus the improvement.
+The interface keeps its shape; facets at thin parts are bisected. n log n in the number of
+tetrahedra, plus the improvement.
 
 \tparam Complex an instance of `Deformable_simplicial_complex_3`
 \tparam NP a sequence of named parameters
@@ -267,7 +268,8 @@ The interface is bitwise unchanged. n log n in the number of tetrahedra, plus th
 \param points the vertices; each is in a tetrahedron
 \param tetrahedra indices into `points`
 \param labels one label for each tetrahedron
-\param np named parameters: `improve`, `edge_per_thickness`, `most_new_facets`, `quality_threshold`, `number_of_iterations`, as above
+\param np named parameters: `improve`, `edge_per_thickness`, `most_new_facets`,
+       `quality_threshold`, `number_of_iterations`, as above
 
 \throws Invalid_cells_error if coordinates are not finite, sizes or indices do not fit, a
         tetrahedron is degenerate, or the union is not a ball
@@ -290,8 +292,8 @@ Complex make_deformable_simplicial_complex_3(const std::vector<typename Complex:
 
 Makes a complex from given tetrahedra, with any number of connected components and voids. Tetrahedra
 with label 0 fill the space around them, in a box. Only the improvement changes the given
-tetrahedra. The interface is bitwise unchanged unless `normalize` is set. n log n in the number of
-tetrahedra, plus the tetrahedralization and the improvement.
+tetrahedra. Points of the interface are bitwise unchanged unless `normalize` is set. n log n in the
+number of tetrahedra, plus the tetrahedralization and the improvement.
 
 \tparam Complex an instance of `Deformable_simplicial_complex_3`
 \tparam Tetrahedralizer model of `ConstrainedTetrahedralizer_3`, such as `Tetgen_tetrahedralizer_3`

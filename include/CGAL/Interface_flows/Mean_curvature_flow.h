@@ -141,32 +141,37 @@ public:
   /// step divided by the area of a facet. The preservation of volumes solves as many additional
   /// systems as there are labels. It takes memory for each pair of a vertex and a label on the same
   /// connected component of the interface.
+  /// \return the largest difference of a vertex between one implicit step and two of half the
+  ///         length, summed over the parts of the step. The extrapolated result is more exact.
   /// \throws Error if dt is negative, if all facets of a vertex have area 0, if a function of the
   ///         energy returns a value out of its range, or if a system cannot be solved
   template <class Complex>
-  void operator()(const Interface_snapshot<Complex>& interface_,
-                  const std::vector<typename Complex::Approximate_point>& positions, double /*t*/,
-                  double dt, std::vector<typename Complex::Approximate_point>& destinations) const {
+  double operator()(const Interface_snapshot<Complex>& interface_,
+                    const std::vector<typename Complex::Approximate_point>& positions, double /*t*/,
+                    double dt,
+                    std::vector<typename Complex::Approximate_point>& destinations) const {
     if (!(dt >= 0))
       throw Error("mean curvature flow cannot go back in time: use a time step of 0 or more");
     destinations.clear();
     if (positions.empty())
-      return;
+      return 0;
     const auto whole = implicit_step(interface_, positions, dt);
     const auto half = implicit_step(interface_, positions, dt / 2);
     const auto halves = implicit_step(interface_, half, dt / 2);
     destinations = extrapolated<Complex>(whole, halves);
+    double error = largest_distance<Complex>(whole, halves);
     if (Complex::dimension == 2 && m_divides_steps) {
       const double tolerance = error_bound * mean_edge(interface_, positions);
-      if (largest_distance<Complex>(whole, halves) > tolerance)
+      if (error > tolerance)
         try {
-          destinations = divided_step(interface_, positions, dt, half, tolerance);
+          destinations = divided_step(interface_, positions, dt, half, tolerance, error);
         } catch (const Error&) {
           // A component vanishes within the step, which only the whole step passes over.
         }
     }
     if (m_preserves_volumes)
       restore_volumes(interface_, positions, destinations);
+    return error;
   }
 
 private:
@@ -179,12 +184,14 @@ private:
 
   // Returns the destinations of a step in parts of an error up to the tolerance.
   // \param whole the positions after half of the step, by one implicit step
+  // \param total the sum of the errors of the parts
   template <class Complex>
   std::vector<typename Complex::Approximate_point>
   divided_step(const Interface_snapshot<Complex>& interface_,
                std::vector<typename Complex::Approximate_point> positions, double dt,
-               std::vector<typename Complex::Approximate_point> whole, double tolerance) const {
-    double step = dt / 2;
+               std::vector<typename Complex::Approximate_point> whole, double tolerance,
+               double& total) const {
+    double step = dt / 2, sum = 0;
     for (double rest = dt;;) {
       for (;;) {
         Progress_scope::check();
@@ -193,6 +200,7 @@ private:
         const double error = largest_distance<Complex>(whole, halves);
         if (error <= tolerance || step / 2 < shortest_step * dt) {
           positions = extrapolated<Complex>(whole, halves);
+          sum += error;
           rest = step < (1 - rounding) * rest ? rest - step : 0;
           step *= error < tolerance / 4 ? 2 : 1;
           break;
@@ -200,8 +208,10 @@ private:
         whole = half;
         step /= 2;
       }
-      if (!(rest > 0))
+      if (!(rest > 0)) {
+        total = sum;
         return positions;
+      }
       step = (std::min)(step, rest);
       whole = implicit_step(interface_, positions, step);
     }

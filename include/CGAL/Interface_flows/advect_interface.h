@@ -99,13 +99,14 @@ void begin_with(const std::vector<typename Deformation_report<Complex>::Label_ch
 template <class Complex, class Interface, class Velocity>
 std::vector<typename Complex::Approximate_point>
 destinations_of_step(const Complex& dsc, const Interface& interface_, const Velocity& velocity,
-                     double t, double dt, const Advection_options<Complex>& options) {
+                     double t, double dt, const Advection_options<Complex>& options,
+                     double* error = nullptr) {
   if (options.scheme == Integration_scheme::adaptive && !(dsc.mean_interface_edge() > 0) &&
       !interface_.vertices.empty())
     throw Error("the complex was built without an interface and has no unit of length for the "
                 "integration tolerance: use another scheme");
   return find_destinations(interface_, interface_.positions(dsc), velocity, t, dt, options.scheme,
-                           options.integration_tolerance * dsc.mean_interface_edge());
+                           options.integration_tolerance * dsc.mean_interface_edge(), error);
 }
 
 // A time step that is divided into parts. Each part is one deformation.
@@ -164,7 +165,7 @@ private:
       if constexpr (moves_segments<Complex, Velocity>)
         return straight_destinations(interface_, t);
       else
-        return destinations_of_step(m_dsc, interface_, m_velocity, t, m_step, m_options);
+        return destinations_of_step(m_dsc, interface_, m_velocity, t, m_step, m_options, &m_error);
     });
   }
 
@@ -250,7 +251,9 @@ private:
             positions.push_back(m_dsc.position(v));
           return follow_flow<Complex>(m_dsc.domain(), positions, m_velocity, t, m_step);
         };
-    return deform_interface_to(m_dsc, interface_, destinations, deformation);
+    Report report = deform_interface_to(m_dsc, interface_, destinations, deformation);
+    report.estimated_error = m_error;
+    return report;
   }
 
   Complex& m_dsc;
@@ -259,6 +262,7 @@ private:
   For_each_index m_for_each_index;
   double m_longest = 0; // length of a part
   double m_step = 0;    // length of the current part
+  double m_error = 0;   // that the velocity estimates for this part
 };
 
 } // namespace internal

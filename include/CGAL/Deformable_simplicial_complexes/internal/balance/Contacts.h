@@ -74,13 +74,17 @@ public:
   }
 
   // Returns the signed volume of a cell with its vertices at their destinations.
-  double final_volume(Cell_handle c) const {
-    static constexpr double factorial = Complex::dimension == 3 ? 6 : 2;
-    return final_frame(c).parallelotope / factorial;
+  double final_volume(Cell_handle c) const { return final_frame(c).parallelotope / factorial; }
+
+  // Returns the signed volume of a cell with its vertices where they were before the motion.
+  double initial_volume(Cell_handle c) const {
+    return frame(c, at_begin()).parallelotope / factorial;
   }
 
 private:
   using Frame = typename Complex::Space::Frame;
+
+  static constexpr double factorial = Complex::dimension == 3 ? 6 : 2; // d!
 
   // fraction of a height or of a volume that counts as zero
   static constexpr double closed = .25;

@@ -10,6 +10,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BALANCE_INTERFACE_TOLERANCE_H
 
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/balance/Contacts.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Destinations.h>
 #include <CGAL/Deformable_simplicial_complexes/star_union.h>
 
@@ -27,10 +28,11 @@ namespace Deformable_simplicial_complexes {
 namespace internal {
 
 // The volume that a mesh operation may move from one label to another. It is a part of the volumes
-// that the labels have in the cells around the operation. The part is smaller where the edges of
-// the interface are long compared with the local thickness of a label. So a thin phase under large
-// facets keeps its volume, whatever the shape of its cells. All operations together must not move
-// more than a small part of a label in one direction.
+// that the labels have in the cells around the operation, or of the changes of these volumes by the
+// motion. The part is smaller where the edges of the interface are long compared with the local
+// thickness of a label. So a thin phase under large facets keeps its volume, whatever the shape of
+// its cells. All operations together must not move more than a small part of a label in one
+// direction.
 template <class Complex> class Interface_tolerance
 {
 public:
@@ -51,7 +53,7 @@ public:
   // a vertex of the interface, or a flip of an edge of the interface; other proposals move nothing.
   // The bound is multiplied by `factor`.
   bool allows(const Cavity<Complex>& cavity, double factor = 1) {
-    m_proposed.clear();
+    forget();
     if (cavity.kind() == Proposal_kind::collapse)
       return allows_motion(cavity.vanishing_vertex(), cavity.removed(),
                            final_position(cavity.kept_vertex()), factor);
@@ -65,13 +67,16 @@ public:
   void record() {
     for (const auto& [label, gain] : m_proposed)
       m_gains[label] += gain;
-    m_proposed.clear();
+    forget();
   }
+
+  // Forgets that an operation was allowed.
+  void forget() { m_proposed.clear(); }
 
   // Returns whether the vertex of a star may move to a position.
   bool allows_motion(Vertex_handle v, const std::vector<Cell_handle>& star, const Position& to,
                      double factor = 1) {
-    m_proposed.clear();
+    forget();
     if (!v->is_interface())
       return true;
     const Position from = final_position(v);
@@ -87,6 +92,7 @@ public:
 
   // Returns whether a cell may get the label behind one of its facets.
   bool allows_relabeling(const Facet& facet) {
+    forget();
     return is_small({{facet, -m_complex->measure(facet.first)}}, {facet.first}, 1);
   }
 
@@ -126,7 +132,8 @@ private:
   struct Surroundings
   {
     double volume = 0, area = 0; // area of their facets of the interface
-    double gain = 0;             // of the label
+    double gain = 0;             // of the label by the operation
+    double change = 0;           // of the volume by the motion
   };
 
   // Returns whether the swept volumes are small enough for the labels on both sides of the facets
@@ -136,7 +143,8 @@ private:
     // of a label in all operations together, a third of a change that would be reported
     static constexpr double part_in_all = 3e-4;
     static constexpr double part = .03; // of the volume of a label around a well-resolved interface
-    static constexpr double rounding = 1e-12; // relative to the cube of an edge
+    static constexpr double rounding = 1e-12;     // relative to the cube of an edge
+    static constexpr double part_of_motion = .03; // of the change of this volume by the motion
     double edge = 0, swept = 0;
     boost::container::flat_map<Label, Surroundings> labels;
     for (const auto& [facet, volume] : facets) {
@@ -150,6 +158,7 @@ private:
     for (Cell_handle c : stars_of(*m_complex, finite_vertices_of(cells)))
       if (const auto found = labels.find(c->label()); found != labels.end()) {
         found->second.volume += m_complex->measure(c);
+        found->second.change += change_by_motion(c);
         for (int i = 0; i < Complex::corners; ++i)
           if (m_complex->is_interface(Facet(c, i)))
             found->second.area += m_complex->measure(Facet(c, i));
@@ -158,10 +167,11 @@ private:
       // of a sheet between two parallel facets: its thickness
       const double thickness = 2 * around.volume / around.area;
       const double resolution = (std::min)(1., thickness / edge);
-      const double most = factor * part * resolution * std::sqrt(resolution) * around.volume;
+      const double most = (std::max)(part * resolution * std::sqrt(resolution) * around.volume,
+                                     part_of_motion * std::abs(around.change));
       const auto before = m_gains.find(label);
       const double gain = around.gain + (before == m_gains.end() ? 0 : before->second);
-      if (!(swept <= most &&
+      if (!(swept <= factor * most &&
             std::abs(gain) <= (std::max)(most, part_in_all * m_complex->measure(label))))
         return false;
     }
@@ -195,6 +205,13 @@ private:
       result[k] = k == 0 ? p : m_complex->domain().near(result[0], p);
     }
     return result;
+  }
+
+  double change_by_motion(Cell_handle c) const {
+    if (!m_destinations)
+      return 0;
+    const Contacts<Complex> contacts(*m_complex, *m_destinations);
+    return contacts.final_volume(c) - contacts.initial_volume(c);
   }
 
   static double longest_edge(const Corners& corners) {

@@ -70,8 +70,8 @@ public:
       : m_complex(complex), m_visitor(visitor), m_options(options), m_destinations(complex),
         m_rigid_components(complex, m_destinations), m_contacts(complex, m_destinations),
         m_mesh(complex, visitor, m_destinations, m_rigid_components, options, for_each_index),
-        m_trapped_cells(complex, visitor, m_contacts, m_options), m_for_each_index(for_each_index) {
-  }
+        m_trapped_cells(complex, visitor, m_destinations, m_contacts, m_options),
+        m_for_each_index(for_each_index) {}
 
   Interface_deformer(const Interface_deformer&) = delete;
   Interface_deformer& operator=(const Interface_deformer&) = delete;

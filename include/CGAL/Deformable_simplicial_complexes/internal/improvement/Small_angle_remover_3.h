@@ -103,8 +103,13 @@ public:
     static constexpr unsigned rounds = 10;
     static constexpr int attempts = 6;
     static constexpr double higher = 1.3;
+    std::size_t improved = 0;
     const auto work = [&](Cell_handle c, Cells& touched) {
-      if (is_bad(c) && !improve(c, relabel, touched))
+      if (!is_bad(c))
+        return;
+      if (improve(c, relabel, touched))
+        ++improved;
+      else
         set_exhausted(c, to_remove_small_angles);
     };
     Cells cells = bad_cells();
@@ -116,9 +121,12 @@ public:
       cells = stars_of_stuck();
       if (cells.empty())
         break;
+      const std::size_t before = improved;
       m_bound = m_target * std::pow(higher, i);
       work_in_rounds(m_complex, std::move(cells), rounds, work);
       m_bound = m_target;
+      if (improved == before)
+        break;
     }
     keep_from_improvement();
   }

@@ -14,6 +14,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/balance/Contacts.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/balance/Interface_tolerance.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/local_edge_length.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Manifold_relabeling.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Topology_log.h>
@@ -47,17 +48,20 @@ public:
   using Label = typename Complex::Label;
   using Topology_control = typename Deformation_options<Complex>::Topology_control;
 
-  Trapped_cells(Complex& complex, Any_visitor<Complex>& visitor, const Contacts<Complex>& contacts,
+  Trapped_cells(Complex& complex, Any_visitor<Complex>& visitor,
+                const Destinations<Complex>& destinations, const Contacts<Complex>& contacts,
                 const Deformation_options<Complex>& options)
       : m_complex(complex), m_visitor(visitor), m_contacts(contacts),
-        m_topology_control(options.topology_control), m_energy(options.interface_energy),
-        m_manifold_interface(options.manifold_interface), m_log(complex) {}
+        m_tolerance(complex, &destinations), m_topology_control(options.topology_control),
+        m_energy(options.interface_energy), m_manifold_interface(options.manifold_interface),
+        m_log(complex) {}
 
   Topology_log<Complex>& log() { return m_log; }
   std::size_t number_of_relabeled() const { return m_relabeled; }
 
   // Relabels cells among the given cells and the cells around them, if they are trapped, below a
-  // threshold of quality, and closed by the motion, where they are below `final_threshold`. Each
+  // threshold of quality, and closed by the motion, where they are below `final_threshold`. If the
+  // topology stays, it is enough that they are small. Each
   // cell is relabeled at most once, except in components that are cut off and vanish.
   void relabel(const std::vector<Cell_handle>& cells, double threshold, double final_threshold) {
     m_final_threshold = final_threshold;
@@ -68,7 +72,7 @@ public:
     for (Cell_handle c : cells) {
       Progress_scope::check();
       Label label;
-      if (!propose(c, threshold, proposed, label) ||
+      if (!propose(c, threshold, false, proposed, label) ||
           relabeling_keeps_topology(m_complex, proposed, label) || !may_change_topology(c, label))
         continue;
       record(proposed, label);
@@ -191,8 +195,9 @@ private:
     std::vector<Cell_handle> proposed;
     for (std::size_t i = 0; i < front.size(); ++i) {
       Label label;
-      if (propose(front[i], threshold, proposed, label) &&
+      if (propose(front[i], threshold, true, proposed, label) &&
           relabeling_keeps_topology(m_complex, proposed, label)) {
+        m_tolerance.record();
         relabel(proposed, label);
         add_neighbors(proposed, front);
       }
@@ -201,16 +206,26 @@ private:
 
   // Finds the cells to be relabeled together with a trapped cell, which comes first, and their new
   // label. Returns false if the cell must not be relabeled.
-  bool propose(Cell_handle c, double threshold, std::vector<Cell_handle>& cells,
-               Label& label) const {
+  // \param may_be_small whether a small cell need not be closed by the motion
+  bool propose(Cell_handle c, double threshold, bool may_be_small, std::vector<Cell_handle>& cells,
+               Label& label) {
+    m_tolerance.forget();
     if (is_done(c) || is_at_cut<Complex>(c) ||
         !propose_relabeling(m_complex, c, threshold, label, m_energy) ||
-        !m_contacts.closes(c, m_final_threshold))
+        !(m_contacts.closes(c, m_final_threshold) || (may_be_small && is_small(c, label))))
       return false;
     cells.assign(1, c);
     return complete(cells, label) && volume(cells) - volume({c}) < small_volume({c}) &&
            std::none_of(cells.begin(), cells.end(),
                         [&](Cell_handle d) { return is_done(d) || is_at_cut<Complex>(d); });
+  }
+
+  // Returns whether a cell passes a small part of the volume around it to a label.
+  bool is_small(Cell_handle c, Label label) {
+    for (int i = 0; i < Complex::corners; ++i)
+      if (!m_complex.is_infinite(c->neighbor(i)) && c->neighbor(i)->label() == label)
+        return m_tolerance.allows_relabeling({c, i});
+    return false;
   }
 
   // Appends the cells that must also be relabeled to keep the interface manifold, independent of
@@ -254,6 +269,7 @@ private:
   Complex& m_complex;
   Any_visitor<Complex>& m_visitor;
   const Contacts<Complex>& m_contacts;
+  Interface_tolerance<Complex> m_tolerance;
   const Topology_control& m_topology_control;
   const Interface_energy& m_energy;
   bool m_manifold_interface;

@@ -267,13 +267,14 @@ follow_flow(const typename Complex::Domain& domain,
   }
 }
 
-// Returns the positions of the vertices of an interface at t + dt, for each form of a velocity.
+// Returns the positions of the vertices of an interface at t + dt, for each form of a velocity. If
+// `error` is not null, it gets the error that an interface step estimates.
 template <class Interface, class Velocity>
 std::vector<typename Interface::Complex::Approximate_point>
 find_destinations(const Interface& interface_,
                   const std::vector<typename Interface::Complex::Approximate_point>& start,
                   const Velocity& velocity, double t, double dt, Integration_scheme scheme,
-                  double tolerance) {
+                  double tolerance, double* error = nullptr) {
   using Complex = typename Interface::Complex;
   using Point = typename Complex::Approximate_point;
   if constexpr (is_flow_map<Complex, Velocity>) {
@@ -283,7 +284,13 @@ find_destinations(const Interface& interface_,
     return result;
   } else if constexpr (is_interface_step<Complex, Velocity>) {
     std::vector<Point> result;
-    velocity(interface_, start, t, dt, result);
+    if constexpr (std::is_same_v<decltype(velocity(interface_, start, t, dt, result)), double>) {
+      const double estimate = velocity(interface_, start, t, dt, result);
+      if (error)
+        *error = estimate;
+    } else {
+      velocity(interface_, start, t, dt, result);
+    }
     if (result.size() != start.size())
       throw Invalid_destination_error("the number of destinations differs from the number of "
                                       "interface vertices: give one destination for each vertex",
