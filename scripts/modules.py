@@ -76,7 +76,7 @@ MODULES = {
         "distributed_motion": "the deformation algorithm on several ranks",
     },
     "Interface_flows": {
-        "corners": "corners of planar fronts: arcs, and vertices that corners pass",
+        "corners": "corners and edges of fronts: arcs, cylinders, and vertices that corners pass",
         "paths": "paths of interface vertices in velocity fields",
         "curvature": "forces and masses of an interface energy, the system of an implicit step",
     },

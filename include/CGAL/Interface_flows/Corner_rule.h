@@ -17,7 +17,7 @@ namespace Deformable_simplicial_complexes {
 /// The front of a `Normal_offset` at corners from which it moves away.
 enum class Corner_rule {
   miter, ///< the faces move, and corners stay sharp
-  round  ///< corners become arcs, only in the plane
+  round  ///< corners become arcs, edges become cylinders, and vertices become spheres
 };
 
 } // namespace Deformable_simplicial_complexes

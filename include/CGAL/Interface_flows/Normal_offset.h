@@ -15,6 +15,7 @@
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Interface_flows/Corner_rule.h>
 #include <CGAL/Interface_flows/internal/corners/Opened_corners_2.h>
+#include <CGAL/Interface_flows/internal/corners/Opened_corners_3.h>
 
 #include <CGAL/Origin.h>
 #include <CGAL/number_utils.h>
@@ -141,11 +142,13 @@ has this velocity in space. A vertex towards which the front moves is at most 20
 the front. In the plane, a segment at a right angle to the mean normal cuts off
 such a corner.
 
-In the plane, corners from which the front moves away can also become round (Huygens' principle).
-Each step then inserts vertices at corners of more than 18 degrees and moves them to the tangents of
-an arc around the corner. The segments of an arc are about a hundredth of the mean edge long or
-longer, so a corner becomes round at once, unless its sides are shorter. Corners towards which the
-front moves stay sharp.
+Corners and edges from which the front moves away can also become round (Huygens' principle). In the
+plane, each step then inserts vertices at corners of more than 18 degrees and moves them to the
+tangents of an arc around the corner. In space, it inserts rows of vertices beside edges of more
+than 60 degrees, which become parts of cylinders, and vertices of the interface become parts of
+spheres, unless an edge there is concave or ends. The segments of an arc, and the rows, are about a
+hundredth of the mean edge wide or wider, so corners become round at once, unless their sides are
+shorter. Corners and edges towards which the front moves stay sharp.
 
 In the plane, `advect_interface()` collapses edges of the interface that become very short, if this
 moves only a small volume, see `keeps_volumes()`. So a corner removes the vertices of the segments
@@ -164,14 +167,11 @@ struct Normal_offset
 
   /// Computes the velocities of all vertices at the given positions, see `InterfaceVelocity`. The
   /// time is linear in the size of the interface.
-  /// \throws Error if corners are to become round in space
   template <class Complex>
   void operator()(const Interface_snapshot<Complex>& interface_,
                   const std::vector<typename Complex::Approximate_point>& positions, double /*t*/,
                   std::vector<typename Complex::Approximate_vector>& velocities) const {
     using Vector = typename Complex::Approximate_vector;
-    if (Complex::dimension == 3 && corners == Corner_rule::round)
-      throw Error("an offset with round corners applies only in the plane: use Corner_rule::miter");
     std::vector<internal::Moving_planes<Vector, Complex::dimension>> planes(positions.size());
     for (const auto& facet : interface_.facets()) {
       if (facet.in_front != 0 && facet.behind != 0)
@@ -195,18 +195,22 @@ struct Normal_offset
       velocities.push_back(speed * p.velocity(miter_limit));
   }
 
-  /// Inserts vertices at corners that are opened in a step of the length `dt`, in the plane.
+  /// Inserts vertices at corners and edges that are opened in a step of the length `dt`.
   /// `advect_interface()` calls this function before the step.
   template <class Complex>
-  internal::Opened_corners_2<Complex> open_corners(Complex& dsc,
-                                                   const Interface_snapshot<Complex>& interface_,
-                                                   double dt, Any_visitor<Complex>& visitor) const {
+  auto open_corners(Complex& dsc, const Interface_snapshot<Complex>& interface_, double dt,
+                    Any_visitor<Complex>& visitor) const {
     // The area between an arc and tangents of this angle is less than 1 % of the sector.
     static constexpr double finest = 18 * CGAL_PI / 180;
-    if (corners == Corner_rule::round)
-      return {dsc, interface_, speed, dt, finest, finest, visitor};
-    // two vertices, at right angles to the mean normal
-    return {dsc, interface_, speed, dt, 2 * std::acos(1 / miter_limit), CGAL_PI / 2, visitor};
+    const bool are_round = corners == Corner_rule::round;
+    if constexpr (Complex::dimension == 3)
+      return internal::Opened_corners_3<Complex>(dsc, are_round ? speed : 0, dt, finest, visitor);
+    else if (are_round)
+      return internal::Opened_corners_2<Complex>(dsc, interface_, speed, dt, finest, finest,
+                                                 visitor);
+    else // two vertices, at right angles to the mean normal
+      return internal::Opened_corners_2<Complex>(
+          dsc, interface_, speed, dt, 2 * std::acos(1 / miter_limit), CGAL_PI / 2, visitor);
   }
 };
 

@@ -156,8 +156,32 @@ private:
       }
     if constexpr (moves_segments<Complex, Velocity>)
       return advance_segments(interface_, destinations, t, dt);
+    else if constexpr (opens_corners<Complex, Velocity>)
+      return advance_opened(interface_, destinations, t);
     else
       return deform(interface_, destinations, t);
+  }
+
+  // Does a part before which edges and vertices of polyhedra are opened.
+  Report advance_opened(Interface interface_, Points destinations, double t) {
+    const auto earlier = volumes_before(m_dsc);
+    Any_visitor<Complex> none;
+    const auto corners = m_velocity.open_corners(
+        m_dsc, interface_, m_step,
+        m_options.deformation.visitor ? *m_options.deformation.visitor : none);
+    if (corners.inserted() > 0) {
+      interface_ = Interface(m_dsc, m_for_each_index);
+      destinations =
+          destinations_of_step(m_dsc, interface_, m_velocity, t, m_step, m_options, &m_error);
+      corners.place(interface_, destinations);
+    }
+    Report report = deform(interface_, destinations, t);
+    if (corners.inserted() > 0) {
+      begin_with(earlier, report);
+      report.split += corners.inserted();
+      report.complete = report.complete && report.is_balanced();
+    }
+    return report;
   }
 
   Points destinations_of_part(const Interface& interface_, double t, double dt) {

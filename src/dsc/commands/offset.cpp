@@ -26,8 +26,6 @@ struct Offset_options
 
 void check_dimension(const Run_options& run, bool is_planar) {
   require_space(run, is_planar, {"--move-faces"});
-  if (!is_planar && std::get<Offset>(run.step.motion).corners == DSC::Corner_rule::round)
-    throw Usage_error("--corners round applies only in the plane; leave it out");
 }
 
 } // namespace
@@ -44,8 +42,8 @@ void add_offset(CLI::App& app, int& exit_code) {
       "Move flat faces as a whole: edges that the motion opens become round, others stay sharp");
   command
       ->add_option("--corners", options->corners,
-                   "Corners from which the interface moves away: sharp (miter) or, in the "
-                   "plane, arcs (round)")
+                   "Corners and edges from which the interface moves away: sharp (miter), or "
+                   "arcs, cylinders and spheres (round)")
       ->check(CLI::IsMember(&corner_rules()))
       ->capture_default_str();
   command->callback([command, options, &exit_code] {

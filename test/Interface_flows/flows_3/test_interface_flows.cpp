@@ -364,4 +364,22 @@ TEST(Advective_face_offset, slides_along_the_sides_of_the_domain) {
     }
 }
 
+// The front of a cube consists of planes, quarters of cylinders, and eighths of spheres.
+TEST(Offset_with_round_edges, of_a_cube) {
+  const double pi = std::acos(-1.);
+  for (const double d : {.1, .3}) {
+    Complex dsc = make_complex(grid(8, small_meshes::cube));
+    ASSERT_NEAR(dsc.volume(1), 1, 1e-12);
+    const auto report =
+        DSC::advect_interface(dsc, DSC::Normal_offset{d, DSC::Corner_rule::round}, 0, 1);
+    EXPECT_TRUE(dsc.is_valid());
+    EXPECT_GT(report.split, 100u);
+    EXPECT_NEAR(dsc.volume(1) / (1 + 6 * d + 3 * pi * d * d + 4 * pi / 3 * d * d * d), 1, 1.5e-3);
+    // Edges stay sharp where the front moves towards them.
+    Complex inner = make_complex(grid(8, small_meshes::cube));
+    DSC::advect_interface(inner, DSC::Normal_offset{-d, DSC::Corner_rule::round}, 0, 1);
+    EXPECT_NEAR(inner.volume(1), std::pow(1 - 2 * d, 3), 1e-9);
+  }
+}
+
 } // namespace test_interface_flows

@@ -64,14 +64,18 @@ Interface_energy energy_of(const Velocity& velocity, const Interface_energy& oth
 // Tells whether a velocity moves the segments of a planar interface as a whole, so that corners are
 // opened and segments vanish. It then has the member function `open_corners()`, which inserts
 // vertices into the interface before a step and tells their destinations.
-template <class Complex, class Velocity, class = void> inline constexpr bool moves_segments = false;
+template <class Complex, class Velocity, class = void> inline constexpr bool opens_corners = false;
 
 template <class Complex, class Velocity>
 inline constexpr bool
-    moves_segments<Complex, Velocity,
-                   std::void_t<decltype(std::declval<const Velocity&>().open_corners(
-                       std::declval<Complex&>(), std::declval<Interface_snapshot<Complex>>(), 0.,
-                       std::declval<Any_visitor<Complex>&>()))>> = Complex::dimension == 2;
+    opens_corners<Complex, Velocity,
+                  std::void_t<decltype(std::declval<const Velocity&>().open_corners(
+                      std::declval<Complex&>(), std::declval<Interface_snapshot<Complex>>(), 0.,
+                      std::declval<Any_visitor<Complex>&>()))>> = true;
+
+// Tells whether the segments of a planar interface move along their normals.
+template <class Complex, class Velocity>
+inline constexpr bool moves_segments = Complex::dimension == 2 && opens_corners<Complex, Velocity>;
 
 } // namespace internal
 } // namespace Deformable_simplicial_complexes
