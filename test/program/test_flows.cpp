@@ -219,7 +219,7 @@ TEST_F(Flows, choose_a_time_step) {
 
 TEST_F(Flows, divide_steps_as_far_as_they_are_told) {
   const std::string turn = "advect box.off --velocity '105-y,x-105,0' --dt 1.5 --steps 1 ";
-  EXPECT_NEAR(volume(steps(turn)[1]), 1000, .01);
+  EXPECT_NEAR(volume(steps(turn)[1]), 1000, .05);
   EXPECT_GT(report("report.json").at("steps")[1].at("parts").get<int>(), 2);
   EXPECT_EQ(steps(turn + "--largest-displacement 0")[1].at("parts"), 1);
   const int half = steps(turn + "--largest-displacement .25")[1].at("parts");
@@ -230,10 +230,9 @@ TEST_F(Flows, divide_steps_as_far_as_they_are_told) {
 
 // The volumes are those of the start of the run, also after a resume.
 TEST_F(Flows, keep_the_volumes_of_the_start) {
-  write("wide.off", box(100, 100, 110, 112, 110, 118)); // on the box, with a wall
+  write("other.off", box(100, 100, 110, 110, 110, 118)); // on the box, with a wall
   const std::string flow = "mean-curvature --dt .2 --keep-volumes ";
-  const Json start =
-      steps(flow + "box.off wide.off --triangles 300 --steps 3 --output out --domain grow")[0];
+  const Json start = steps(flow + "box.off other.off --steps 3 --output out --domain grow")[0];
   const Json last = steps(flow + "--resume out/checkpoint.dsc --steps 3").back();
   for (const int label : {1, 2})
     EXPECT_NEAR(volume(last, label) / volume(start, label), 1, 1e-6) << label;

@@ -248,8 +248,8 @@ TEST_F(Planar_program, lets_grains_grow) {
   double in_grains = 0;
   for (const Json& grain : pinned.at("grains"))
     in_grains += grain.at("area").get<double>();
-  const double disks = 40 * std::acos(-1.) * .04 / 30; // polygons of about 12 edges are smaller
-  EXPECT_NEAR(1 - in_grains, .93 * disks, .05 * disks);
+  const double disks = 40 * std::acos(-1.) * .04 / 30;
+  EXPECT_NEAR(1 - in_grains, disks, .05 * disks);
   expect_error("grains --particles 1000", 1); // no room
   expect_error("grains --particle-radius .3", 2);
   // Energies by misorientation

@@ -237,6 +237,7 @@ TEST_F(Program, reports_each_step) {
                                            "relabeled",
                                            "stopped_at_boundary",
                                            "cells_below_floor",
+                                           "estimated_error",
                                            "events",
                                            "balance"}));
     EXPECT_EQ(step.at("step"), i);

@@ -31,6 +31,7 @@ struct Units
 using Dimensions = std::map<std::string, std::array<int, 3>>;
 
 inline const Dimensions in_space = {{"volume", {3, 0, 0}},
+                                    {"estimated_error", {1, 0, 0}},
                                     {"volumes_before", {3, 0, 0}},
                                     {"volumes_after", {3, 0, 0}},
                                     {"volume_before", {3, 0, 0}},
@@ -45,6 +46,7 @@ inline const Dimensions in_space = {{"volume", {3, 0, 0}},
                                     {"distance_to_input", {1, 0, 0}}};
 inline const Dimensions in_the_plane = {{"area", {2, 0, 0}},
                                         {"length", {1, 0, 0}},
+                                        {"estimated_error", {1, 0, 0}},
                                         {"volumes_before", {2, 0, 0}},
                                         {"volumes_after", {2, 0, 0}},
                                         {"volume_before", {2, 0, 0}},

@@ -415,7 +415,7 @@ def test_improve_interface(round_complex):
 
 
 def test_control_detail_splits():
-    c = ball()
+    c = ball(0.4)  # with edges inside between vertices of the interface
     before = c.number_of_cells
     changes = c.control_detail(split_length=0.6, collapse_length=0)
     assert changes.split_edges > 0 and c.number_of_cells > before
@@ -436,3 +436,33 @@ def test_threads_do_not_change_the_result(round_complex, threads):
         c.offset(0.02, threads=number)
         c.improve(threads=number)
     assert other == round_complex
+
+
+# Domains and thin parts
+
+
+def test_domain_grows_with_a_motion():
+    c = ball()
+    volume, box = c.volumes[1], sum(c.volumes.values())
+    assert c.advect(lambda p, t: np.broadcast_to([4.0, 0, 0], p.shape), 0.0, 1.0).complete
+    assert c.volumes[1] == pytest.approx(volume)
+    assert sum(c.volumes.values()) > 1.5 * box
+    c = ball()
+    with pytest.raises(dsc.InvalidDestinationError):
+        c.offset(4.0, domain="refuse", largest_displacement=0)
+    assert c.offset(4.0, domain="stop").stopped_at_boundary > 0
+
+
+def test_thin_parts_are_resolved():
+    plate = np.array([(x, y, z) for z in (0, 1) for y in (0, 60) for x in (0, 60)], dtype=float)
+    triangles = np.array(
+        [(0, 2, 1), (1, 2, 3), (4, 5, 6), (5, 7, 6), (0, 1, 4), (1, 5, 4)]
+        + [(2, 6, 3), (3, 6, 7), (0, 4, 2), (2, 4, 6), (1, 3, 5), (3, 7, 5)]
+    )
+    c = dsc.Complex3.from_surfaces([(plate, triangles)])
+    assert len(c.interface().facets) > 1000
+    assert c.volumes[1] == pytest.approx(3600)
+    c = dsc.Complex3.from_surfaces([(plate, triangles)], edge_per_thickness=0)
+    assert len(c.interface().facets) == 12
+    with pytest.warns(dsc.VolumeWarning, match="more facets would resolve them"):
+        dsc.Complex3.from_surfaces([(plate, triangles)], most_new_facets=100)

@@ -14,15 +14,31 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes {
 namespace internal {
 
+// Returns the least distance of points from the sides of the domain; infinity if it is not a box.
+template <class Complex>
+double distance_from_sides(const Complex& dsc,
+                           const std::vector<typename Complex::Approximate_point>& points) {
+  const Domain_box<Complex> box(dsc);
+  double result = std::numeric_limits<double>::infinity();
+  if (box.is_box())
+    for (const auto& p : points)
+      for (int axis = 0; axis < Complex::dimension; ++axis)
+        result = (std::min)(
+            {result, p[axis] - box.extent().lower(axis), box.extent().upper(axis) - p[axis]});
+  return result;
+}
+
 // Returns the length of a motion in units of the longest motion that one deformation makes well. If
 // free vertices follow a flow of space, neighbors must not turn far around each other, because the
-// paths in a deformation are straight. Otherwise, the mesh limits the displacements.
+// paths in a deformation are straight, and the interface must not come close to the sides of the
+// domain from far away. Otherwise, the mesh limits the displacements.
 // \param limit longest displacement of a vertex relative to its neighbors, in edge lengths
 template <class Complex, class Velocity, class Interface>
 double length_of_step(const Complex& dsc, const Interface& interface_,
@@ -55,7 +71,13 @@ double length_of_step(const Complex& dsc, const Interface& interface_,
   if constexpr (is_flow_of_space<Complex, Velocity>) {
     if (2 * longest <= 1)
       return 0; // so are all differences
-    double relative = 0;
+    // The mesh between the interface and the sides of the domain must give way.
+    static constexpr double beside_sides = 8; // edges that it always can
+    double farthest = 0;
+    for (const Vector& displacement : displacements)
+      farthest = (std::max)(farthest, Complex::Space::length(displacement));
+    double relative = farthest / (std::max)(beside_sides * dsc.mean_interface_edge(),
+                                            distance_from_sides(dsc, destinations));
     const Interface_snapshot<Complex> snapshot(dsc);
     for (const auto& facet : snapshot.facets())
       for (int k = 0; k < Complex::dimension; ++k) {
