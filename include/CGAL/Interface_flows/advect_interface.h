@@ -127,16 +127,21 @@ public:
     for (bool is_first = true; is_first || rest != 0; is_first = false) {
       m_step = std::abs(rest) < std::abs(m_longest) ? rest : m_longest;
       const Report part = advance(t + (dt - rest), dt);
-      if (is_first)
+      if (is_first) {
         report = part;
-      else
+        m_grown = 0;
+      } else {
         report.append(part);
+      }
       if (report.stopped)
         break;
       // The last part ends exactly at the end of the time step.
       static constexpr double rounding = 1e-9; // of a part
       rest = std::abs(rest - m_step) <= rounding * std::abs(m_step) ? 0 : rest - m_step;
     }
+    // The domain takes part in the balance as if it had grown before.
+    if (m_grown > 0)
+      change_of_label(report.labels, 0).volume_before += m_grown;
     return report;
   }
 
@@ -150,7 +155,9 @@ private:
     if constexpr (Complex::Domain::has_outside)
       while (m_options.deformation.domain_rule == Domain_rule::grow &&
              leaves_domain(m_dsc, interface_, destinations)) {
+        const double before = m_dsc.measure(0);
         grow_domain(m_dsc);
+        m_grown += m_dsc.measure(0) - before;
         interface_ = Interface(m_dsc, m_for_each_index);
         destinations = destinations_of_part(interface_, t, dt);
       }
@@ -287,6 +294,7 @@ private:
   double m_longest = 0; // length of a part
   double m_step = 0;    // length of the current part
   double m_error = 0;   // that the velocity estimates for this part
+  double m_grown = 0;   // volume of the domain added after the first part
 };
 
 } // namespace internal

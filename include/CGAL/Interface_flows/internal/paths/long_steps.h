@@ -72,12 +72,12 @@ double length_of_step(const Complex& dsc, const Interface& interface_,
     if (2 * longest <= 1)
       return 0; // so are all differences
     // The mesh between the interface and the sides of the domain must give way.
-    static constexpr double beside_sides = 8; // edges that it always can
+    static constexpr double part_of_room = .25;
     double farthest = 0;
     for (const Vector& displacement : displacements)
       farthest = (std::max)(farthest, Complex::Space::length(displacement));
-    double relative = farthest / (std::max)(beside_sides * dsc.mean_interface_edge(),
-                                            distance_from_sides(dsc, destinations));
+    double relative = farthest / (std::max)(together * limit * dsc.mean_interface_edge(),
+                                            part_of_room * distance_from_sides(dsc, destinations));
     const Interface_snapshot<Complex> snapshot(dsc);
     for (const auto& facet : snapshot.facets())
       for (int k = 0; k < Complex::dimension; ++k) {
