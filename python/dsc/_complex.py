@@ -565,9 +565,9 @@ class Complex:
         manifold_interface: whether the boundary of each label stays a manifold
         collision_order: whether vertices are moved in the order of their first collision
         domain: 'refuse' raises an error if a destination is outside the box, 'stop' lets vertices stop
-            at its sides, which an interface that touches the sides always does; default 'refuse'.
-            Motions with a velocity also know 'grow', which enlarges the box. It is their default
-            unless the complex has values
+            at its sides, which an interface that touches the sides always does; default 'stop'.
+            Motions with a velocity also know 'grow', which enlarges the box. It is their default,
+            and 'refuse' if the complex has values
 
         Raises `InvalidDestinationError` if a destination is not finite or not permitted; nothing has
         moved then.

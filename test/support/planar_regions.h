@@ -78,7 +78,9 @@ Complex grid(std::size_t columns, std::size_t rows, const Point_at& point_at,
       triangles.push_back({a, b + 1, b});
       labels.insert(labels.end(), 2, label_at(i, j));
     }
-  return dsc::make_deformable_simplicial_complex_2<Complex>(points, triangles, labels);
+  // Thin rows stay as they are.
+  return dsc::make_deformable_simplicial_complex_2<Complex>(
+      points, triangles, labels, dsc::parameters::edge_per_thickness(0.));
 }
 
 } // namespace planar_regions

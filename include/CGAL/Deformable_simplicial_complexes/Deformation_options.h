@@ -57,7 +57,7 @@ template <class Complex> struct Deformation_options
   /// Whether the boundary of each phase stays a manifold.
   bool manifold_interface = false;
   /// What happens if a destination is outside the domain.
-  Domain_rule domain_rule = Domain_rule::refuse;
+  Domain_rule domain_rule = Domain_rule::stop;
   /// Whether vertices that are moved one by one are sorted by the time of their first collision.
   bool collision_order = false;
   /// Permits or forbids changes of topology. If empty, all are permitted.

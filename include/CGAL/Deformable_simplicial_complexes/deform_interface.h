@@ -144,7 +144,8 @@ Each pass does the following:
   \cgalParamNBegin{domain_rule}
     \cgalParamDescription{what happens if a destination is outside the domain, a box, and the
                           interface does not touch its sides}
-    \cgalParamType{`Domain_rule`} \cgalParamDefault{`Domain_rule::refuse`}
+    \cgalParamType{`Domain_rule`}
+    \cgalParamDefault{`Domain_rule::stop`; `Domain_rule::refuse` for `advect_interface()`}
   \cgalParamNEnd
   \cgalParamNBegin{collision_order}
     \cgalParamDescription{order of the vertices that are moved one by one: if true, by the time at

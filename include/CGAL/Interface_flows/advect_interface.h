@@ -41,7 +41,8 @@ Options of `advect_interface()`. The named parameters of that function have the 
 */
 template <class Complex> struct Advection_options
 {
-  Deformation_options<Complex> deformation;            ///< Options of the deformation.
+  /// Options of the deformation; by default with `Domain_rule::refuse`.
+  Deformation_options<Complex> deformation;
   Integration_scheme scheme = Integration_scheme::rk2; ///< The method that integrates velocities.
   /// Largest estimated error of a destination in each substep of `Integration_scheme::adaptive`, in
   /// mean edges of the initial interface, greater than 0.
@@ -49,6 +50,9 @@ template <class Complex> struct Advection_options
   /// Longest displacement of a vertex relative to its neighbors in one deformation, in local edge
   /// lengths, at least 0. Longer time steps are divided. With 0, no time step is divided.
   double largest_displacement = defaults::largest_displacement;
+
+  /// Constructs options with default values.
+  Advection_options() { deformation.domain_rule = Domain_rule::refuse; }
 
   /// Throws an exception unless all values are in their ranges.
   /// \throws Error if a value is out of its range

@@ -54,6 +54,9 @@ double longest_facet_edge(const Complex& complex, const typename Complex::Facet&
   return result;
 }
 
+// Relative difference of lengths that count as equal, so that the unit of length does not matter.
+inline constexpr double rounding = 1e-9;
+
 // The thickness of a phase at a facet of the interface, on the side of the cell of the facet: the
 // distances to the next facets of the interface along the inner normal, from the barycenter and
 // from points near the corners. The domain is not a torus.
@@ -87,7 +90,8 @@ public:
 
   // Returns whether the thickness is about the same at all points, and at most `most` at one.
   bool is_small() const {
-    return m_number == d + 1 && m_smallest <= m_most && m_largest <= ratio * m_smallest;
+    return m_number == d + 1 && m_smallest <= m_most &&
+           m_largest <= (1 + rounding) * ratio * m_smallest;
   }
 
   double value() const { return m_smallest; } // at the thinnest point
@@ -192,7 +196,7 @@ Coarse_facets<Complex> coarse_facets(const Complex& complex, double edge_per_thi
   static constexpr double any = std::numeric_limits<double>::infinity();
   const auto entry = [&](Facet facet, double longest) -> Coarse_facet<Complex>* {
     const double edge = longest_facet_edge(complex, facet);
-    if (!(edge > longest))
+    if (!(edge > (1 + rounding) * longest))
       return nullptr;
     if (const Facet other = other_side<Complex>(facet);
         other.first->time_stamp() < facet.first->time_stamp())
