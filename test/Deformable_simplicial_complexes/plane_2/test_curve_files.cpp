@@ -198,8 +198,9 @@ TEST(Curves, have_no_unit) {
   const Complex one = of_scale(1);
   for (double scale : {std::ldexp(1, -30), std::ldexp(1, 30), 1e-9, 1e-4, 1e4, 1e9}) {
     const Complex other = of_scale(scale);
+    // Rounding decides which of several equal edges at a thin part is split.
     EXPECT_NEAR(double(other.number_of_cells()), double(one.number_of_cells()),
-                .001 * double(one.number_of_cells()));
+                .01 * double(one.number_of_cells()));
     EXPECT_NEAR(other.area(1) / (scale * scale), one.area(1), 1e-3 * one.area(1));
     if (int exponent; std::frexp(scale, &exponent) != .5)
       continue;

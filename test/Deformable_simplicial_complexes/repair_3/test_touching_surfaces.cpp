@@ -113,7 +113,8 @@ void expect_growth(Complex& dsc) {
   const double speed = dsc.mean_interface_edge() / 4;
   for (int step = 0; step < 3; ++step) {
     const double outside = dsc.volume(0);
-    DSC::advect_interface(dsc, DSC::Normal_offset{speed}, step, 1.);
+    DSC::advect_interface(dsc, DSC::Normal_offset{speed}, step, 1.,
+                          parameters::domain_rule(DSC::Domain_rule::stop));
     EXPECT_TRUE(dsc.is_valid(true));
     EXPECT_LT(dsc.volume(0), outside);
   }
