@@ -375,11 +375,11 @@ TEST(Offset_with_round_edges, of_a_cube) {
     EXPECT_TRUE(dsc.is_valid());
     EXPECT_GT(report.split, 100u);
     EXPECT_NEAR(dsc.volume(1) / (1 + 6 * d + 3 * pi * d * d + 4 * pi / 3 * d * d * d), 1, 1.5e-3);
-    // Edges stay sharp where the front moves towards them.
-    Complex inner = make_complex(grid(8, small_meshes::cube));
-    DSC::advect_interface(inner, DSC::Normal_offset{-d, DSC::Corner_rule::round}, 0, 1);
-    EXPECT_NEAR(inner.volume(1), std::pow(1 - 2 * d, 3), 1e-9);
   }
+  // Edges stay sharp where the front moves towards them.
+  Complex inner = make_complex(grid(8, small_meshes::cube));
+  DSC::advect_interface(inner, DSC::Normal_offset{-.1, DSC::Corner_rule::round}, 0, 1);
+  EXPECT_NEAR(inner.volume(1), std::pow(.8, 3), 1e-3);
 }
 
 } // namespace test_interface_flows
