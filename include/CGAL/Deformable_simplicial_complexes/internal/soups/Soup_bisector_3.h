@@ -240,7 +240,7 @@ private:
           (std::min)(m_requirements[s].longest, m_requirements[t].longest);
     push(s);
     push(t);
-    for (const Edge next : {between(a, c), between(a, d), between(b, c), between(b, d)})
+    for (const Edge& next : {between(a, c), between(a, d), between(b, c), between(b, d)})
       make_delaunay(next);
   }
 
