@@ -17,14 +17,21 @@
 
 namespace dsc {
 
+/// Sets the options of all motions. The run itself lets the domain grow.
+template <class Complex>
+void complete(CGAL::Deformable_simplicial_complexes::Advection_options<Complex>& options,
+              const Step_options& step, unsigned threads) {
+  options.deformation.number_of_threads = threads;
+  options.deformation.domain_rule = CGAL::Deformable_simplicial_complexes::Domain_rule::stop;
+  options.largest_displacement = step.largest_displacement.value_or(options.largest_displacement);
+}
+
 /// Returns the options of a motion that does not adapt the interface.
 template <class Complex>
 CGAL::Deformable_simplicial_complexes::Advection_options<Complex>
 advection_options(const Step_options& step, unsigned threads) {
   CGAL::Deformable_simplicial_complexes::Advection_options<Complex> result;
-  result.deformation.number_of_threads = threads;
-  result.deformation.domain_rule = CGAL::Deformable_simplicial_complexes::Domain_rule::stop;
-  result.largest_displacement = step.largest_displacement.value_or(result.largest_displacement);
+  complete(result, step, threads);
   return result;
 }
 
@@ -34,11 +41,7 @@ advection_options(const Step_options& step, unsigned threads) {
 template <class Complex>
 void complete(CGAL::Deformable_simplicial_complexes::Adaptive_advection_options<Complex>& options,
               const std::optional<double>& tolerance, const Step_options& step, unsigned threads) {
-  options.advection.deformation.number_of_threads = threads;
-  options.advection.deformation.domain_rule =
-      CGAL::Deformable_simplicial_complexes::Domain_rule::stop;
-  options.advection.largest_displacement =
-      step.largest_displacement.value_or(options.advection.largest_displacement);
+  complete(options.advection, step, threads);
   options.interface_tolerance =
       step.improves_interface ? 0 : tolerance.value_or(options.interface_tolerance);
   if (step.improves_interface)
@@ -62,9 +65,8 @@ void restore_start_volumes(
     kept.erase(kept.begin());
   CGAL::Deformable_simplicial_complexes::Volume_restoration_options<Complex> options;
   options.deformation.number_of_threads = threads;
-  options.deformation.domain_rule = CGAL::Deformable_simplicial_complexes::Domain_rule::stop;
   options.deformation.forbid_topology_changes();
-  options.volume_tolerance = 1e-6; // does not add up, because the volumes are those of the start
+  options.volume_tolerance = 1e-6; // errors of steps do not add up
   const unsigned parts = report.steps;
   for (const auto& next : restore_volumes(complex, kept, options).deformations)
     report.append(next);

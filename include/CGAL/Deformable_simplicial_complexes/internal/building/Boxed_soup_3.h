@@ -12,6 +12,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Construction_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/Tetrahedralization_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/building/enclosing_box_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/building/label_cells.h>
@@ -109,9 +110,7 @@ requirements_of_thin_parts(const Complex& dsc, const Triangle_soup_3& soup,
   const auto coarse = coarse_facets(dsc, edge_per_thickness, most).facets;
   if (coarse.empty())
     return {};
-  std::map<typename Complex::Vertex_handle, std::size_t> number;
-  for (std::size_t i = 0; i < soup.points.size(); ++i)
-    number.emplace(vertices[i], i);
+  const Vertex_numbers numbers(dsc, vertices);
   std::map<Triangle_indices, std::size_t> triangles;
   for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
     Triangle_indices key = soup.triangles[t];
@@ -123,8 +122,7 @@ requirements_of_thin_parts(const Complex& dsc, const Triangle_soup_3& soup,
     Triangle_indices key = {};
     for (int i = 0, k = 0; i < Complex::corners; ++i)
       if (i != facet.facet.second)
-        if (const auto found = number.find(facet.facet.first->vertex(i)); found != number.end())
-          key[k++] = found->second;
+        key[k++] = numbers(facet.facet.first->vertex(i));
     std::sort(key.begin(), key.end());
     if (const auto found = triangles.find(key); found != triangles.end()) {
       Soup_bisector_3::Requirement requirement = {found->second, facet.longest, {}};

@@ -135,7 +135,6 @@ private:
   static Deformation_options<Complex> deformation_options() {
     Deformation_options<Complex> result;
     result.forbid_topology_changes();
-    result.domain_rule = Domain_rule::stop; // at the sides of the image
     return result;
   }
 

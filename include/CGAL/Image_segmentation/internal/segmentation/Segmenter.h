@@ -73,7 +73,6 @@ public:
     m_relabeling.interface_energy.set_tension(m_tension);
     m_deformation.maximum_number_of_passes = Rule::passes;
     m_deformation.number_of_threads = options.number_of_threads;
-    m_deformation.domain_rule = Domain_rule::stop; // at the sides of the image
   }
 
   // Gives each cell of a new mesh its best label.

@@ -61,9 +61,8 @@ Interface_energy energy_of(const Velocity& velocity, const Interface_energy& oth
   return energy_of(velocity, other, 0);
 }
 
-// Tells whether a velocity moves the segments of a planar interface as a whole, so that corners are
-// opened and segments vanish. It then has the member function `open_corners()`, which inserts
-// vertices into the interface before a step and tells their destinations.
+// Tells whether a velocity opens corners: it has the member function `open_corners()`, which
+// inserts vertices into the interface before a step and tells their destinations.
 template <class Complex, class Velocity, class = void> inline constexpr bool opens_corners = false;
 
 template <class Complex, class Velocity>
@@ -73,7 +72,8 @@ inline constexpr bool
                       std::declval<Complex&>(), std::declval<Interface_snapshot<Complex>>(), 0.,
                       std::declval<Any_visitor<Complex>&>()))>> = true;
 
-// Tells whether the segments of a planar interface move along their normals.
+// Tells whether a velocity moves the segments of a planar interface as a whole, so that segments
+// vanish.
 template <class Complex, class Velocity>
 inline constexpr bool moves_segments = Complex::dimension == 2 && opens_corners<Complex, Velocity>;
 
