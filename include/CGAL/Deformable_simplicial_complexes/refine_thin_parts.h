@@ -21,8 +21,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -113,21 +112,27 @@ Thin_part_report refine_thin_parts(Complex& complex,
   const Progress_phase phase("resolving thin parts");
   Thin_part_report report;
   const std::size_t before = complex.interface_facets().size();
-  for (;;) {
-    report.new_facets = complex.interface_facets().size() - before;
+  // Near the bound, rounds split fewer and fewer edges: one with a smaller part of all is the last.
+  static constexpr double part_that_pays = .02;
+  std::size_t splits = 0;
+  for (bool pays = true; pays;) {
     const std::size_t most = options.most_new_facets -
                              (std::min<std::size_t>)(report.new_facets, options.most_new_facets);
     const auto coarse = internal::coarse_facets(complex, options.edge_per_thickness, most);
     report.is_complete = coarse.parts == 0;
-    if (coarse.facets.empty() || internal::bisect(complex, coarse.facets, most) == 0)
+    if (coarse.facets.empty())
       break;
+    const std::size_t done = internal::bisect(complex, coarse.facets, most);
+    splits += done;
+    report.new_facets = complex.interface_facets().size() - before;
+    pays = done > 0 &&
+           (coarse.parts <= double(most) || double(done) >= part_that_pays * double(splits));
   }
   if (report.new_facets > 0)
     complex.measure_interface_edges();
   return report;
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_REFINE_THIN_PARTS_H
