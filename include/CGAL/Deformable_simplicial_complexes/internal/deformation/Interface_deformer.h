@@ -42,9 +42,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A vertex of the interface with a destination in a motion that began earlier.
 template <class Complex> struct Moved_vertex
@@ -70,7 +68,8 @@ public:
       : m_complex(complex), m_visitor(visitor), m_options(options), m_destinations(complex),
         m_rigid_components(complex, m_destinations), m_contacts(complex, m_destinations),
         m_mesh(complex, visitor, m_destinations, m_rigid_components, options, for_each_index),
-        m_trapped_cells(complex, visitor, m_destinations, m_contacts, m_options),
+        m_trapped_cells(complex, visitor, m_destinations, m_contacts, m_rigid_components,
+                        m_options),
         m_for_each_index(for_each_index) {}
 
   Interface_deformer(const Interface_deformer&) = delete;
@@ -221,8 +220,8 @@ public:
   // - small angles and short edges where the interface folds;
   // - free vertices trapped by the interface.
   //
-  // If there is no bound on facet angles, interface facets are removed only after the second pass,
-  // because the other operations often suffice.
+  // Regions that move rigidly keep their facets. If there is no bound on facet angles, interface
+  // facets are removed only after the second pass, because the other operations often suffice.
   void remove_obstacles(unsigned pass) {
     m_may_remove_facets = m_options.minimum_facet_angle > 0 || pass > 2;
     static constexpr double swept = .3; // quality below which an obstructing cell may be relabeled
@@ -241,7 +240,9 @@ public:
     for (const auto& item : cells) {
       Progress_scope::check();
       if (m_complex.is_alive(item.cell, item.time_stamp))
-        m_mesh.remove_obstacle(item.cell, m_may_remove_facets, m_touched);
+        m_mesh.remove_obstacle(item.cell,
+                               m_may_remove_facets && !m_rigid_components.moves_rigidly(item.cell),
+                               m_touched);
     }
   }
 
@@ -403,8 +404,6 @@ private:
   std::size_t m_vanished = 0, m_merged = 0, m_stopped_at_boundary = 0;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DEFORMATION_INTERFACE_DEFORMER_H

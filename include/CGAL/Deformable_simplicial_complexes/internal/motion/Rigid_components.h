@@ -17,9 +17,7 @@
 #include <cmath>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Tests which connected components of the interface stay or move rigidly in a deformation, and
 // therefore keep their facets.
@@ -49,13 +47,20 @@ public:
   // Returns whether all vertices of a cell are on the interface and have kept their mutual
   // distances.
   bool has_moved_as_a_whole(Cell_handle c) const {
-    return number_of_rigid_vertices(c) == Complex::corners;
+    return number_of_rigid_vertices(c, now()) == Complex::corners;
+  }
+
+  // Returns whether the motion keeps the mutual distances of the interface vertices of a cell, of
+  // which there are at least two.
+  bool moves_rigidly(Cell_handle c) const {
+    const auto final = [this](Vertex_handle v) { return m_destinations.final_position(v); };
+    return number_of_rigid_vertices(c, final) > 1;
   }
 
   // Returns whether the interface touched by a cell has moved rigidly. The test uses the vertices
   // of the cell or, if only one is on the interface, the interface vertices around it.
   bool touches_rigid_component(Cell_handle c) const {
-    const int number = number_of_rigid_vertices(c);
+    const int number = number_of_rigid_vertices(c, now());
     if (number != 1)
       return number > 1;
     int i = 0;
@@ -65,15 +70,22 @@ public:
   }
 
 private:
-  // Returns the number of vertices of a cell on the interface if they move rigidly, -1 otherwise.
-  int number_of_rigid_vertices(Cell_handle c) const {
+  // A function that returns the current position of a vertex.
+  auto now() const {
+    return [this](Vertex_handle v) { return m_complex.position(v); };
+  }
+
+  // Returns the number of vertices of a cell on the interface if `position_of` keeps their mutual
+  // distances, -1 otherwise.
+  template <class Position_of>
+  int number_of_rigid_vertices(Cell_handle c, const Position_of& position_of) const {
     int number = 0;
     for (int i = 0; i < Complex::corners; ++i) {
       if (!c->vertex(i)->is_interface())
         continue;
       ++number;
       for (int j = 0; j < i; ++j)
-        if (c->vertex(j)->is_interface() && !are_as_far(c->vertex(i), c->vertex(j)))
+        if (c->vertex(j)->is_interface() && !are_as_far(c->vertex(i), c->vertex(j), position_of))
           return -1;
     }
     return number;
@@ -84,24 +96,25 @@ private:
     m_complex.star(v, star);
     return std::all_of(star.begin(), star.end(), [&](Cell_handle c) {
       for (int i = 0; i < Complex::corners; ++i)
-        if (c->vertex(i)->is_interface() && !are_as_far(v, c->vertex(i)))
+        if (c->vertex(i)->is_interface() && !are_as_far(v, c->vertex(i), now()))
           return false;
       return true;
     });
   }
 
-  // Returns whether the distance of two vertices equals their distance before the motion, up to a
-  // small relative tolerance and rounding of the coordinates.
-  bool are_as_far(Vertex_handle v, Vertex_handle w) const {
+  // Returns whether the distance of two vertices at `position_of` equals their distance before the
+  // motion, up to a small relative tolerance and rounding of the coordinates.
+  template <class Position_of>
+  bool are_as_far(Vertex_handle v, Vertex_handle w, const Position_of& position_of) const {
     static constexpr double same = 1e-6, precision = 1e-15;
-    const Position p = m_complex.position(v);
+    const Position p = position_of(v);
     const double rounding = precision * precision * (p - CGAL::ORIGIN).squared_length();
     const auto squared_distance = [&](const Position& a, const Position& b) {
       return (a - m_complex.domain().near(a, b)).squared_length();
     };
     const double before = squared_distance(m_destinations.position_before(v),
                                            m_destinations.position_before(w)),
-                 after = squared_distance(p, m_complex.position(w));
+                 after = squared_distance(p, position_of(w));
     return std::abs(after - before) <= same * before + rounding / same;
   }
 
@@ -109,8 +122,6 @@ private:
   const Destinations<Complex>& m_destinations;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_RIGID_COMPONENTS_H

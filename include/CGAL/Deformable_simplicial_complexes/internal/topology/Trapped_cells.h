@@ -16,6 +16,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/balance/Contacts.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/balance/Interface_tolerance.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/local_edge_length.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Rigid_components.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Manifold_relabeling.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Topology_log.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/cut.h>
@@ -32,9 +33,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Relabels cells that are trapped between parts of the interface. Cells that keep the topology are
 // relabeled first, followed by their neighbors. A cell that changes the topology is relabeled only
@@ -50,19 +49,20 @@ public:
 
   Trapped_cells(Complex& complex, Any_visitor<Complex>& visitor,
                 const Destinations<Complex>& destinations, const Contacts<Complex>& contacts,
+                const Rigid_components<Complex>& rigid_components,
                 const Deformation_options<Complex>& options)
       : m_complex(complex), m_visitor(visitor), m_contacts(contacts),
-        m_tolerance(complex, &destinations), m_topology_control(options.topology_control),
-        m_energy(options.interface_energy), m_manifold_interface(options.manifold_interface),
-        m_log(complex) {}
+        m_rigid_components(rigid_components), m_tolerance(complex, &destinations),
+        m_topology_control(options.topology_control), m_energy(options.interface_energy),
+        m_manifold_interface(options.manifold_interface), m_log(complex) {}
 
   Topology_log<Complex>& log() { return m_log; }
   std::size_t number_of_relabeled() const { return m_relabeled; }
 
   // Relabels cells among the given cells and the cells around them, if they are trapped, below a
   // threshold of quality, and closed by the motion, where they are below `final_threshold`. If the
-  // topology stays, it is enough that they are small. Each
-  // cell is relabeled at most once, except in components that are cut off and vanish.
+  // topology stays, it is enough that they are small and do not move rigidly. Each cell is
+  // relabeled at most once, except in components that are cut off and vanish.
   void relabel(const std::vector<Cell_handle>& cells, double threshold, double final_threshold) {
     m_final_threshold = final_threshold;
     m_done.clear();
@@ -212,7 +212,8 @@ private:
     m_tolerance.forget();
     if (is_done(c) || is_at_cut<Complex>(c) ||
         !propose_relabeling(m_complex, c, threshold, label, m_energy) ||
-        !(m_contacts.closes(c, m_final_threshold) || (may_be_small && is_small(c, label))))
+        !(m_contacts.closes(c, m_final_threshold) ||
+          (may_be_small && !m_rigid_components.moves_rigidly(c) && is_small(c, label))))
       return false;
     cells.assign(1, c);
     return complete(cells, label) && volume(cells) - volume({c}) < small_volume({c}) &&
@@ -269,6 +270,7 @@ private:
   Complex& m_complex;
   Any_visitor<Complex>& m_visitor;
   const Contacts<Complex>& m_contacts;
+  const Rigid_components<Complex>& m_rigid_components;
   Interface_tolerance<Complex> m_tolerance;
   const Topology_control& m_topology_control;
   const Interface_energy& m_energy;
@@ -279,8 +281,6 @@ private:
   std::size_t m_relabeled = 0;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TOPOLOGY_TRAPPED_CELLS_H
