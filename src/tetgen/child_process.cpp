@@ -27,9 +27,7 @@
 #include <utility>
 #endif
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 #ifdef DSC_HAS_FORK
 
@@ -281,6 +279,4 @@ bool Child_process::read(void* data, std::size_t size) {
   return true;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal

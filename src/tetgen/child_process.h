@@ -14,9 +14,7 @@
 #include <sys/types.h>
 #endif
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 /// A child process that runs a function and sends bytes to this process. If the function crashes,
 /// exhausts the memory or does not terminate, only the child ends. The output of the function is
@@ -83,8 +81,6 @@ private:
 #endif
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // DSC_CHILD_PROCESS_H

@@ -18,8 +18,7 @@
 #include <memory>
 #include <utility>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgCutLoci2Ref
@@ -95,7 +94,6 @@ private:
   internal::Geodesic_finder_2<Front> m_finder;
 };
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_CUT_LOCI_2_GEODESIC_DISTANCE_2_H

@@ -27,8 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgCutLoci2Ref
@@ -325,7 +324,6 @@ private:
   std::map<std::size_t, Ray> m_rays; // by the time stamps of vertices
 };
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_CUT_LOCI_2_GEODESIC_FRONT_2_H

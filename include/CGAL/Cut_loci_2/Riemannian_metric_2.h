@@ -15,8 +15,7 @@
 #include <array>
 #include <utility>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgCutLoci2Ref
@@ -105,7 +104,6 @@ private:
   Tensor m_tensor;
 };
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_CUT_LOCI_2_RIEMANNIAN_METRIC_2_H

@@ -20,8 +20,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 
 // An embedding of the unit sphere in stereographic coordinates of a second sphere. A linear map
@@ -174,7 +173,6 @@ private:
   Metric m_far_metric, m_near_metric;
 };
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_CUT_LOCI_2_SPHERE_LIKE_SURFACE_2_H

@@ -29,8 +29,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgCutLoci2Ref
@@ -177,7 +176,6 @@ Cut_locus_2 cut_locus_2(const Sphere_like_surface_2<Embedding, Differentiated>& 
                                           spacing, step, longest_distance);
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_CUT_LOCI_2_CUT_LOCUS_2_H

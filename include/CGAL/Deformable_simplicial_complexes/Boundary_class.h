@@ -13,8 +13,7 @@
 
 #include <cstdint>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -55,7 +54,6 @@ struct Boundary_class
   static bool contains(Bits sides, Bits others) { return (sides & others) == others; }
 };
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_BOUNDARY_CLASS_H

@@ -25,8 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /// \ingroup PkgDeformableSimplicialComplexesRef
 /// The gradient by which `Carried_vertex_values` finds the value of a vertex that smoothing moves.
@@ -211,7 +210,6 @@ private:
   std::vector<std::pair<std::size_t, Value>> m_interpolated; // index and value
 };
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_CARRIED_VERTEX_VALUES_H

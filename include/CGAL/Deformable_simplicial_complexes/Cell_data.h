@@ -16,8 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -90,7 +89,6 @@ private:
   std::size_t m_time_stamp = std::size_t(-1);
 };
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_CELL_DATA_H

@@ -22,8 +22,7 @@
 #include <optional>
 #include <type_traits>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -102,7 +101,6 @@ Construction_options<dimension> construction_options(const NamedParameters& np) 
   return result;
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_CONSTRUCTION_OPTIONS_H

@@ -24,8 +24,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -152,7 +151,6 @@ void read_parameters(const Complex& complex, const NamedParameters& np,
     options.flow = internal::flow_of_vertices(complex, parameter(np, tags::flow));
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DEFORMATION_OPTIONS_H

@@ -11,8 +11,7 @@
 
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -27,7 +26,6 @@ enum class Domain_rule {
   stop  ///< vertices stop at the sides
 };
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DOMAIN_RULE_H

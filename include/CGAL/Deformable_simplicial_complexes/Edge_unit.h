@@ -17,8 +17,7 @@
 #include <functional>
 #include <utility>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -124,7 +123,6 @@ double length_in_units(const Complex& complex, typename Complex::Vertex_handle v
   return std::sqrt(edge.squared_length()) / unit(complex.position(v) + .5 * edge);
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_EDGE_UNIT_H

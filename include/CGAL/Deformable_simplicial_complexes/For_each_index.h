@@ -20,8 +20,7 @@
 #include <tbb/task_arena.h>
 #endif
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -88,7 +87,6 @@ private:
 #endif
 };
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_FOR_EACH_INDEX_H

@@ -28,8 +28,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -289,7 +288,6 @@ Improvement_report keep_interface_fit(Complex& complex, const Adaptation_options
   return adaptation.apply(complex, visitor);
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERFACE_ADAPTATION_H

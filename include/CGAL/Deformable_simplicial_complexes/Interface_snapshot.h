@@ -18,8 +18,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -141,7 +140,6 @@ template <class Complex> struct Interface_snapshot<Complex, 2> : public Interfac
   std::vector<Segment>& facets() { return segments; }
 };
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERFACE_SNAPSHOT_H

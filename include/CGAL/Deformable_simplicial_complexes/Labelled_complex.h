@@ -31,8 +31,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -587,8 +586,7 @@ private:
   std::vector<Half_facet> m_half_facets;
 };
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/changes_impl.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/queries_impl.h>

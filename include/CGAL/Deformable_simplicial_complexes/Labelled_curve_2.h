@@ -17,8 +17,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -54,7 +53,6 @@ template <class Point> struct Labelled_curve_2
   }
 };
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_LABELLED_CURVE_2_H

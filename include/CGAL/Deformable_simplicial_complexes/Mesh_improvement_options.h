@@ -17,8 +17,7 @@
 
 #include <optional>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -56,7 +55,6 @@ template <class Complex> struct Mesh_improvement_options
   void check() const { require_quality(threshold()); }
 };
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_MESH_IMPROVEMENT_OPTIONS_H

@@ -19,8 +19,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /// \ingroup PkgDeformableSimplicialComplexesRef
 /// Three integer coordinates.
@@ -146,7 +145,6 @@ private:
   std::vector<std::vector<std::uint64_t>> m_split; // keys of split blocks, for each level
 };
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_OCTREE_3_H

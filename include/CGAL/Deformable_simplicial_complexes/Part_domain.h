@@ -13,8 +13,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Ball_domain.h>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -38,7 +37,6 @@ public:
   template <int d> static Part_domain of(const State<d>& /*state*/) { return Part_domain(); }
 };
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_PART_DOMAIN_H

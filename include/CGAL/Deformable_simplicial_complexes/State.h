@@ -22,8 +22,7 @@
 #include <tuple>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -155,7 +154,6 @@ template <int d> bool operator==(const State<d>& a, const State<d>& b) {
 /// Returns whether some number of `a` and `b` differs.
 template <int d> bool operator!=(const State<d>& a, const State<d>& b) { return !(a == b); }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_STATE_H

@@ -13,8 +13,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Component_event.h>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -27,7 +26,6 @@ template <class Complex> struct Topology_event : public Component_event
   unsigned pass;                             ///< pass of the deformation; the first one is 1
 };
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_TOPOLOGY_EVENT_H

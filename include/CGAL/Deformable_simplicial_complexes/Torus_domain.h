@@ -22,8 +22,7 @@
 #include <array>
 #include <cmath>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -198,7 +197,6 @@ Orientation Torus_domain<d>::orientation(const Complex& complex, const Corner& c
                                            [&](int i) { return complex.exact(points[i]); });
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_TORUS_DOMAIN_H

@@ -16,8 +16,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /// \ingroup PkgDeformableSimplicialComplexesRef
 /// An entry of `Vertex_numbers`. It is valid if its epoch is the current one.
@@ -91,7 +90,6 @@ private:
   internal::Borrowed_table<Numbered> m_table;
 };
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_VERTEX_NUMBERS_H

@@ -18,8 +18,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -125,7 +124,6 @@ inline void check_eigenvalue_threshold(double threshold) {
     throw Error("the eigenvalue threshold is out of range: use at least 0 and less than 1");
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_VERTEX_QUADRIC_3_H

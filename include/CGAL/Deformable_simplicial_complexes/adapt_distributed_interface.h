@@ -27,8 +27,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 
 // Returns whether cells have different labels. Equal on all ranks.
@@ -142,7 +141,6 @@ control_detail(Distributed_complex<Complex>& dsc,
   return internal::control_distributed_detail(dsc.mesh(), options);
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_ADAPT_DISTRIBUTED_INTERFACE_H

@@ -32,8 +32,7 @@
 #include <boost/variant/get.hpp>
 #endif
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 #if CGAL_VERSION_NR >= 1060000000
 template <class Kernel, class Primitive>
@@ -85,7 +84,6 @@ template <class Kernel, class Iterator>
 using Segment_tree_traits_3 =
     Primitive_tree_traits_3<Kernel, internal::Segment_primitive_3<Kernel, Iterator>>;
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_CGAL_COMPAT_H

@@ -20,8 +20,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 // Mesh optimization changes a complex only by the functions of this header, so its visitor receives
 // all changes.
@@ -157,7 +156,6 @@ void commit_proposal(Complex& complex, Cavity<Complex>& cavity, Any_visitor<Comp
   }
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_COMMIT_PROPOSAL_H

@@ -29,8 +29,7 @@
 
 #include <cmath>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -95,7 +94,6 @@ Complex make_complex_from_labelled_image_3(const Image_3& image, double edge,
   return dsc;
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_CONVERT_LABELLED_IMAGE_3_H

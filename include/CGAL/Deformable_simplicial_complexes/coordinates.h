@@ -16,8 +16,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -101,7 +100,6 @@ template <class Point> bool has_finite_coordinates(const Point& p) {
   return result;
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_COORDINATES_H

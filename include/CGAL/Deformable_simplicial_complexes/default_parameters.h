@@ -11,8 +11,7 @@
 
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /// \ingroup PkgDeformableSimplicialComplexesRef
 /// Default values of the named parameters that are numbers, with their units and reasons. A
@@ -214,7 +213,6 @@ struct Number_of_iterations
 };
 
 } // namespace defaults
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DEFAULT_PARAMETERS_H

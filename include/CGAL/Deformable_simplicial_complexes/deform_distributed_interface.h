@@ -19,8 +19,7 @@
 #include <functional>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -78,7 +77,6 @@ deform_interface_to(Distributed_complex<Complex>& dsc,
   return deformer.run(flow);
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DEFORM_DISTRIBUTED_INTERFACE_H

@@ -20,8 +20,7 @@
 #include <array>
 #include <cmath>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -91,7 +90,6 @@ bool propose_degenerate_triangle_removal(const Complex& complex, typename Comple
                                                (shortest + 2) % 3, minimum_quality, cavity);
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DEGENERACY_REMOVAL_2_H

@@ -27,8 +27,7 @@
 // and collapses the new vertex into a vertex c of the ring. This is edge removal with a fan around
 // c as the triangulation of the ring. Edge removal uses the best of all triangulations instead.
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 
 // Proposes to remove an edge of a flat cell. If the interface bends around the cell at the edge, it
@@ -170,7 +169,6 @@ bool propose_degenerate_tetrahedron_removal(const Complex& complex,
   return true;
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DEGENERACY_REMOVAL_3_H

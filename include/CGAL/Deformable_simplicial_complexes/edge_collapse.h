@@ -26,8 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 
 // Comparison of the links of the two ends of an edge, in the cells, in the interface, and in the
@@ -323,7 +322,6 @@ bool propose_degenerate_edge_removal(const Complex& complex, typename Complex::C
          propose_collapse_either_way(complex, cell, i, j, minimum_quality, cavity);
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_EDGE_COLLAPSE_H

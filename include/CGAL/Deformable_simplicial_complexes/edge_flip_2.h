@@ -13,8 +13,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 
 // Fills a cavity with the flip of the edge opposite to the vertex i of a triangle. The first new
@@ -55,7 +54,6 @@ bool propose_edge_flip(const Complex& complex, typename Complex::Cell_handle cel
   return cavity.quality_after() > cavity.quality_before() && cavity.is_positive();
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_EDGE_FLIP_2_H

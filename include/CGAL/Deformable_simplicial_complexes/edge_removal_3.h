@@ -20,8 +20,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 
 // Ring of cells around an edge a -> b. The ring vertices k and k + 1 belong to the cell k.
@@ -153,7 +152,6 @@ bool propose_interface_edge_flip(const Complex& complex, typename Complex::Cell_
          ring.triangulate(sheets[1], sheets[0] + n, bound) && cavity.is_admissible();
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_EDGE_REMOVAL_3_H

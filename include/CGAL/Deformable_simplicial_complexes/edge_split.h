@@ -18,8 +18,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -85,7 +84,6 @@ bool propose_edge_split(const Complex& complex, typename Complex::Cell_handle ce
   return propose_edge_split(complex, cell, i, j, point, cavity);
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_EDGE_SPLIT_H

@@ -26,8 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -267,7 +266,6 @@ extract_polygons(const Deformable_simplicial_complex_2<Traits, Tds, Domain>& dsc
   return internal::polygons_of_labels(dsc, [](int) { return true; });
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_EXTRACT_INTERFACE_2_H

@@ -27,8 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -154,7 +153,6 @@ void interface_to_surface_mesh(const Interface_surface_3<Complex>& surface, Tria
   Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, triangles, mesh);
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_EXTRACT_INTERFACE_3_H

@@ -15,8 +15,7 @@
 #include <CGAL/Deformable_simplicial_complexes/fill_grid.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/building/torus_grid.h>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -38,7 +37,6 @@ Complex fill_torus(const Torus_domain<Complex::dimension>& domain, double edge,
                              label_at, np);
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_FILL_TORUS_H

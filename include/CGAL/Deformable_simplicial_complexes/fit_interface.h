@@ -24,8 +24,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 
 // Returns the barycenter of a cell, as seen from its vertex 0.
@@ -153,7 +152,6 @@ Deformation_report<Complex> fit_interface(Complex& dsc, const LabelAt& label_at,
   return report;
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_FIT_INTERFACE_H

@@ -21,8 +21,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -106,7 +105,6 @@ template <class Complex> void grow_domain(Complex& dsc, double factor = 1.5) {
   dsc = std::move(grown);
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_GROW_DOMAIN_H

@@ -14,8 +14,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/balance/Interface_tolerance.h>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -33,7 +32,6 @@ template <class Complex> bool keeps_volumes(const Complex& complex, const Cavity
   return internal::Interface_tolerance<Complex>(complex).allows(cavity);
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_KEEPS_VOLUMES_H

@@ -38,8 +38,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 
 // Makes a complex of the given triangles, and improves it. `dsc` is an empty complex in the domain.
@@ -344,7 +343,6 @@ Complex make_deformable_simplicial_complex_2(const Torus_domain<2>& domain, doub
   return fill_torus<Complex>(domain, edge, label_at, np);
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_MAKE_DEFORMABLE_SIMPLICIAL_COMPLEX_2_H

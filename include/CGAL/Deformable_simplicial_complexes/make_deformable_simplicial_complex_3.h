@@ -43,8 +43,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 
 // Checks, normalizes, encloses and tetrahedralizes surfaces, and makes an improved complex with
@@ -387,7 +386,6 @@ Complex make_deformable_simplicial_complex_3(const Torus_domain<3>& domain, doub
   return fill_torus<Complex>(domain, edge, label_at, np);
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_MAKE_DEFORMABLE_SIMPLICIAL_COMPLEX_3_H

@@ -20,8 +20,7 @@
 /// Tests whether the interface is manifold, and relabeling that keeps it manifold, as used
 /// with the parameter `manifold_interface()`.
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -92,7 +91,6 @@ bool propose_manifold_relabeling(const Complex& complex, typename Complex::Cell_
   return internal::Manifold_relabeling<Complex>(complex, cells, label).complete();
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_MANIFOLD_INTERFACE_H

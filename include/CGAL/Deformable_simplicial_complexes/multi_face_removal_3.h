@@ -20,8 +20,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 
 // Search for the best set of sandwiched facets to be removed, by recursion over the edges of the
@@ -152,7 +151,6 @@ bool propose_multi_face_removal(const Complex& complex, typename Complex::Cell_h
   return cavity.quality_after() > cavity.quality_before() && cavity.is_positive();
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_MULTI_FACE_REMOVAL_3_H

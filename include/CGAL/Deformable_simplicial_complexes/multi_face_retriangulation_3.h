@@ -22,8 +22,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 
 // The connected set of all facets sandwiched between the two apices of a given facet.
@@ -163,7 +162,6 @@ bool propose_multi_face_retriangulation(const Complex& complex, typename Complex
   return sandwich.retriangulate(cavity) && cavity.is_positive();
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_MULTI_FACE_RETRIANGULATION_3_H

@@ -27,8 +27,7 @@
 /// `deform_interface(dsc, destination, parameters::maximum_number_of_passes(20).visitor(v))` with
 /// `namespace parameters = CGAL::Deformable_simplicial_complexes::parameters`.
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 namespace internal_np {
 
 /// \cond SKIP_IN_MANUAL
@@ -99,7 +98,6 @@ template <class T> T& unwrap(std::reference_wrapper<T>& value) { return value.ge
 
 #undef CGAL_DSC_SHARED_PARAMETERS
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_NAMED_PARAMETERS_H

@@ -23,8 +23,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 
 // Proposes a position for the center of a fan, see `propose_null_space_position()`.
@@ -125,7 +124,6 @@ bool propose_null_space_position(const Complex& complex, typename Complex::Verte
                                        minimum_quality, target);
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_NULL_SPACE_SMOOTHING_3_H

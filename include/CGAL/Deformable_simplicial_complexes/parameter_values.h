@@ -27,8 +27,7 @@
 
 // Functions that read named parameters and check their values.
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -161,7 +160,6 @@ template <class Complex, class NamedParameters> auto visitor_parameter(const Nam
     return Given_visitor<Complex, Deformation_visitor>(Deformation_visitor());
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_PARAMETER_VALUES_H

@@ -19,8 +19,7 @@
 /// Models of `TetrahedronQualityMeasure_3`: 1 for the regular tetrahedron, 0 for a degenerate
 /// one, negative for an inverted one, invariant under similarity transformations.
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 
 // Tetrahedron given by the vectors from its first vertex, shared by the measures.
@@ -211,7 +210,6 @@ struct Radius_ratio_3
   }
 };
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_QUALITY_MEASURES_3_H

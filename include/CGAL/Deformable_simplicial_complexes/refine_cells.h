@@ -23,8 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 namespace internal {
 
@@ -131,7 +130,6 @@ std::size_t refine_cells(Complex& complex, const Selects& selects,
   return report.split;
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_REFINE_CELLS_H

@@ -25,8 +25,7 @@
 #include <string>
 #include <utility>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 
 // The refinement of the cells of a piece. The id of a new vertex consists of the ids of the ends of
@@ -175,7 +174,6 @@ template <class Complex> void refine_3(Distributed_complex<Complex>& dsc) {
   }
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_REFINE_DISTRIBUTED_COMPLEX_3_H

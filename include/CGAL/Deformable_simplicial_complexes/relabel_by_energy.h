@@ -28,8 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /// \ingroup PkgDeformableSimplicialComplexesRef
 /// Options of `relabel_by_energy()` and `relabel_components_by_energy()`.
@@ -212,7 +211,6 @@ std::size_t relabel_components_by_energy(Complex& complex, const EnergyOfCell& e
   return changes;
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_RELABEL_BY_ENERGY_H

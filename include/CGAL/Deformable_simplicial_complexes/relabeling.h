@@ -19,8 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 
 // Returns the largest facet of a cell if it lies on the interface and the opposite vertex touches
@@ -133,7 +132,6 @@ bool propose_relabeling(const Complex& complex, typename Complex::Cell_handle ce
   return is_found;
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_RELABELING_H

@@ -24,8 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 namespace internal {
 
@@ -216,7 +215,6 @@ keep_largest_components(Complex& complex, const Interface_energy& energy = {},
                                  [](typename Complex::Label) { return true; });
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_REMOVE_COMPONENTS_H

@@ -27,8 +27,7 @@
 
 #include <utility>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -183,7 +182,6 @@ Improvement_report remove_degeneracies(Complex& dsc,
   return remove_degeneracies(dsc, options);
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_REMOVE_DEGENERACIES_H

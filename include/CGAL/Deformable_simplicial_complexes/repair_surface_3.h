@@ -19,8 +19,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/repair/repair_options.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 
 template <class Point> Triangle_soup_3 soup_of(const Labelled_surface_3<Point>& surface) {
@@ -160,7 +159,6 @@ Surface_repair_report_3 wrap_surface_3(Labelled_surface_3<Point>& surface,
   return repairer.report();
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_REPAIR_SURFACE_3_H

@@ -15,8 +15,7 @@
 #include <CGAL/Deformable_simplicial_complexes/extract_interface_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Loop_subdivider_3.h>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -66,7 +65,6 @@ Interface_surface_3<Complex> subdivide_interface(Interface_surface_3<Complex> su
   return surface;
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_SUBDIVIDE_INTERFACE_3_H

@@ -19,8 +19,7 @@
 /// Models of `TopologyControl`: values of the parameter `topology_control()`, which permit or
 /// forbid changes of the topology of the interface.
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /// \ingroup PkgDeformableSimplicialComplexesRef
 /// Topology control that permits all changes: components of a phase may merge, split, appear and
@@ -78,7 +77,6 @@ private:
   std::vector<std::pair<int, int>> m_pairs;
 };
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_TOPOLOGY_CONTROL_H

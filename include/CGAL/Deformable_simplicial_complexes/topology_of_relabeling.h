@@ -15,8 +15,7 @@
 #include <array>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 
 // Faces that a cell shares with a set of other cells. A face is given by the set of its vertices,
@@ -171,7 +170,6 @@ bool relabeling_keeps_topology(const Complex& complex,
   return true;
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_TOPOLOGY_OF_RELABELING_H

@@ -25,8 +25,7 @@
 #include <limits>
 #include <utility>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 
 // The best set of cells around a seed to be replaced by the star of a point p. The facets of the
@@ -245,7 +244,6 @@ bool propose_vertex_insertion(const Complex& complex, typename Complex::Cell_han
   return best > cavity.quality_before() && cavity.is_positive();
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_VERTEX_INSERTION_H

@@ -19,8 +19,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 
 // Returns the worst quality of a star, for any measure, with its vertex v at p. Stops at the first
@@ -94,7 +93,6 @@ bool propose_smart_laplacian(const Complex& complex, typename Complex::Vertex_ha
   return false;
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_VERTEX_SMOOTHING_H

@@ -13,8 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgImageSegmentationRef
@@ -55,7 +54,6 @@ struct Segmentation_report
   bool has_converged = false;
 };
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_IMAGE_SEGMENTATION_SEGMENTATION_REPORT_H

@@ -25,8 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /// \ingroup PkgImageSegmentationRef
 /// The phases and the noise of an image.
@@ -380,7 +379,6 @@ template <int d> Image_phases estimate_phases(const Gray_image<d>& image, unsign
   return result;
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_IMAGE_SEGMENTATION_ESTIMATE_PHASES_H

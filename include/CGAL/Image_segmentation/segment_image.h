@@ -32,8 +32,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 namespace internal {
 
@@ -258,7 +257,6 @@ Segmentation_report segment_image(Complex& complex, const Gray_image<Complex::di
   return internal::segment(complex, image, options, phases, false);
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_IMAGE_SEGMENTATION_SEGMENT_IMAGE_H

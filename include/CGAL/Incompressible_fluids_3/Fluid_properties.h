@@ -20,8 +20,7 @@
 #include <string>
 #include <utility>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /// \ingroup PkgIncompressibleFluids3Ref
 /// A liquid, which fills the cells of a label. All units must be consistent.
@@ -168,7 +167,6 @@ private:
   std::array<double, 3> m_gravity = {};
 };
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_PROPERTIES_H

@@ -21,8 +21,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /// \ingroup PkgIncompressibleFluids3Ref
 /// The volume, mass, energies and momenta of all liquids together, and the field that they carry.
@@ -133,7 +132,6 @@ template <class Complex> struct Fluid_report
   Deformation_report<Complex> deformation;
 };
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_REPORT_H

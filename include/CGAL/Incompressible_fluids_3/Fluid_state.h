@@ -16,8 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /// \ingroup PkgIncompressibleFluids3Ref
 /// The boundary conditions of liquids at a solid.
@@ -61,7 +60,6 @@ struct Fluid_state
   std::vector<std::array<double, 13>> bodies;
 };
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_STATE_H

@@ -23,8 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /// \ingroup PkgIncompressibleFluids3Ref
 /// The place and motion of a solid at some time, relative to its place before the motion.
@@ -205,7 +204,6 @@ private:
   internal::Last_motion m_motion;
 };
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_MOVING_SOLID_3_H

@@ -16,8 +16,7 @@
 #include <memory>
 #include <utility>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgIncompressibleFluids3Ref
@@ -89,7 +88,6 @@ private:
   std::unique_ptr<internal::Petsc_equations> m_equations;
 };
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_PETSC_SADDLE_POINT_SOLVER_H

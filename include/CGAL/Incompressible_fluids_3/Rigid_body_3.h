@@ -20,8 +20,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgIncompressibleFluids3Ref
@@ -152,7 +151,6 @@ template <class Mesh> Rigid_body_3 rigid_body_of_mesh(const Mesh& mesh, double d
   return result;
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_RIGID_BODY_3_H

@@ -32,8 +32,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 /*!
 \ingroup PkgIncompressibleFluids3Ref
 
@@ -431,7 +430,6 @@ private:
   std::unique_ptr<Other> m_other; // null unless the other two are replaced
 };
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_SADDLE_POINT_SOLVER_H

@@ -14,8 +14,7 @@
 #include <functional>
 #include <optional>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /// \ingroup PkgIncompressibleFluids3Ref
 /// The boundary condition of liquids at a side of the domain: slip, or no-slip with the velocity of
@@ -54,7 +53,6 @@ namespace internal {
 using Side_behaviors = std::array<Side_behavior, 6>;
 
 } // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_SIDE_BEHAVIOR_H

@@ -17,8 +17,7 @@
 #include <cstdint>
 #include <string>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgIncompressibleFluids3Ref
@@ -108,7 +107,6 @@ private:
   Fluid_repetition m_last_attempt;
 };
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_ERRORS_H

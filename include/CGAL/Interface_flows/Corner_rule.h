@@ -10,8 +10,7 @@
 
 #include <CGAL/license/Interface_flows.h>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /// \ingroup PkgInterfaceFlowsRef
 /// The front of a `Normal_offset` at corners from which it moves away.
@@ -20,7 +19,6 @@ enum class Corner_rule {
   round  ///< corners become arcs, edges become cylinders, and vertices become spheres
 };
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_INTERFACE_FLOWS_CORNER_RULE_H

@@ -10,8 +10,7 @@
 
 #include <CGAL/license/Interface_flows.h>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /// \ingroup PkgInterfaceFlowsRef
 /// The method by which `advect_interface()` integrates velocities over a time step.
@@ -22,7 +21,6 @@ enum class Integration_scheme {
   adaptive ///< method of Dormand and Prince: order 5, substeps follow from a tolerance
 };
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_INTERFACE_FLOWS_INTEGRATION_SCHEME_H

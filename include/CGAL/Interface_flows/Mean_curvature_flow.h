@@ -27,8 +27,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgInterfaceFlowsRef
@@ -321,7 +320,6 @@ private:
   bool m_divides_steps = true;
 };
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_INTERFACE_FLOWS_MEAN_CURVATURE_FLOW_H

@@ -30,8 +30,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 
 // The planes of the facets at a vertex (in the plane, the lines), which move along their normals at
@@ -214,7 +213,6 @@ struct Normal_offset
   }
 };
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_INTERFACE_FLOWS_NORMAL_OFFSET_H

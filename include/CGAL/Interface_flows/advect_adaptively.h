@@ -27,8 +27,7 @@
 #include <cmath>
 #include <map>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 
 // Returns the volumes of all labels except the smallest label. The smallest label takes the
@@ -249,7 +248,6 @@ Deformation_report<Complex> advect_adaptively(Complex& dsc, const Velocity& velo
   return advect_adaptively(dsc, velocity, t, dt, options);
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_INTERFACE_FLOWS_ADVECT_ADAPTIVELY_H

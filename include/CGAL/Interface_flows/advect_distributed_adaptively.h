@@ -24,8 +24,7 @@
 
 #include <cmath>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgInterfaceFlowsRef
@@ -90,7 +89,6 @@ Distributed_report<Complex> advect_adaptively(
   return report;
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_INTERFACE_FLOWS_ADVECT_DISTRIBUTED_ADAPTIVELY_H

@@ -25,8 +25,7 @@
 #include <functional>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 namespace internal {
 
@@ -160,7 +159,6 @@ advect_interface(Distributed_complex<Complex>& dsc, const Velocity& velocity, do
   return deform_interface_to(dsc, interface_, destinations, options, flow);
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_INTERFACE_FLOWS_ADVECT_DISTRIBUTED_INTERFACE_H

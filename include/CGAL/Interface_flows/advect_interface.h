@@ -30,8 +30,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 /*!
 \ingroup PkgInterfaceFlowsRef
 
@@ -401,7 +400,6 @@ Deformation_report<Complex> advect_interface(Complex& dsc, const Velocity& veloc
   return advect_interface(dsc, velocity, t, dt, options);
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_INTERFACE_FLOWS_ADVECT_INTERFACE_H

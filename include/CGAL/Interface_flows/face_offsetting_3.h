@@ -22,8 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 
 // Adds the planes of the sides of the domain that contain a vertex. These planes do not move.
@@ -193,7 +192,6 @@ private:
   double m_threshold;
 };
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_INTERFACE_FLOWS_FACE_OFFSETTING_3_H

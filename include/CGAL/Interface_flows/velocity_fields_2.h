@@ -15,8 +15,7 @@
 
 #include <cmath>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgInterfaceFlowsRef
@@ -51,7 +50,6 @@ private:
   double m_period;
 };
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_INTERFACE_FLOWS_VELOCITY_FIELDS_2_H

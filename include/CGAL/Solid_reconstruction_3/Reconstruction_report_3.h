@@ -15,8 +15,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgSolidReconstruction3Ref
@@ -56,7 +55,6 @@ template <class Complex> struct Reconstruction_report_3
   std::vector<typename Complex::Facet> facets_without_points;
 };
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_SOLID_RECONSTRUCTION_3_RECONSTRUCTION_REPORT_3_H

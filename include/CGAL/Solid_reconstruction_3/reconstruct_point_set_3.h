@@ -22,8 +22,7 @@
 #include <cstddef>
 #include <functional>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 /// \ingroup PkgSolidReconstruction3Ref
 ///
@@ -213,8 +212,7 @@ Complex reconstruct_point_set_3(const PointRange& points,
   return internal::reconstruct(points, np, options);
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 // The header of the component Compiled only declares the function.
 #ifndef CGAL_DSC_RECONSTRUCTION_IS_COMPILED

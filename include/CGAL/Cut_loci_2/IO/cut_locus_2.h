@@ -26,8 +26,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace IO {
+namespace CGAL::IO {
 
 /*!
 \ingroup PkgCutLoci2Ref
@@ -152,7 +151,6 @@ void write_SVG(
   });
 }
 
-} // namespace IO
-} // namespace CGAL
+} // namespace CGAL::IO
 
 #endif // CGAL_CUT_LOCI_2_IO_CUT_LOCUS_2_H

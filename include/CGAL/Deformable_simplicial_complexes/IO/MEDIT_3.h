@@ -36,8 +36,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace IO {
+namespace CGAL::IO {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -197,7 +196,6 @@ void read_MEDIT(const std::string& path, std::vector<Point>& points,
   read_MEDIT(in, points, tetrahedra, labels, path, entities, unused);
 }
 
-} // namespace IO
-} // namespace CGAL
+} // namespace CGAL::IO
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_IO_MEDIT_3_H

@@ -24,8 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace IO {
+namespace CGAL::IO {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -107,7 +106,6 @@ private:
   std::vector<Entry> m_entries;
 };
 
-} // namespace IO
-} // namespace CGAL
+} // namespace CGAL::IO
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_IO_PVD_SERIES_H

@@ -25,8 +25,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace Deformable_simplicial_complexes::internal {
 
 // Returns the name of the file of a rank: `path` without its extension, and the number of the rank.
 inline std::string piece_path(const std::string& path, int rank) {
@@ -67,8 +66,7 @@ inline void write_pieces(const std::string& path, Communicator& communicator,
   });
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
+} // namespace Deformable_simplicial_complexes::internal
 
 namespace IO {
 

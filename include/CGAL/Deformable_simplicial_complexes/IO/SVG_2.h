@@ -51,8 +51,7 @@ struct SVG_options
 
 } // namespace IO
 
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace Deformable_simplicial_complexes::internal {
 
 // Returns a color for a label: white for 0, otherwise hues by the golden angle. All colors are
 // light enough for black lines.
@@ -134,8 +133,7 @@ void write_svg(const std::string& path, const Complex& dsc, const IO::SVG_option
   });
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
+} // namespace Deformable_simplicial_complexes::internal
 
 namespace IO {
 

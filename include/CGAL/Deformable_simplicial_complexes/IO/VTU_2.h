@@ -17,8 +17,7 @@
 
 #include <string>
 
-namespace CGAL {
-namespace IO {
+namespace CGAL::IO {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -98,7 +97,6 @@ void write_interface_VTU(const std::string& path,
   Deformable_simplicial_complexes::internal::write_facets_vtu(path, dsc, arrays);
 }
 
-} // namespace IO
-} // namespace CGAL
+} // namespace CGAL::IO
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_IO_VTU_2_H

@@ -16,8 +16,7 @@
 
 #include <string>
 
-namespace CGAL {
-namespace IO {
+namespace CGAL::IO {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -81,7 +80,6 @@ inline int checkpoint_dimension(const std::string& path) {
   return Deformable_simplicial_complexes::internal::checkpoint_file_dimension(path);
 }
 
-} // namespace IO
-} // namespace CGAL
+} // namespace CGAL::IO
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_IO_CHECKPOINT_2_H

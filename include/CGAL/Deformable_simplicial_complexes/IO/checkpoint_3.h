@@ -16,8 +16,7 @@
 
 #include <string>
 
-namespace CGAL {
-namespace IO {
+namespace CGAL::IO {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -69,7 +68,6 @@ inline Checkpoint_3 read_checkpoint(const std::string& path) {
   return Deformable_simplicial_complexes::internal::read_checkpoint_file<3>(path);
 }
 
-} // namespace IO
-} // namespace CGAL
+} // namespace CGAL::IO
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_IO_CHECKPOINT_3_H

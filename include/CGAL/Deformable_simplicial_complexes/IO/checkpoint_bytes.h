@@ -15,8 +15,7 @@
 
 #include <string>
 
-namespace CGAL {
-namespace IO {
+namespace CGAL::IO {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -54,7 +53,6 @@ checkpoint_from_bytes(const std::string& bytes) {
                                                                              "the checkpoint");
 }
 
-} // namespace IO
-} // namespace CGAL
+} // namespace CGAL::IO
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_IO_CHECKPOINT_BYTES_H

@@ -16,8 +16,7 @@
 
 #include <string>
 
-namespace CGAL {
-namespace IO {
+namespace CGAL::IO {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -62,7 +61,6 @@ read_checkpoint(const std::string& path,
   return Deformable_simplicial_complexes::internal::read_checkpoint_blocks(path, complex.mesh());
 }
 
-} // namespace IO
-} // namespace CGAL
+} // namespace CGAL::IO
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_IO_DISTRIBUTED_CHECKPOINT_H

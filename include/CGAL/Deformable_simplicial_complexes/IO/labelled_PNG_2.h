@@ -28,8 +28,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace Deformable_simplicial_complexes::internal {
 
 struct Png_error : std::runtime_error
 {
@@ -124,8 +123,7 @@ private:
   png_infop m_info;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
+} // namespace Deformable_simplicial_complexes::internal
 
 namespace IO {
 

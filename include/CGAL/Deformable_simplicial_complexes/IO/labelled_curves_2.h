@@ -32,8 +32,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace IO {
+namespace CGAL::IO {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -182,7 +181,6 @@ void write_poly(const std::string& path, const Deformable_simplicial_complex_2<T
   });
 }
 
-} // namespace IO
-} // namespace CGAL
+} // namespace CGAL::IO
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_IO_LABELLED_CURVES_2_H

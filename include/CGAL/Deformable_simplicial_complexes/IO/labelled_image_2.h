@@ -22,8 +22,7 @@
 #include <cstddef>
 #include <string>
 
-namespace CGAL {
-namespace IO {
+namespace CGAL::IO {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -97,7 +96,6 @@ read_labelled_image(const std::string& path,
   return image;
 }
 
-} // namespace IO
-} // namespace CGAL
+} // namespace CGAL::IO
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_IO_LABELLED_IMAGE_2_H

@@ -46,8 +46,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace Deformable_simplicial_complexes::internal {
 
 // Returns the format by the extension of the file.
 inline Surface_format surface_format(const std::string& path) {
@@ -209,8 +208,7 @@ void write_ply_with_properties(std::ostream& out, const Surface& surface,
     out << "3 " << a << ' ' << b << ' ' << c << '\n';
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
+} // namespace Deformable_simplicial_complexes::internal
 
 namespace IO {
 

@@ -43,8 +43,7 @@ using Point_and_normal_3 = std::pair<Exact_predicates_inexact_constructions_kern
 
 } // namespace IO
 
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace Deformable_simplicial_complexes::internal {
 
 // Receiver of the contents of a file that stores points and their normals, and records unused
 // content.
@@ -145,8 +144,7 @@ inline void read_xyz(File_scanner& scanner, Point_set_sink& sink) {
   }
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
+} // namespace Deformable_simplicial_complexes::internal
 
 namespace IO {
 

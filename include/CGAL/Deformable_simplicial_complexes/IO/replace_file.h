@@ -23,8 +23,7 @@
 #include <string>
 #include <system_error>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 
 // Removes a file at the end of the scope, unless the file was renamed before.
@@ -132,7 +131,6 @@ template <class Write> void replace_file_by_stream(const std::string& path, Writ
   });
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_IO_REPLACE_FILE_H

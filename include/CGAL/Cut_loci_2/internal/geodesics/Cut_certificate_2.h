@@ -18,9 +18,7 @@
 #include <map>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A claim about a point of a cut locus: geodesics in the given directions reach the point at the
 // given distance. A claim with one direction states that the point is conjugate to the source along
@@ -152,8 +150,6 @@ private:
   double m_spacing, m_step;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_CUT_LOCI_2_INTERNAL_GEODESICS_CUT_CERTIFICATE_2_H

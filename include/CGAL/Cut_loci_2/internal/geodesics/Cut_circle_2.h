@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 /*
 The circle of directions at the source, with the cut point of each direction. The cut point is the
@@ -369,8 +367,6 @@ private:
   int m_failures = 0;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_CUT_LOCI_2_INTERNAL_GEODESICS_CUT_CIRCLE_2_H

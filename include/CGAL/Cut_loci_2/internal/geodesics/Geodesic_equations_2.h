@@ -22,9 +22,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A geodesic from the source, by its angle in radians and its length.
 struct Geodesic_2
@@ -236,8 +234,6 @@ private:
   double m_orientation; // 1 or -1: orientation of the chart, as seen from the source
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_CUT_LOCI_2_INTERNAL_GEODESICS_GEODESIC_EQUATIONS_2_H

@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 /*
 The fan of geodesics from the source in all directions. All rays grow in equal steps. A ray ends
@@ -303,8 +301,6 @@ private:
   std::map<Square, std::vector<std::uint32_t>> m_squares;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_CUT_LOCI_2_INTERNAL_GEODESICS_GEODESIC_FAN_2_H

@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Finds the shortest geodesics of a front to a point, up to rounding. Newton's method starts at
 // known geodesics that come near the point.
@@ -185,8 +183,6 @@ private:
   std::map<Square, std::vector<Arrival>> m_arrivals;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_CUT_LOCI_2_INTERNAL_GEODESICS_GEODESIC_FINDER_2_H

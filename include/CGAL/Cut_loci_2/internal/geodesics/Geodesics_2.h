@@ -22,9 +22,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A point of a chart and the velocity of a geodesic there: u, v, u', v'.
 using Geodesic_state = std::array<double, 4>;
@@ -259,8 +257,6 @@ private:
   Geodesic_units m_units;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_CUT_LOCI_2_INTERNAL_GEODESICS_GEODESICS_2_H

@@ -10,9 +10,7 @@
 
 #include <cmath>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A number with its first and second derivatives by u and v, for automatic differentiation. The
 // functions of <cmath> are found by argument-dependent lookup.
@@ -150,8 +148,6 @@ struct Second_order_number_2
   }
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_CUT_LOCI_2_INTERNAL_GEODESICS_SECOND_ORDER_NUMBER_2_H

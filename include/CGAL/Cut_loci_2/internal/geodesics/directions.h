@@ -10,9 +10,7 @@
 
 #include <cmath>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Directions at a point are angles in radians. Angles increase to the left.
 
@@ -34,8 +32,6 @@ inline double canonical_angle(double angle) {
   return a < 0 ? a + full_turn() : a;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_CUT_LOCI_2_INTERNAL_GEODESICS_DIRECTIONS_H

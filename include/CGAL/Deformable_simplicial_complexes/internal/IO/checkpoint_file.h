@@ -32,9 +32,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the first eight bytes of a checkpoint file. A conversion of line ends or to seven-bit
 // characters changes these bytes, so such damage is detected.
@@ -254,8 +252,6 @@ template <int d> Checkpoint<d> read_checkpoint_file(const std::string& path) {
   return checkpoint_from_bytes<d>(file_contents(path), path);
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_CHECKPOINT_FILE_H

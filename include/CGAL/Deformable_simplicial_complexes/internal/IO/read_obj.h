@@ -20,9 +20,7 @@
 #include <string_view>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A statement of an OBJ file that gives neither a point nor a polygon.
 struct Obj_statement
@@ -113,8 +111,6 @@ template <class Sink> void read_obj(File_scanner& scanner, Sink& sink) {
     sink.unused(content, number);
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_READ_OBJ_H

@@ -17,9 +17,7 @@
 #include <string_view>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The properties given by the first line of an OFF file.
 struct Off_header
@@ -135,8 +133,6 @@ template <class Sink> void read_off(File_scanner& scanner, Sink& sink) {
   }
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_READ_OFF_H

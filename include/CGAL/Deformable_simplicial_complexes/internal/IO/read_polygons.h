@@ -17,9 +17,7 @@
 
 #include <istream>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 enum class Surface_format { none, off, obj, ply, stl };
 
@@ -50,8 +48,6 @@ void read_polygons(std::istream& in, Surface_format format, File_scanner& scanne
   }
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_READ_POLYGONS_H

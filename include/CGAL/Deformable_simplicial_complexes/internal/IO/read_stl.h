@@ -22,9 +22,7 @@
 #include <string_view>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A binary STL file consists of a header of 80 bytes, the number of triangles in four bytes, and 50
 // bytes for each triangle.
@@ -165,8 +163,6 @@ private:
   std::vector<std::size_t> m_corners;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_READ_STL_H

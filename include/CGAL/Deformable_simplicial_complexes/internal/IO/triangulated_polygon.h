@@ -24,9 +24,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 using Polygon_kernel = Exact_predicates_inexact_constructions_kernel;
 using Places_of_triangles = std::vector<std::array<std::size_t, 3>>;
@@ -140,8 +138,6 @@ template <class Point> Places_of_triangles triangulated_polygon(const std::vecto
   return triangulated_simple_polygon(projected);
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IO_TRIANGULATED_POLYGON_H

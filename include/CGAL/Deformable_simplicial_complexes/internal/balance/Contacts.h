@@ -15,9 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Tests whether parts of the interface come together in a deformation. Only the motion decides. A
 // cell can be flat because its facets are large. It is no contact if its height stays the same.
@@ -119,8 +117,6 @@ private:
   const Destinations<Complex>& m_destinations;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BALANCE_CONTACTS_H

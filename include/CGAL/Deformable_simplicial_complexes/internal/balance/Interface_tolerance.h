@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The volume that a mesh operation may move from one label to another. It is a part of the volumes
 // that the labels have in the cells around the operation, or of the changes of these volumes by the
@@ -232,8 +230,6 @@ private:
   std::vector<std::pair<Label, double>> m_proposed; // gains by the last one that was allowed
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BALANCE_INTERFACE_TOLERANCE_H

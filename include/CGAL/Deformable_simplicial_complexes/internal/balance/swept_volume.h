@@ -13,9 +13,7 @@
 #include <cmath>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the volume that a facet sweeps on the side of its normal if its corners move along
 // straight lines; in the plane, the area. Gauss' rule with two points is exact, because the
@@ -62,8 +60,6 @@ void add_swept_volumes(const Complex& complex,
     }
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BALANCE_SWEPT_VOLUME_H

@@ -15,9 +15,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Groups of cells that relabeling may have disconnected; each group should be connected. Cells that
 // have been cut off are often relabeled next, so the connections are checked only at the end. No
@@ -109,8 +107,6 @@ private:
   std::size_t m_number_of_groups = 0;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BOOKKEEPING_DOUBTED_CONNECTIONS_H

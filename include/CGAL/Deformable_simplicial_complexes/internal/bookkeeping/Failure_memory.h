@@ -13,9 +13,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Flags of cells for which an algorithm has failed, or which smoothing has improved only slightly.
 // Such a cell is not tried again before motion changes its shape or the shape of a neighbor, or
@@ -60,8 +58,6 @@ template <class Cell_handle> bool note_shape(Cell_handle c) {
   return true;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BOOKKEEPING_FAILURE_MEMORY_H

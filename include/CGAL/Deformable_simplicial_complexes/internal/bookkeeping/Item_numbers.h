@@ -14,9 +14,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A generator of small ids. Ids that are taken back are given again. The items in use can be
 // accessed by their ids.
@@ -115,8 +113,6 @@ private:
   Dense_ids<Cell_handle> m_cell_ids;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BOOKKEEPING_ITEM_NUMBERS_H

@@ -15,9 +15,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The number of cells and the volume of every label, updated cell by cell. Volumes are added in
 // fixed point. The totals therefore do not depend on the order of changes and accumulate no
@@ -98,8 +96,6 @@ private:
   std::vector<Total> m_totals;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BOOKKEEPING_LABEL_TOTALS_H

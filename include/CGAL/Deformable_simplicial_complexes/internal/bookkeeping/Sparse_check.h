@@ -11,9 +11,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A counter that checks for an interrupt once in many steps, for loops whose steps are faster than
 // the check.
@@ -30,8 +28,6 @@ private:
   unsigned m_steps = 0;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BOOKKEEPING_SPARSE_CHECK_H

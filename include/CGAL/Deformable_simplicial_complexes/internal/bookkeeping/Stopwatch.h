@@ -11,9 +11,7 @@
 
 #include <chrono>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A clock that measures wall-clock time in seconds, from lap to lap.
 class Stopwatch
@@ -32,8 +30,6 @@ private:
   Clock::time_point m_start = Clock::now();
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BOOKKEEPING_STOPWATCH_H

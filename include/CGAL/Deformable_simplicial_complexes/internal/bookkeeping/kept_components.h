@@ -21,9 +21,7 @@
 // visit nearby cells first. If a test does not confirm a connection, the caller searches farther
 // away, or visits all cells.
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns whether two cells with the same label are connected. The search starts from both cells at
 // the same time. It ends when the two searches meet, or when the smaller component is exhausted.
@@ -215,8 +213,6 @@ private:
   std::vector<std::vector<Cell_handle>> m_ends;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BOOKKEEPING_KEPT_COMPONENTS_H

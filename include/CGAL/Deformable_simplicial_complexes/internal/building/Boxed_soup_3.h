@@ -28,9 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The box of a complex and a triangle soup strictly inside it, both in the frame of the complex.
 struct Boxed_soup_3
@@ -172,8 +170,6 @@ Complex make_resolved(Boxed_soup_3 boxed, const Tetrahedralizer& tetrahedralizer
   return dsc;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_BOXED_SOUP_3_H

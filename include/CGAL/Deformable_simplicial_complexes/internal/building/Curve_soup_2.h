@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 using Planar_kernel = Exact_predicates_inexact_constructions_kernel;
 
@@ -111,8 +109,6 @@ template <class Curve> void add_curve(const Curve& curve, std::size_t number, Cu
           number, number, {segments.front()});
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_CURVE_SOUP_2_H

@@ -21,9 +21,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Points that a mesh needs in addition to the points of curves. Near a curve their spacing is about
 // the length of its segments, and it grows with the distance from the curves. Points on the
@@ -146,8 +144,6 @@ private:
   std::vector<Point> m_points;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_GRADED_POINTS_2_H

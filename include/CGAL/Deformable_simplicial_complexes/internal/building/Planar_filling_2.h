@@ -31,9 +31,7 @@
 #include <set>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Triangles that fill a box. The segments of the curves are edges of the triangles. The spacing of
 // additional points follows the lengths of the nearest segments.
@@ -141,8 +139,6 @@ Planar_filling_2 fill_planar_box(const Curve_soup_2& soup, const Bbox_2& box) {
   return fill_box_between<Kernel>(soup, box);
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_PLANAR_FILLING_2_H

@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Tetrahedra given by the user, and the tetrahedra of a mesh that surround them.
 class Solid_tetrahedra_3
@@ -132,8 +130,6 @@ private:
   std::vector<std::array<std::size_t, 4>> m_tetrahedra; // positively oriented
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_SOLID_TETRAHEDRA_3_H

@@ -25,9 +25,7 @@
 #include <map>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the default enclosing box: a square centered at the barycenter of the points. Its half
 // side is 2.5 times the largest distance of a point from the barycenter, as in 3D.
@@ -153,8 +151,6 @@ inline Grid<2> box_grid(const Bbox_2& box, double edge) {
   return grid;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_BOX_2_H

@@ -17,9 +17,7 @@
 #include <array>
 #include <cstddef>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns a grid of a box: the tetrahedra of a body-centered cubic lattice. On the boundary of the
 // box, each square face and the center next to it form a pyramid, which is split into two
@@ -84,8 +82,6 @@ inline Grid<3> box_grid(const Bbox_3& box, double edge) {
   return grid;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_BOX_GRID_3_H

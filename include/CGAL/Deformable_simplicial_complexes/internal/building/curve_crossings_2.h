@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns whether two segments intersect in more than a common end. Equal segments of different
 // curves are allowed.
@@ -85,8 +83,6 @@ template <class Kernel> void check_crossings(const Curve_soup_2& soup) {
                first, second, std::move(segments));
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_CURVE_CROSSINGS_2_H

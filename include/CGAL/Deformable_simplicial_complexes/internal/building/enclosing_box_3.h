@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 inline Bbox_3 cube(const Coordinates_3& center, double half_side) {
   const auto& c = center;
@@ -162,8 +160,6 @@ inline Triangle_soup_3 box_surface(const Bbox_3& box, unsigned n) {
   return merge_points(soup);
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_ENCLOSING_BOX_3_H

@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns a triangle incident to a corner of the box.
 inline std::size_t triangle_on_box(const Planar_filling_2& filling) {
@@ -86,8 +84,6 @@ std::vector<int> label_by_seeds(const Seeded_segments_2<Point>& segments, const 
   return labels;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_LABEL_BY_SEEDS_2_H

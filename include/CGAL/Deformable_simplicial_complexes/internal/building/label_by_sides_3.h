@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A cell on one side of a triangle.
 struct Cell_at_triangle_3
@@ -84,8 +82,6 @@ inline std::vector<int> label_by_sides(const Tetrahedralization_3& mesh, const B
   return labels;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_LABEL_BY_SIDES_3_H

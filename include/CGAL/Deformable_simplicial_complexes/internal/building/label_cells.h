@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A facet of a closed surface, or of a closed curve in 2D. Different surfaces do not cross. A facet
 // that several surfaces share is a wall of each of them.
@@ -196,8 +194,6 @@ std::vector<int> label_cells_by_seeds(const std::vector<Cell_vertices<d>>& cells
   return labels;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_LABEL_CELLS_H

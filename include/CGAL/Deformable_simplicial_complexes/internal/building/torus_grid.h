@@ -18,9 +18,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Points, and cells of nearly equal shape that fill a flat torus or a box.
 template <int d> struct Grid
@@ -114,8 +112,6 @@ inline Grid<3> torus_grid(const std::array<double, 3>& periods, double edge) {
   return grid;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_TORUS_GRID_H

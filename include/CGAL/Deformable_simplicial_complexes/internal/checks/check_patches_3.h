@@ -14,9 +14,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the union of soups, which may be open. Equal points of a soup are merged. Throws
 // `Invalid_surface_error` unless triangles meet only in common vertices and edges. Complexity: O(n
@@ -35,8 +33,6 @@ inline Joined_soup_3 check_patches(const std::vector<Triangle_soup_3>& patches) 
   return joined;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CHECKS_CHECK_PATCHES_3_H

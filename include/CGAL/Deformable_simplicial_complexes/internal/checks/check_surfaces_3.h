@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Checks a soup before any geometric predicate is evaluated. Throws `Invalid_surface_error` if the
 // soup has no triangles, coordinates that are not finite, or invalid indices.
@@ -145,8 +143,6 @@ inline Joined_soup_3 check_surfaces(const std::vector<Triangle_soup_3>& surfaces
   return joined;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CHECKS_CHECK_SURFACES_3_H

@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Orients tetrahedra positively by swapping two vertices of the negative ones. Throws
 // `Invalid_cells_error` if coordinates are not finite, if indices do not exist, or if tetrahedra
@@ -65,8 +63,6 @@ void orient_tetrahedra(const std::vector<typename Traits::Point_3>& points,
                               std::move(offenders));
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CHECKS_CHECK_TETRAHEDRA_3_H

@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns an explanation of a reason and advice for the user.
 inline const char* explanation(Invalid_surface_error::Reason reason) {
@@ -74,8 +72,6 @@ inline const char* explanation(Invalid_surface_error::Reason reason) {
   refuse_surface(reason, surface, surface, std::move(facets), std::move(vertices));
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CHECKS_REFUSE_SURFACE_H

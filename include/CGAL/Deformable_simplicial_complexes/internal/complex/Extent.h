@@ -13,9 +13,7 @@
 #include <array>
 #include <limits>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The smallest axis-aligned box in d dimensions that contains given points.
 template <int d> class Extent
@@ -66,8 +64,6 @@ template <int d, class Points> Extent<d> extent_of(const Points& points) {
   return result;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_EXTENT_H

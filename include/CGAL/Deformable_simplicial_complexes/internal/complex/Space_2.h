@@ -25,9 +25,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Types, constants and functions of the plane, with names that do not depend on the dimension.
 // Cells are triangles, and facets are edges.
@@ -128,8 +126,6 @@ public:
   static bool is_sphere(std::size_t vertices, std::size_t facets) { return vertices == facets; }
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_SPACE_2_H

@@ -11,9 +11,7 @@
 
 #include <utility>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 template <class Function, class Corner, int... i>
 decltype(auto) apply_to_corners(const Function& f, const Corner& corner,
@@ -28,8 +26,6 @@ decltype(auto) apply_to_corners(const Function& f, const Corner& corner) {
   return apply_to_corners(f, corner, std::make_integer_sequence<int, n>());
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_APPLY_TO_CORNERS_H

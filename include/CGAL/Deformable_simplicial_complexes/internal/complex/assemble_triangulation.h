@@ -19,9 +19,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The vertex indices of a cell. In the arrays of this file, vertex 0 is the infinite vertex.
 template <int d> using Cell_vertices = std::array<std::size_t, d + 1>;
@@ -194,8 +192,6 @@ create_cells(typename Space::Triangulation_data_structure& tds,
   return handles;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_ASSEMBLE_TRIANGULATION_H

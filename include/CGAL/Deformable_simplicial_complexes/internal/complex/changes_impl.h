@@ -28,8 +28,7 @@
 #define CGAL_DSC_TEMPLATE template <class Derived, class Space, class Quality, class Domain>
 #define CGAL_DSC_CLASS Labelled_complex<Derived, Space, Quality, Domain>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 CGAL_DSC_TEMPLATE
 double CGAL_DSC_CLASS::cell_quality(Cell_handle c) const {
@@ -422,8 +421,7 @@ void CGAL_DSC_CLASS::sew(bool counts_interface) {
   }
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #undef CGAL_DSC_TEMPLATE
 #undef CGAL_DSC_CLASS

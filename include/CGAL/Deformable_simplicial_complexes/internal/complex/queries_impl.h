@@ -22,8 +22,7 @@
 #define CGAL_DSC_TEMPLATE template <class Derived, class Space, class Quality, class Domain>
 #define CGAL_DSC_CLASS Labelled_complex<Derived, Space, Quality, Domain>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 CGAL_DSC_TEMPLATE
 auto CGAL_DSC_CLASS::number_of_cells() const -> size_type {
@@ -193,8 +192,7 @@ double CGAL_DSC_CLASS::measure(const Facet& f) const {
   return Space::facet_measure(points);
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #undef CGAL_DSC_TEMPLATE
 #undef CGAL_DSC_CLASS

@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Sorts handles in the order of creation; see `Item_numbers`. The time stamps are read once,
 // because they are at scattered places in memory.
@@ -38,8 +36,6 @@ template <class Handle> void sort_by_time_stamp(std::vector<Handle>& items) {
     items[i] = stamped[i].second;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_SORT_BY_TIME_STAMP_H

@@ -37,8 +37,7 @@
 #define CGAL_DSC_TEMPLATE template <class Derived, class Space, class Quality, class Domain>
 #define CGAL_DSC_CLASS Labelled_complex<Derived, Space, Quality, Domain>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 // Copies a complex by rebuilding it from its state. The copy of CGAL's triangulation is not used:
 // since CGAL 6 it has other time stamps, and it needs an infinite vertex.
@@ -594,8 +593,7 @@ bool CGAL_DSC_CLASS::is_sewn(bool verbose) const {
   return true;
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #undef CGAL_DSC_TEMPLATE
 #undef CGAL_DSC_CLASS

@@ -16,9 +16,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The cells of a mesh complex that belong to it, with their subdomains as labels. Points are in the
 // order of their first use by cells.
@@ -48,8 +46,6 @@ template <class Complex> struct Labelled_tetrahedra_3
   }
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CONVERSION_LABELLED_TETRAHEDRA_3_H

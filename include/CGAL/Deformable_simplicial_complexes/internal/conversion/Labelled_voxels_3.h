@@ -25,9 +25,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The labels of the voxels in a box of an image, with x as the fastest index, and the location of
 // this box.
@@ -157,8 +155,6 @@ inline Labelled_voxels_3 labelled_voxels(const Image_3& image, bool fills_domain
   return result;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CONVERSION_LABELLED_VOXELS_3_H

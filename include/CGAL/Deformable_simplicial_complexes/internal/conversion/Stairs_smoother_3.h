@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A smoother for the surface of voxels that keeps vertices near their initial positions
 // ("constrained elastic surface nets", Gibson 1998). A vertex moves towards the mean of its
@@ -130,8 +128,6 @@ private:
   std::vector<Edge> m_ties; // pairs of a vertex and a neighbor that it moves towards
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CONVERSION_STAIRS_SMOOTHER_3_H

@@ -21,9 +21,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The frame in which a complex of voxels is built: p = translation + scale * q for a point p of the
 // image and the corresponding point q of the complex. The default domain is the cube with the
@@ -118,8 +116,6 @@ private:
   std::array<double, 3> m_low, m_high; // the domain relative to `m_center`, in `m_unit`
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CONVERSION_VOXEL_FRAME_3_H

@@ -34,9 +34,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A builder of a complex from voxels, where the labels of cells are component numbers. With these
 // labels, components neither merge nor touch, and the volume of each component can be restored. The
@@ -176,8 +174,6 @@ void label_by_components(Complex& dsc, const Voxel_components_3& components) {
   dsc.restore(state);
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CONVERSION_VOXEL_INTERFACE_3_H

@@ -19,9 +19,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // An octree over the components of voxels and the space around them. Leaves at the interface are
 // blocks of a pyramid that are not mixed. Other leaves are blocks of one component, whose size
@@ -114,8 +112,6 @@ private:
   Place m_first; // of the voxels of the pyramid, in the root
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CONVERSION_VOXEL_OCTREE_3_H

@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The components of voxels in blocks with sides of 2^l voxels, for levels l from 0. A block has a
 // component if its eight sub-blocks have the same one. It also has a component if sub-blocks can be
@@ -186,8 +184,6 @@ private:
   std::vector<Level> m_levels;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CONVERSION_VOXEL_PYRAMID_3_H

@@ -17,9 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A map from pairs of labels to indices of surface patches.
 template <class MeshComplex> class Patch_indices_3
@@ -122,8 +120,6 @@ void copy_to_mesh_complex(const Complex& complex, MeshComplex& mesh) {
   }
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CONVERSION_COPY_TO_MESH_COMPLEX_3_H

@@ -12,9 +12,7 @@
 #include <array>
 #include <cstdint>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A neighborhood of 27 voxels, stored as bits, with x as the fastest index. Voxel 13 is in the
 // middle.
@@ -90,8 +88,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CONVERSION_SIMPLE_VOXELS_3_H

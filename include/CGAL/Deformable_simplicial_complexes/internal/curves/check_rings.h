@@ -17,9 +17,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A ring of one of several polygons: the boundary of the polygon or of a hole.
 struct Polygon_ring
@@ -127,8 +125,6 @@ inline std::optional<Ring_fault> find_ring_fault(const std::vector<Polygon_ring>
   return std::nullopt;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CURVES_CHECK_RINGS_H

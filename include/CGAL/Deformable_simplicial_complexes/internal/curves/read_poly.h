@@ -27,9 +27,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A reader for the lines of a file in the format of Triangle (J. R. Shewchuk). Each line begins
 // with a number that is a count or an index.
@@ -211,8 +209,6 @@ private:
   Unused_content m_unused;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CURVES_READ_POLY_H

@@ -28,9 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A reader for geometries in the well-known text format of the Open Geospatial Consortium. Each
 // POLYGON, each MULTIPOLYGON and each closed LINESTRING becomes a curve with the next label.
@@ -275,8 +273,6 @@ private:
   Unused_content m_unused;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_CURVES_READ_WKT_H

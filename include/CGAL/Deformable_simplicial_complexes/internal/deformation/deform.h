@@ -19,9 +19,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Does passes of Algorithm 1 until the vertices have arrived and the given cells are improved, the
 // maximum number of passes is reached, or `go_further(pass)` returns false. Returns the report.
@@ -92,8 +90,6 @@ resume_deformation(Complex& part, const std::vector<Moved_vertex<Complex>>& vert
   return do_passes(deformer, visitor, options.maximum_number_of_passes);
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DEFORMATION_DEFORM_H

@@ -40,9 +40,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Algorithm 1 on a distributed complex.
 template <class Complex> class Distributed_deformer
@@ -343,8 +341,6 @@ private:
   std::vector<Topology_place<d>> m_places; // of changes of topology on this rank
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DISTRIBUTED_MOTION_DISTRIBUTED_DEFORMER_H

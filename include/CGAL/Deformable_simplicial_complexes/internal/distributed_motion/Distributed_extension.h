@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 /*
 The harmonic extension of displacements on a distributed complex: the system of
@@ -172,8 +170,6 @@ private:
   std::vector<Entry> m_entries, m_entries_of_row;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DISTRIBUTED_MOTION_DISTRIBUTED_EXTENSION_H

@@ -25,9 +25,7 @@
 #include <tuple>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A point of a rule of integration over a facet: its barycentric coordinates and its weight.
 template <int d> struct Facet_sample
@@ -257,8 +255,6 @@ private:
   std::vector<double> m_distances; // from the samples of all facets, along their directions
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_FITTING_MISSED_VOLUMES_H

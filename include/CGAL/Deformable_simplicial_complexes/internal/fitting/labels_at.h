@@ -17,9 +17,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the labels at points, given by a function of a point or of a vector of points. On a
 // torus, the function is called with points of the box.
@@ -45,8 +43,6 @@ labels_at(const Complex& complex, const LabelAt& label_at,
   return result;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_FITTING_LABELS_AT_H

@@ -11,9 +11,7 @@
 
 #include <array>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The outward normals of the facets of a cell. The length of a normal is d - 1 times the measure of
 // its facet.
@@ -49,8 +47,6 @@ private:
   int m_largest = 0;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GEOMETRY_FACET_NORMALS_H

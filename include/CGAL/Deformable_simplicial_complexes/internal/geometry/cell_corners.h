@@ -11,9 +11,7 @@
 
 #include <array>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 template <class Complex>
 using Cell_corners = std::array<typename Complex::Approximate_point, Complex::corners>;
@@ -36,8 +34,6 @@ Cell_corners<Complex> cell_corners(const Complex& complex, typename Complex::Cel
   return cell_corners(complex, c, complex.position(c->vertex(0)));
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GEOMETRY_CELL_CORNERS_H

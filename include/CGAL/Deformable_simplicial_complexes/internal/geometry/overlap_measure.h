@@ -17,9 +17,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the area of a triangle or the volume of a tetrahedron. It is positive iff the corners are
 // positively oriented, up to rounding.
@@ -167,8 +165,6 @@ double overlap_measure(const Clipping_simplex<Space>& s, const Clipping_simplex<
              : 0;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GEOMETRY_OVERLAP_MEASURE_H

@@ -15,9 +15,7 @@
 #include <array>
 #include <cmath>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the normalized ratio of the area to the sum of the squared edge lengths: 1 for an
 // equilateral triangle, 0 for a degenerate one. It corresponds to the volume-length ratio of a
@@ -48,8 +46,6 @@ template <class Point> double smallest_angle(const std::array<Point, 3>& p) {
   return result;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GEOMETRY_TRIANGLE_QUALITY_H

@@ -12,9 +12,7 @@
 #include <array>
 #include <cmath>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the normal of a triangle, towards the side from which it is counterclockwise. Its length
 // is the area of the triangle.
@@ -28,8 +26,6 @@ template <class Vector> double angle_between(const Vector& a, const Vector& b) {
   return std::atan2(std::sqrt(cross_product(a, b).squared_length()), a * b);
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GEOMETRY_VECTORS_3_H

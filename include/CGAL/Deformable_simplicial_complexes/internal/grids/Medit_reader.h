@@ -26,9 +26,7 @@
 #include <string_view>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A reader for tetrahedral meshes in the MEDIT text format.
 class Medit_reader
@@ -210,8 +208,6 @@ private:
   Largest_index m_vertex, m_edge, m_triangle;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GRIDS_MEDIT_READER_H

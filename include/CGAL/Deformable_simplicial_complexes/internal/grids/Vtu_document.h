@@ -20,9 +20,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A VTK unstructured grid of simplices of one type, in XML with raw appended data. Each array is an
 // XML element with the offset of a block of data. A block consists of its size in bytes and the
@@ -119,8 +117,6 @@ private:
   std::string m_data;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GRIDS_VTU_DOCUMENT_H

@@ -17,9 +17,7 @@
 #include <ostream>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The triangles of a MEDIT file: the triangles of a mesh, followed by the interface triangles that
 // are not among them. Each pair of labels gets a reference of its own.
@@ -101,8 +99,6 @@ inline void write_medit_section(std::ostream& out, const char* keyword,
     out << i + 1 << '\n';
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GRIDS_MEDIT_TEXT_H

@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The content of a VTU file with tetrahedra.
 struct Vtu_tetrahedra
@@ -112,8 +110,6 @@ inline Vtu_tetrahedra read_vtu_tetrahedra(const std::string& path, const std::st
   return result;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GRIDS_READ_VTU_TETRAHEDRA_H

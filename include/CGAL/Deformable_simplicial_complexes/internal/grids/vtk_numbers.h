@@ -20,9 +20,7 @@
 #include <string_view>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Numbers of all VTK types are converted to `double`. The conversion is inexact only for integers
 // that are larger than every valid index or label.
@@ -95,8 +93,6 @@ inline std::optional<std::vector<double>> numbers_of_text(std::string_view text)
   return numbers;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GRIDS_VTK_NUMBERS_H

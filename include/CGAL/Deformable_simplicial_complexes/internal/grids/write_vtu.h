@@ -23,9 +23,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 constexpr Vtu_document::Cell_type vtu_simplex(int dimension) {
   return dimension == 3   ? Vtu_document::tetrahedron
@@ -170,8 +168,6 @@ void write_facets_vtu(const std::string& path, const Complex& dsc, const Mesh_ar
   replace_file_by_stream(path, [&](std::ostream& out) { document.write(out); });
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GRIDS_WRITE_VTU_H

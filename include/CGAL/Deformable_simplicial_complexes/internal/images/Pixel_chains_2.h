@@ -16,9 +16,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A path along edges between pixels of two labels. It ends at the border of the image, or where
 // other edges between labels meet it. If the path is a loop, its last corner equals its first
@@ -130,8 +128,6 @@ private:
   int m_low, m_right, m_top; // of the pixels, including pixels around the image
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMAGES_PIXEL_CHAINS_2_H

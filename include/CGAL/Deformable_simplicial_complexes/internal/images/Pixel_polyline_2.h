@@ -18,9 +18,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A smooth polyline with the same area as a chain of pixels. A gate is the segment between the
 // centers of the two pixels at an edge of the chain. The polyline passes through all gates in
@@ -252,8 +250,6 @@ private:
   std::vector<Vertex> m_vertices;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMAGES_PIXEL_POLYLINE_2_H

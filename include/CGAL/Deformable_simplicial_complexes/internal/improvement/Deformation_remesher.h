@@ -14,9 +14,7 @@
 
 #include <type_traits>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 /*
 The remeshing of a deformation, composed of dimension-specific operations:
@@ -39,8 +37,6 @@ using Deformation_remesher =
     std::conditional_t<Complex::dimension == 2, Deformation_remesher_2<Complex>,
                        Deformation_remesher_3<Complex>>;
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_DEFORMATION_REMESHER_H

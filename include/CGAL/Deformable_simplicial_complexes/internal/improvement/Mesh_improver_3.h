@@ -15,9 +15,7 @@
 
 #include <utility>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The improver for 3D, which also removes degenerate interface facets.
 template <class Complex> class Mesh_improver_3 : public Mesh_improver<Complex>
@@ -51,8 +49,6 @@ public:
   }
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_MESH_IMPROVER_3_H

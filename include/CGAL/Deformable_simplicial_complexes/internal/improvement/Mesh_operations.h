@@ -14,9 +14,7 @@
 
 #include <type_traits>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 /*
 The dimension-specific operations of mesh improvement:
@@ -33,8 +31,6 @@ template <class Complex>
 using Mesh_operations = std::conditional_t<Complex::dimension == 2, Mesh_operations_2<Complex>,
                                            Mesh_operations_3<Complex>>;
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_MESH_OPERATIONS_H

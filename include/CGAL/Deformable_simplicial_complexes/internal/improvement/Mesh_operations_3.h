@@ -19,9 +19,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The operations of `Mesh_operations` for tetrahedra.
 template <class Complex> struct Mesh_operations_3
@@ -70,8 +68,6 @@ template <class Complex> struct Mesh_operations_3
   }
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_MESH_OPERATIONS_3_H

@@ -29,9 +29,7 @@
 #include <limits>
 #include <utility>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the sine of the smallest angle of a triangle; 0 if two corners coincide.
 template <class Point> double smallest_sine(const std::array<Point, 3>& p) {
@@ -153,8 +151,6 @@ private:
   Improvement_report m_report;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_SMALL_ANGLE_REMOVER_2_H

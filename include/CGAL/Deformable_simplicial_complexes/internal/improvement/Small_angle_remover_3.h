@@ -43,9 +43,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A motion must reduce a small angle to less than this part before the interface changes to remove
 // it. So needles of the input that keep their shape stay.
@@ -416,8 +414,6 @@ private:
   Improvement_report m_report;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_SMALL_ANGLE_REMOVER_3_H

@@ -21,9 +21,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Parallel smoother of the vertices of cells. The vertices are divided into colors: two vertices of
 // the same color have no cell in common, so their motions are independent of each other. The result
@@ -114,8 +112,6 @@ private:
   std::vector<Cell_handle> m_star;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_VERTEX_SMOOTHER_H

@@ -16,9 +16,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver.h>
 #include <CGAL/Deformable_simplicial_complexes/refine_thin_parts.h>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Resolves thin parts of a mesh that was just made, improves it, and sorts its storage.
 template <class Complex>
@@ -35,8 +33,6 @@ void improve_new_mesh(Complex& dsc, const Construction_options<Complex::dimensio
   dsc.sort_storage();
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_IMPROVE_NEW_MESH_H

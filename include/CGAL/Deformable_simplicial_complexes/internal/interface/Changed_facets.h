@@ -11,9 +11,7 @@
 
 #include <limits>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The change of the interface facets by an operation.
 struct Changed_facets
@@ -23,8 +21,6 @@ struct Changed_facets
   double swept_volume = 0; // volume between the interface before and after; in the plane, area
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_CHANGED_FACETS_H

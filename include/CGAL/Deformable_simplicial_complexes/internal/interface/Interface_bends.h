@@ -14,9 +14,7 @@
 
 #include <type_traits>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 /*
 The bending of the interface of a snapshot at its vertices. In each dimension:
@@ -30,8 +28,6 @@ template <class Complex>
 using Interface_bends = std::conditional_t<Complex::dimension == 2, Interface_bends_2<Complex>,
                                            Interface_bends_3<Complex>>;
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_INTERFACE_BENDS_H

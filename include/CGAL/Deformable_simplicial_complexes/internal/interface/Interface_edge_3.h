@@ -19,9 +19,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The interface facets around an edge.
 template <class Complex> class Interface_edge_3
@@ -102,8 +100,6 @@ private:
   bool m_is_between_two_labels = true;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_INTERFACE_EDGE_3_H

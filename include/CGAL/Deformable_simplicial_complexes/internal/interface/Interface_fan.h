@@ -14,9 +14,7 @@
 
 #include <type_traits>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 /*
 The interface facets at a vertex, the center of the fan. In each dimension:
@@ -35,8 +33,6 @@ template <class Complex>
 using Interface_fan =
     std::conditional_t<Complex::dimension == 2, Interface_fan_2<Complex>, Interface_fan_3<Complex>>;
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_INTERFACE_FAN_H

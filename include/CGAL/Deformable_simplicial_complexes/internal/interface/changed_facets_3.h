@@ -19,9 +19,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the change of the facets of a fan when its center is collapsed into a neighbor.
 template <class Complex>
@@ -61,8 +59,6 @@ Changed_facets facets_changed_by_flip(const Interface_edge_3<Complex>& edge) {
   return result;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_CHANGED_FACETS_3_H

@@ -20,9 +20,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the unit normal at the center of a fan; a null vector if the facet normals cancel each
 // other.
@@ -111,8 +109,6 @@ curved_midpoint(const Complex& complex, const Interface_fan_3<Complex>& a,
   return middle + length * std::clamp(height, -highest, highest) * normal;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_CURVED_MIDPOINT_3_H

@@ -22,9 +22,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the change of the edges of a fan when its center is collapsed into a neighbor.
 template <class Complex>
@@ -104,8 +102,6 @@ bool null_space_position(const Complex& complex, const Interface_fan_2<Complex>&
          complex.is_positive_star(fan.center(), star, target);
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_INTERFACE_CURVE_2_H

@@ -13,9 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Computes orthogonal directions in which a vertex must not move, so that the interface does not
 // change. There is no such direction off the interface, one where the interface is flat, and two
@@ -53,8 +51,6 @@ bool find_blocked_directions(const Complex& complex,
   return true;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_INTERFACE_DIRECTIONS_3_H

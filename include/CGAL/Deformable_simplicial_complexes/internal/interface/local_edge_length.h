@@ -14,9 +14,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the local edge length, the unit of length thresholds at a vertex. It is the spacing of
 // the vertex, which follows the target edge lengths of the user but not the stretching or shrinking
@@ -41,8 +39,6 @@ double local_edge_length(const Complex& complex,
   return number > 0 ? sum / double(number) : 0;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_LOCAL_EDGE_LENGTH_H

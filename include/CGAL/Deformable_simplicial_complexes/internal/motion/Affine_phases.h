@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // For each phase, the affine motion that fits the motion of the surrounding interface best. A phase
 // with other constraints, such as the boundary of the domain, has no affine motion.
@@ -144,8 +142,6 @@ private:
   std::vector<Phase> m_phases;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_AFFINE_PHASES_H

@@ -19,9 +19,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 /*
 A preconditioned conjugate gradient solver for systems with one symmetric, positive semidefinite
@@ -117,8 +115,6 @@ private:
   const For_each_index& m_for_each_index;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_CONJUGATE_GRADIENTS_H

@@ -17,9 +17,7 @@
 #include <array>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The box that is the domain of a complex. Domains of other shapes have no box: their boundary is
 // fixed, and points are not clamped.
@@ -86,8 +84,6 @@ private:
   bool m_is_box = false;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_DOMAIN_BOX_H

@@ -21,9 +21,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Proposed points for a list of vertices, and the validity and quality of the complex with these
 // points. Vertices are identified by their index in the list.
@@ -198,8 +196,6 @@ private:
   std::vector<char> m_is_degraded; // cells whose quality would fall below the floor
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_PROPOSED_MOTION_H

@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the fraction of the displacement of a vertex at which a cell of its star first becomes
 // flat, if nothing else moves. The fraction is computed exactly for points with coordinates of type
@@ -73,8 +71,6 @@ void sort_by_first_collision(const Complex& complex, const Destinations<Complex>
   vertices.swap(result);
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_COLLISION_ORDER_H

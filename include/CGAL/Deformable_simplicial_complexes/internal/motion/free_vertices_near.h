@@ -17,9 +17,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the free vertices near moving vertices, by increasing time stamp: the vertices within a
 // number of layers of edges, or all free vertices if many vertices move. A vertex on the boundary
@@ -68,8 +66,6 @@ free_vertices_near(const Complex& complex,
   return found;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_FREE_VERTICES_NEAR_H

@@ -19,9 +19,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 /*
 Computes the displacements of all free vertices if the whole interface follows a flow that is known
@@ -102,8 +100,6 @@ motion_by_flow(const Complex& complex, const std::vector<typename Complex::Verte
   return result;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_MOTION_BY_FLOW_H

@@ -18,9 +18,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Proposes other points for a free vertex, and keeps the point with the best star quality. The
 // candidates are the mean motion of the interface vertices around and the mean of the neighbors,
@@ -95,8 +93,6 @@ untangle(Proposed_motion<Complex>& motion, std::vector<typename Complex::Cell_ha
   return motion.bad_cells(suspects);
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_UNTANGLING_H

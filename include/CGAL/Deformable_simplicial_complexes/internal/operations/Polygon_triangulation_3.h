@@ -20,9 +20,7 @@
 #include <limits>
 #include <utility>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The triangulation of a polygon that maximizes the worst quality of the tetrahedra that join its
 // triangles to the apices b and a. Computed by Klincsek's dynamic program.
@@ -101,8 +99,6 @@ private:
   boost::container::small_vector<std::pair<std::size_t, std::size_t>, 8> m_open;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_OPERATIONS_POLYGON_TRIANGULATION_3_H

@@ -11,9 +11,7 @@
 
 #include <array>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The facets that are sandwiched between two vertices a and b: each facet has a cell with a below
 // it and a cell with b above it. The first facet determines a and b.
@@ -68,8 +66,6 @@ private:
   Vertex_handle m_a, m_b;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_OPERATIONS_SANDWICH_3_H

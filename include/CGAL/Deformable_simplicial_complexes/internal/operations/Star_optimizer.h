@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The worst quality of a star as a function of the position of its vertex, which is maximized
 // (Freitag, Jones and Plassmann 1995). It is a minimum of smooth functions. The direction of
@@ -237,8 +235,6 @@ private:
   std::size_t m_suspect = 0;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_OPERATIONS_STAR_OPTIMIZER_H

@@ -29,9 +29,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The adaptation of `Interface_adaptation` on several ranks. The target edge length of a vertex is
 // bitwise identical on all ranks that hold the vertex.
@@ -178,8 +176,6 @@ private:
   std::vector<double> m_sizes;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PATCHES_DISTRIBUTED_ADAPTATION_H

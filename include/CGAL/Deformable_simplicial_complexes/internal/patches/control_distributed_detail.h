@@ -23,9 +23,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Splits and collapses edges off the interface on several ranks, as `control_detail()` does.
 // Lengths are in mean edges of the interface. Returns the numbers of operations of all ranks.
@@ -70,8 +68,6 @@ control_distributed_detail(Distributed_mesh<Complex>& mesh,
   return remesh_in_patches<Complex>(mesh, to_control_detail, mark_cells, treat);
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PATCHES_CONTROL_DISTRIBUTED_DETAIL_H

@@ -24,9 +24,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The cells of a patch that a treatment changes or tries to change: its active cells, and new cells
 // away from the cut. Edges that end on the cut are not treated.
@@ -92,8 +90,6 @@ Improvement_report remesh_in_patches(Distributed_mesh<Complex>& mesh, Attempt at
   return result.improvements();
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PATCHES_REMESH_IN_PATCHES_H

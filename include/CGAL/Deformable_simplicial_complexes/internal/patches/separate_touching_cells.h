@@ -18,9 +18,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Duplicates vertices at which the boundary of the cells is non-manifold. The cells around a vertex
 // form sets that are connected through facets; each set except the first one gets a copy of the
@@ -58,8 +56,6 @@ separate_touching_cells(std::size_t number_of_vertices,
   return originals;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PATCHES_SEPARATE_TOUCHING_CELLS_H

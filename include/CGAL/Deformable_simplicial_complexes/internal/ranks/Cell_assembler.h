@@ -29,9 +29,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Builds a distributed complex from cells that all ranks contribute.
 template <class Complex> class Cell_assembler
@@ -225,8 +223,6 @@ private:
   Extent<d> m_box; // around all points
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_RANKS_CELL_ASSEMBLER_H

@@ -27,9 +27,7 @@
 #include <map>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A connected component of a label, known to all ranks.
 struct Known_component
@@ -169,8 +167,6 @@ template <class Complex> struct Distributed_mesh
   bool are_components_known = true; // false during a change, and after an exception in it
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_RANKS_DISTRIBUTED_MESH_H

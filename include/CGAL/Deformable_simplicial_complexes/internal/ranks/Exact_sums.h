@@ -19,9 +19,7 @@
 #include <cstring>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the maximum of a number of all ranks.
 // \pre The number is finite and not negative.
@@ -91,8 +89,6 @@ private:
   Communicator& m_communicator;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_RANKS_EXACT_SUMS_H

@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The vertices that a rank holds and other ranks own, called ghosts, and the own vertices that
 // other ranks hold.
@@ -91,8 +89,6 @@ private:
   std::map<int, std::vector<Index>> m_ghosts, m_shared; // by rank; ordered by id
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_RANKS_GHOSTS_H

@@ -28,9 +28,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A checkpoint of a distributed complex is a sequence of blocks: a header, followed by
 // the vertices and cells of each rank. A block is its size, its checksum and its bytes.
@@ -241,8 +239,6 @@ std::string read_checkpoint_blocks(const std::string& path, Distributed_mesh<Com
   return std::string(metadata.begin(), metadata.end());
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_RANKS_CHECKPOINT_BLOCKS_H

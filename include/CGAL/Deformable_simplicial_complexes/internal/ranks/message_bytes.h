@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Appends lists of plain items to a message. All ranks run the same program on machines of one
 // kind, so items are sent as they are in memory.
@@ -112,8 +110,6 @@ std::vector<Item> gather_items(Communicator& communicator, const std::vector<Ite
   return result;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_RANKS_MESSAGE_BYTES_H

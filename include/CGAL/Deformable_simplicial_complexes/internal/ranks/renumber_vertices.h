@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Replaces the ids of all vertices by 0, 1, 2, ... in the same order. The ids are divided among the
 // ranks by their values, and each rank counts those that it gets. `bound` is larger than all ids.
@@ -81,8 +79,6 @@ template <class Complex> void renumber_vertices(Distributed_mesh<Complex>& mesh,
   mesh.find_ghosts();
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_RANKS_RENUMBER_VERTICES_H

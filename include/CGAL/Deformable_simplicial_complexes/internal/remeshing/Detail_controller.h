@@ -26,9 +26,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Splits long edges and collapses short edges, cell by cell. No collapse creates an edge that would
 // be split.
@@ -185,8 +183,6 @@ Improvement_report run_detail_control(Complex& dsc, const Detail_options<Complex
   return controller.report();
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_DETAIL_CONTROLLER_H

@@ -14,9 +14,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Memory of edge collapses that were impossible. A collapse stays impossible as long as the stars
 // of both ends of the edge stay the same. It is tried once instead of once from each cell around
@@ -63,8 +61,6 @@ private:
   std::uint32_t m_now = 0;              // number of changes of the mesh
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_FAILED_COLLAPSES_H

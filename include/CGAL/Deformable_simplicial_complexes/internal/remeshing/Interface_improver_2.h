@@ -15,9 +15,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Interface_remesher.h>
 #include <CGAL/Deformable_simplicial_complexes/junction_split_2.h>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The interface improvement in the plane. The vertices of a curve can be connected in one way only,
 // so nothing is reconnected.
@@ -43,8 +41,6 @@ public:
   }
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_INTERFACE_IMPROVER_2_H

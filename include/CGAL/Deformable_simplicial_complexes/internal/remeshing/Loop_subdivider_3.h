@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A step of Loop's subdivision scheme on an interface, which need not be manifold. The interface is
 // cut into patches along the curves where sheets meet or end. The new position of a point on a
@@ -247,8 +245,6 @@ private:
   std::vector<Sum> m_around; // sums of points of each fan
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_LOOP_SUBDIVIDER_3_H

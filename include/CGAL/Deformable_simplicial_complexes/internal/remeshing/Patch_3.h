@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A set of finite cells of a complex. Operations can change a copy of the patch before it replaces
 // the cells. The boundary of the patch and the interface inside it do not change.
@@ -144,8 +142,6 @@ private:
   std::vector<std::size_t> m_time_stamps;            // time stamps of `m_copied`
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_PATCH_3_H

@@ -14,9 +14,7 @@
 
 #include <type_traits>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Improves cells that no single operation improves further: `run()`, then `report()` returns what
 // was done.
@@ -24,8 +22,6 @@ template <class Complex>
 using Patch_improver = std::conditional_t<Complex::dimension == 2, Patch_improver_2<Complex>,
                                           Patch_improver_3<Complex>>;
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_PATCH_IMPROVER_H

@@ -17,9 +17,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Patch_improver.h>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Implements `improve_mesh()`.
 template <class Complex>
@@ -45,8 +43,6 @@ Improvement_report improve_whole_mesh(Complex& dsc,
   return improver.report() + patch_improver.report();
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REMESHING_IMPROVE_WHOLE_MESH_H

@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The connected components of a surface: triangles that are connected through edges with exactly
 // two triangles. The closed components are oriented: outwards, or inwards if they are cavities. A
@@ -184,8 +182,6 @@ private:
   std::size_t m_crossing_pairs = 0;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REPAIR_SURFACE_COMPONENTS_3_H

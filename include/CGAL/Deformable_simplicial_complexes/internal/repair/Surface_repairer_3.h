@@ -54,9 +54,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Makes a soup bound a solid, by repair steps of increasing strength. Ends as soon as the soup
 // bounds a solid.
@@ -428,8 +426,6 @@ private:
   Surface_repair_report_3 m_report;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REPAIR_SURFACE_REPAIRER_3_H

@@ -20,9 +20,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Removes triangles in which a vertex occurs twice. Returns their number.
 inline std::size_t remove_collapsed_triangles(Triangle_soup_3& soup) {
@@ -171,8 +169,6 @@ inline double mean_side(const Triangle_soup_3& soup) {
   return number == 0 ? 0 : sum / double(number);
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REPAIR_CLEAN_SOUP_3_H

@@ -20,9 +20,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the largest distance of a sample of a soup from the triangles of another soup. The
 // samples are the corners of the triangles and, where edges are longer than `spacing`, the points
@@ -57,8 +55,6 @@ inline double distance_of_samples(const Triangle_soup_3& soup, const Triangle_so
   return std::sqrt(largest);
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REPAIR_DISTANCE_OF_SAMPLES_3_H

@@ -16,9 +16,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the triangles of a soup without its fins. A fin is a sheet of triangles connected through
 // edges with exactly two triangles that has open edges and is attached to other triangles.
@@ -51,8 +49,6 @@ inline std::vector<Triangle_indices> triangles_without_fins(const Triangle_soup_
   return result;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REPAIR_REMOVE_FINS_3_H

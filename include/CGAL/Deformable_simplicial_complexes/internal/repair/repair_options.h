@@ -15,9 +15,7 @@
 
 #include <cmath>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Checks the options. Throws `Error` if a number is out of range.
 inline void check_options(const Surface_repair_options_3& options) {
@@ -40,8 +38,6 @@ Surface_repair_options_3 repair_options(const NamedParameters& np) {
   return options;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REPAIR_REPAIR_OPTIONS_H

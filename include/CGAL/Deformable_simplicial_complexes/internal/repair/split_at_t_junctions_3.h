@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Splits open edges at the ends of other open edges that lie on them, within a tolerance. An edge
 // is open if its number of triangles is odd. The triangles of split edges are triangulated again.
@@ -157,8 +155,6 @@ private:
   std::map<Edge, std::vector<Point_on_edge>> m_points;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REPAIR_SPLIT_AT_T_JUNCTIONS_3_H

@@ -14,9 +14,7 @@
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/alpha_wrap_3.h>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A visitor that makes a wrap interruptible.
 struct Stopping_wrap_visitor : Alpha_wraps_3::internal::Wrapping_default_visitor
@@ -33,8 +31,6 @@ struct Stopping_hole_visitor : Polygon_mesh_processing::Hole_filling::Default_vi
   void cubic_step() const { Progress_scope::check(); }
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REPAIR_STOPPING_VISITORS_3_H

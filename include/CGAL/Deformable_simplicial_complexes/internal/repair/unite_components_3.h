@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Distinct triangles with multiplicities: the number of occurrences minus the number of occurrences
 // in the opposite orientation.
@@ -144,8 +142,6 @@ inline std::optional<United_surface_3> unite_components(const Triangle_soup_3& i
   return result;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_REPAIR_UNITE_COMPONENTS_3_H

@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Bisects triangles of a soup until they are small enough. Coplanar neighbors form a face. First,
 // edges between faces are split at their midpoints. Then triangles are bisected at the midpoints of
@@ -294,8 +292,6 @@ private:
   std::priority_queue<std::pair<double, std::size_t>> m_queue; // squared lengths, triangles
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_SOUPS_SOUP_BISECTOR_3_H

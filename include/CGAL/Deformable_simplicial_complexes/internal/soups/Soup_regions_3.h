@@ -23,9 +23,7 @@
 #include <queue>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The regions into which triangles divide space. Takes time O(n log n).
 // \pre triangles meet in common vertices and edges only, no two have the same corners, and none is
@@ -207,8 +205,6 @@ private:
   std::size_t m_size = 0;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_SOUPS_SOUP_REGIONS_3_H

@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The types in which soups are passed to tetrahedralizers.
 using Coordinates_3 = std::array<double, 3>;
@@ -162,8 +160,6 @@ end_of_edge(std::vector<Triangle_side>::const_iterator first,
       first, end, [first](const Triangle_side& side) { return side.vertices != first->vertices; });
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_SOUPS_TRIANGLE_SOUP_3_H

@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Tests whether two triangles of a soup intersect anywhere except in a common vertex or a common
 // edge. Exact.
@@ -95,8 +93,6 @@ std::vector<std::pair<std::size_t, std::size_t>> crossing_triangles(const Triang
   return pairs;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_SOUPS_SOUP_INTERSECTIONS_3_H

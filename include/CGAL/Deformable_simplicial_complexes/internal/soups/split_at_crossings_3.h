@@ -29,9 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A soup of split triangles. Triangle i lies in triangle `origins[i]` of the input and has its
 // orientation.
@@ -275,8 +273,6 @@ std::optional<Split_soup_3> split_at_crossings(const Triangle_soup_3& input) {
   return std::nullopt;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_SOUPS_SPLIT_AT_CROSSINGS_3_H

@@ -24,9 +24,7 @@
 #include <string_view>
 #include <utility>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The encoding of numbers in a file.
 enum class Encoding { text, little_endian, big_endian };
@@ -209,8 +207,6 @@ private:
   bool m_is_in_binary_data = false;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TEXT_FILE_SCANNER_H

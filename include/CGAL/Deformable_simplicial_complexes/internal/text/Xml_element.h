@@ -17,9 +17,7 @@
 #include <string_view>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 inline constexpr char xml_white_space[] = " \t\r\n";
 
@@ -131,8 +129,6 @@ void visit_xml(std::string_view xml, const std::string& path, const Visit_elemen
     fail("an element does not end");
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TEXT_XML_ELEMENT_H

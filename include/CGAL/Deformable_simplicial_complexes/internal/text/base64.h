@@ -14,9 +14,7 @@
 #include <string>
 #include <string_view>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the six bits of a character, or -1 if it is not a base64 digit.
 inline int base64_digit(char c) {
@@ -58,8 +56,6 @@ inline std::string bytes_of_base64(std::string_view text, std::size_t maximum) {
   return bytes;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TEXT_BASE64_H

@@ -25,9 +25,7 @@
 #include <string_view>
 #include <system_error>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns a word of a file in quotes, shortened, for a message of one line.
 inline std::string in_quotes(std::string_view text) {
@@ -59,8 +57,6 @@ inline std::string file_contents(const std::string& path) {
   return bytes;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TEXT_FILES_H

@@ -15,9 +15,7 @@
 #include <string>
 #include <type_traits>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The unsigned integer type of the same size as a number.
 template <class Number>
@@ -51,8 +49,6 @@ template <class Number> Number little_endian(const char* bytes) {
   return number;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TEXT_LITTLE_ENDIAN_H

@@ -19,9 +19,7 @@
 #include <system_error>
 #include <type_traits>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the number that a word represents, in any locale. Returns `nullopt` if the word is not a
 // number, or the number is too large for the type. A number too small for a floating-point type is
@@ -76,8 +74,6 @@ template <class Number> std::string why_no_number(std::string_view word) {
   return "should be a number; correct it";
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TEXT_NUMBER_OF_WORD_H

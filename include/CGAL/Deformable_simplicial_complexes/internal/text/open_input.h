@@ -19,9 +19,7 @@
 #include <string_view>
 #include <system_error>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The bytes that some editors write at the beginning of UTF-8 text.
 inline constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
@@ -108,8 +106,6 @@ inline std::ifstream open_input(const std::string& path, std::string_view extens
   return in;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TEXT_OPEN_INPUT_H

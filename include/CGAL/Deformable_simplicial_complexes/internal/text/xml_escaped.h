@@ -11,9 +11,7 @@
 
 #include <string>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns a text as the value of an attribute in quotes.
 inline std::string xml_escaped(const std::string& text) {
@@ -35,8 +33,6 @@ inline std::string xml_escaped(const std::string& text) {
   return result;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TEXT_XML_ESCAPED_H

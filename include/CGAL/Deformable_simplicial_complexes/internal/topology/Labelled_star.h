@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The cells around a vertex with their labels, or with proposed labels. Each cell corresponds to a
 // simplex of the link of the vertex, which is a sphere.
@@ -114,8 +112,6 @@ private:
   std::vector<std::array<std::size_t, Complex::dimension>> m_neighbors;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TOPOLOGY_LABELLED_STAR_H

@@ -18,9 +18,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A relabeling of cells of one label that keeps the interface manifold. Where the new interface
 // would be pinched at a vertex, more cells of the old label around the vertex are relabeled: this
@@ -159,8 +157,6 @@ private:
   std::vector<Vertex_handle> m_vertices; // vertices of the cells, in the order of visits
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TOPOLOGY_MANIFOLD_RELABELING_H

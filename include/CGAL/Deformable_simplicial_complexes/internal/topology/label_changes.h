@@ -14,9 +14,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // In these functions, a Label_change is that of `Deformation_report`. Lists are ordered by label.
 
@@ -59,8 +57,6 @@ void count_event(const Component_event& event, std::vector<Label_change>& change
   }
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TOPOLOGY_LABEL_CHANGES_H

@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A numbering of vertices from zero by increasing time stamp.
 template <class Vertex_handle> class Vertex_numbering
@@ -47,8 +45,6 @@ private:
   std::vector<std::size_t> m_time_stamps; // separate, for fast search
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_VERTEX_NUMBERING_H

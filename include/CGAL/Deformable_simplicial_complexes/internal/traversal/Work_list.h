@@ -17,9 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A list of cells to visit while the mesh changes; see Deformable_simplicial_complex_3::is_alive().
 template <class Cell_handle> class Work_list
@@ -89,8 +87,6 @@ void work_in_rounds(const Complex& complex, Work_list<typename Complex::Cell_han
   }
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_WORK_LIST_H

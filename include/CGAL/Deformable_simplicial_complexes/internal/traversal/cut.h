@@ -11,9 +11,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns whether cells around an end of the edge are missing, because the complex is a part of a
 // larger complex. An operation on such an edge could change cells that are not in the part.
@@ -31,8 +29,6 @@ template <class Complex> bool is_at_cut(typename Complex::Cell_handle c) {
   return false;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_CUT_H

@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the measure of a simplex, which is positive in spite of rounding: thin simplices have
 // contents, too.
@@ -151,8 +149,6 @@ void redistribute_contents(const std::vector<Filled_simplex<Space, Value>>& from
   }
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_VALUES_REDISTRIBUTE_CONTENTS_H

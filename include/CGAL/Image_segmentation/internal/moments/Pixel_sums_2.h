@@ -19,8 +19,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 
 // Exact integrals of the fields of an image over triangles: the mask, the sum of the squares of all
@@ -105,7 +104,6 @@ private:
 
 } // namespace internal
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_IMAGE_SEGMENTATION_INTERNAL_MOMENTS_PIXEL_SUMS_2_H

@@ -20,8 +20,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 
 // Integrals of an image over tetrahedra, with the same fields as `Pixel_sums_2`. The integrals
@@ -197,7 +196,6 @@ private:
 
 } // namespace internal
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_IMAGE_SEGMENTATION_INTERNAL_MOMENTS_VOXEL_LINES_3_H

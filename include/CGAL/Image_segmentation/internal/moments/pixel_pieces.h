@@ -15,9 +15,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A part of a segment, as fractions of the segment. It is empty unless `from` is less than `to`.
 struct Segment_part
@@ -62,8 +60,6 @@ void for_each_pixel_piece(const std::array<double, 2>& p, const std::array<doubl
   }
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_IMAGE_SEGMENTATION_INTERNAL_MOMENTS_PIXEL_PIECES_H

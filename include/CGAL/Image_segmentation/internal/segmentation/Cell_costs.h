@@ -23,8 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 
 // Intensities of phases, and the costs of cells: the integral over a cell of the squared deviation
@@ -203,7 +202,6 @@ private:
 
 } // namespace internal
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_IMAGE_SEGMENTATION_INTERNAL_SEGMENTATION_CELL_COSTS_H

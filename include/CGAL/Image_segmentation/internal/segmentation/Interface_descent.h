@@ -26,8 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 
 // Moves the interface of a segmentation against the gradient of the energy: the costs of cells, and
@@ -162,7 +161,6 @@ private:
 
 } // namespace internal
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_IMAGE_SEGMENTATION_INTERNAL_SEGMENTATION_INTERFACE_DESCENT_H

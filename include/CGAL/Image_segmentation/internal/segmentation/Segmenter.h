@@ -28,8 +28,7 @@
 #include <tuple>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 
 // Numbers of rounds, which differ because a round in space takes longer and finds more.
@@ -293,7 +292,6 @@ private:
 
 } // namespace internal
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_IMAGE_SEGMENTATION_INTERNAL_SEGMENTATION_SEGMENTER_H

@@ -16,9 +16,7 @@
 #include <sstream>
 #include <string>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The check of an attempt at a time step by its energy.
 struct Energy_check
@@ -73,8 +71,6 @@ inline std::string message_of(const Fluid_repetition& failure, std::uint64_t ste
   return message.str();
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_ENERGY_CHECK_H

@@ -13,9 +13,7 @@
 #include <cstddef>
 #include <deque>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // An accelerator for fixed-point iterations x = g(x). It combines the last values of g so that the
 // difference g(x) - x is least (D. G. Anderson, "Iterative procedures for nonlinear integral
@@ -56,8 +54,6 @@ private:
   std::deque<Vector> m_values, m_changes;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_FIXED_POINT_ACCELERATOR_H

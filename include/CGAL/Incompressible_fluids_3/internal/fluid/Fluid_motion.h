@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The velocity, the acceleration and the pressure of vertices of liquids, in this order. Where two
 // liquids slip along each other, each of them has its own velocity, acceleration and pressure. A
@@ -220,8 +218,6 @@ private:
   std::unordered_map<std::size_t, Value> m_values; // by time stamp
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_FLUID_MOTION_H

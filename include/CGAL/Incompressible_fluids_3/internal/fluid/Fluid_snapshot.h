@@ -10,9 +10,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The states of a fluid and of its complex, to be restored.
 template <class Fluid, class Complex> class Fluid_snapshot
@@ -38,8 +36,6 @@ private:
   typename Fluid::State m_fluid;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_FLUID_SNAPSHOT_H

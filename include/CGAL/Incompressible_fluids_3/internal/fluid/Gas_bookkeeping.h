@@ -17,9 +17,7 @@
 #include <map>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The bookkeeping of the connected components of gases, by the number of the component.
 class Gas_bookkeeping
@@ -98,8 +96,6 @@ private:
   Components m_components;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_GAS_BOOKKEEPING_H

@@ -12,8 +12,7 @@
 // class includes this file.
 #include <CGAL/Incompressible_fluids_3/Incompressible_fluid.h>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 // Performs a time step, see `advance()`. The state before the step is restored after any exception.
 template <class Complex, class Solver>
@@ -163,7 +162,6 @@ auto Incompressible_fluid<Complex, Solver>::flattest_cell() const -> Fluid_repet
   return result;
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_INCOMPRESSIBLE_FLUID_ATTEMPTS_IMPL_H

@@ -12,8 +12,7 @@
 // includes this file.
 #include <CGAL/Incompressible_fluids_3/Incompressible_fluid.h>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 // Sets the field at vertices of the boundary to the values that are given there at the present
 // time. The field is given by first occurrence of vertices. Returns which values are given.
@@ -72,7 +71,6 @@ void Incompressible_fluid<Complex, Solver>::diffuse_field(Flow& flow, double dt,
   report.work_of_tensions += report.after.surface_energy - before;
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_INCOMPRESSIBLE_FLUID_FIELD_IMPL_H

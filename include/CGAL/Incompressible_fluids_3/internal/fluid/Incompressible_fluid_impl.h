@@ -11,8 +11,7 @@
 // Member functions of Incompressible_fluid that perform a time step. The class includes this file.
 #include <CGAL/Incompressible_fluids_3/Incompressible_fluid.h>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 // Moves the liquids to an equilibrium of forces, see `relax()`.
 template <class Complex, class Solver>
@@ -450,7 +449,6 @@ auto Incompressible_fluid<Complex, Solver>::options(const NamedParameters& np) c
   return result;
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_INCOMPRESSIBLE_FLUID_IMPL_H

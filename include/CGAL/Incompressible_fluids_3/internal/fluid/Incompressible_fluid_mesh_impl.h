@@ -12,8 +12,7 @@
 // components. The class includes this file.
 #include <CGAL/Incompressible_fluids_3/Incompressible_fluid.h>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
+namespace CGAL::Deformable_simplicial_complexes {
 
 // Adapts the mesh before a step. The interface and the edges inside liquids are remeshed, except if
 // the treatment is `improved`. Cells are improved before the first step and before repeated
@@ -314,7 +313,6 @@ double Incompressible_fluid<Complex, Solver>::restore_momenta(Flow& flow) {
   return result;
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_INCOMPRESSIBLE_FLUID_MESH_IMPL_H

@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The bookkeeping of the connected components of liquids, by the number of the component. It
 // contains the volumes to be preserved and the momenta. When components merge, their volumes are
@@ -127,8 +125,6 @@ private:
   std::vector<Momentum> m_momenta;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_LIQUID_BOOKKEEPING_H

@@ -10,9 +10,7 @@
 
 #include <CGAL/Incompressible_fluids_3/fluid_errors.h>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The change of the mesh in an attempt at a time step, in addition to the motion.
 enum class Mesh_treatment {
@@ -75,8 +73,6 @@ private:
   bool m_adapts = false; // whether the next treatment is adaptation; otherwise it is improvement
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_STEP_PLAN_H

@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The momentum and the angular momentum about the origin. On a torus, the angular momentum has no
 // meaning and is not used.
@@ -172,8 +170,6 @@ Rigid_velocity rigid_velocity(const Mesh& mesh, const Masses& masses, const Vect
   return result;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_MESH_COMPONENT_MOMENTA_H

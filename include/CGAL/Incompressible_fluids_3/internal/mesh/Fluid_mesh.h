@@ -30,9 +30,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The liquid cells of a complex, with numbered vertices. A vertex carries a velocity. It also
 // carries one pressure for each liquid around it, because pressures are discontinuous between
@@ -434,8 +432,6 @@ private:
   std::vector<Index> m_pressure_of_vertex; // the first one
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_MESH_FLUID_MESH_H

@@ -19,9 +19,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A connected component of a gas. The product of its pressure and the power volume^exponent is
 // constant. Powers are computed from ratios of volumes only, so that the unit of length has no
@@ -76,8 +74,6 @@ std::vector<double> volumes_of_gases(const Mesh& mesh, const std::vector<Gas_com
   return result;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_MESH_GAS_COMPONENTS_H

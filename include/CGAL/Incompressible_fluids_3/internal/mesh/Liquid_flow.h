@@ -10,9 +10,7 @@
 
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The mesh of the liquids, and the positions and the motion of its vertices.
 template <class Complex> struct Liquid_flow
@@ -21,8 +19,6 @@ template <class Complex> struct Liquid_flow
   Vectors_3 positions, velocities, accelerations;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_MESH_LIQUID_FLOW_H

@@ -16,9 +16,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A vertex of the interface of two liquids, and of no other medium. The vertex moves with the
 // velocity (1 - share) * u + share * w, where u and w are the velocities of the two liquids, and
@@ -137,8 +135,6 @@ private:
   const std::vector<Slip>& m_slips;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_MESH_SLIP_TRANSFORM_H

@@ -15,9 +15,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the linear element of a cell with given positions of its corners.
 template <class Complex>
@@ -46,8 +44,6 @@ bool has_gradients(const Linear_element<Complex>& e,
   return e.measure() > flattest * std::pow(square, .5 * Complex::dimension);
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_MESH_CELL_ELEMENT_H

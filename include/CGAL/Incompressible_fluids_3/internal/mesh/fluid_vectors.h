@@ -15,9 +15,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Vectors have three coordinates in the plane, too. The third one is 0.
 using Vectors_3 = std::vector<Eigen::Vector3d>;
@@ -57,8 +55,6 @@ inline Eigen::Vector3d area_vector(const Corners_3<2>& p) {
   return {along.y(), -along.x(), 0};
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_MESH_FLUID_VECTORS_H

@@ -12,9 +12,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Sets the surface tensions of facets for a field, which is given by vertex of the mesh. The
 // tension of a facet is the tension at the mean of its vertices. Functions of users determine
@@ -31,8 +29,6 @@ void set_tensions(Fluid_mesh<Complex>& mesh, const Fluid_properties& properties,
   }
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_MESH_SET_TENSIONS_H

@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A change of a velocity of a mesh.
 struct Velocity_change
@@ -88,8 +86,6 @@ std::vector<Velocity_change> changes_by_slip(const Mesh& mesh, const Vectors_3& 
   return result;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_MESH_SLIP_CHANGES_H

@@ -27,9 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 static_assert(std::is_same_v<PetscScalar, double>,
               "PETSc must use real numbers in double precision");
@@ -597,8 +595,6 @@ private:
   Petsc_method m_of_velocities, m_of_pressures, m_method;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_PARALLEL_PETSC_EQUATIONS_H

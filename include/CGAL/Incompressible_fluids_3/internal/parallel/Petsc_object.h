@@ -14,9 +14,7 @@
 
 #include <string>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Throws an error if a function of PETSc failed.
 // \throws Error
@@ -101,8 +99,6 @@ private:
   PetscInt m_velocities = 0;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_PARALLEL_PETSC_OBJECT_H

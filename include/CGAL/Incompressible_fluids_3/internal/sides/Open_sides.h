@@ -21,9 +21,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the outward normal of a side of the domain.
 inline Eigen::Vector3d normal_of_side(std::size_t side) {
@@ -158,8 +156,6 @@ private:
   std::array<std::vector<std::optional<double>>, 6> m_pressures; // by side and vertex
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SIDES_OPEN_SIDES_H

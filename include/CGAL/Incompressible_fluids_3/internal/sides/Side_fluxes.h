@@ -20,9 +20,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The volumes that cells gain in a unit of time through sides of the domain: their corners at
 // inlets and on open sides do not move with the liquid.
@@ -98,8 +96,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SIDES_SIDE_FLUXES_H

@@ -11,9 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the distance that a vertex keeps from a line or plane that it must not pass. Without the
 // bound, the distance would change from `before` to `after`. Distances from -infinity to `near` are
@@ -24,8 +22,6 @@ inline double kept_distance(double before, double after, double near) {
                       : after;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SIDES_KEPT_DISTANCE_H

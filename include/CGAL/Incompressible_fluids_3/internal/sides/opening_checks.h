@@ -22,9 +22,7 @@
 #include <limits>
 #include <string>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns whether liquid may pass through a side.
 inline bool have_openings(const Side_behaviors& behaviors) {
@@ -82,8 +80,6 @@ void require_vertices_in_openings(const Mesh& mesh, const Side_behaviors& behavi
                   " contains no vertex of a liquid: use shorter edges or a larger opening");
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SIDES_OPENING_CHECKS_H

@@ -24,9 +24,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the normals of the surfaces of liquids at vertices, or zero inside liquids. Where a free
 // surface ends at a vertex, the interfaces of two liquids have no effect.
@@ -156,8 +154,6 @@ std::vector<Velocity_change> changes_by_shifts(const Mesh& mesh, const Vectors_3
   return result;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SIDES_SIDE_PASSAGE_H

@@ -20,9 +20,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The velocities of vertices at which liquid enters through sides of the domain. The list is empty
 // if no side has an inflow.
@@ -140,8 +138,6 @@ void stop_on_sides(const Mesh& mesh, const Side_behaviors& behaviors,
       velocities[v] = *inflow[v];
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SIDES_SIDE_VELOCITIES_H

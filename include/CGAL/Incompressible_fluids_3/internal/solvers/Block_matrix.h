@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A sparse matrix of dense blocks, by rows of blocks. The blocks of a row have increasing columns.
 // A block has one index, so that products read less memory than those of `Eigen::SparseMatrix`.
@@ -142,8 +140,6 @@ private:
   std::vector<Scalar> m_values;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_BLOCK_MATRIX_H

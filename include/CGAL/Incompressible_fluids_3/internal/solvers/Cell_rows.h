@@ -18,9 +18,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The rows of a sparse matrix that is assembled cell by cell, with the cells around each row. Each
 // row is the sum of the contributions of its cells, in a fixed order. So the result does not depend
@@ -127,8 +125,6 @@ private:
   std::vector<Corner> m_corners;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_CELL_ROWS_H

@@ -12,9 +12,7 @@
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // An approximation of the inverse of a symmetric positive definite matrix, by incomplete Cholesky
 // factorization. It is a preconditioner, for one or several right sides at once. It uses single
@@ -73,8 +71,6 @@ private:
   Eigen::Matrix<float, columns, Eigen::Dynamic> m_values;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_INCOMPLETE_FACTORIZATION_H

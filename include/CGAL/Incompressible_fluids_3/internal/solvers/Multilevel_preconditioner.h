@@ -22,9 +22,7 @@
 #include <list>
 #include <utility>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the lower triangle of the near part of a symmetric matrix: the entries with the pattern
 // of `near`. Positive sums of the other entries of a row are added to the diagonal, or with
@@ -190,8 +188,6 @@ private:
   Eigen::SimplicialLDLT<Matrix> m_of_coarsest;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_MULTILEVEL_PRECONDITIONER_H

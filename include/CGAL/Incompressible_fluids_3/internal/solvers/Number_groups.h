@@ -12,9 +12,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A partition of the numbers from 0 to `size() - 1` into groups (union-find).
 class Number_groups
@@ -37,8 +35,6 @@ private:
   std::vector<std::size_t> m_parents;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_NUMBER_GROUPS_H

@@ -19,9 +19,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The units of velocities and pressures in which the entries of a system are near 1, and the factor
 // of all equations. They are powers of two. So the digits of a solution are the same for all units
@@ -126,8 +124,6 @@ private:
   Block_matrix<Scalar, 1, 1> m_c;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_SADDLE_POINT_OPERATOR_H

@@ -17,9 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A partition of the unknowns of a matrix into aggregates.
 struct Aggregates
@@ -102,8 +100,6 @@ inline Eigen::SparseMatrix<double> matrix_of_aggregates(const Eigen::SparseMatri
   return result;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_AGGREGATES_H

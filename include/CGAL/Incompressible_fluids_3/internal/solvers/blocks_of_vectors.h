@@ -17,9 +17,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 constexpr Eigen::Index block_size = 8192; // entries; a block fits into the cache
 
@@ -51,8 +49,6 @@ double sum_of_blocks(const For_each_index& for_each, Eigen::Index n, const Funct
   return std::accumulate(parts.begin(), parts.end(), 0.);
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_BLOCKS_OF_VECTORS_H

@@ -15,9 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the closed sets of a system whose other members are complete. The weight of a closed set
 // is the mean diagonal entry of c for its pressures. Takes almost linear time.
@@ -67,8 +65,6 @@ inline std::vector<Saddle_point_system::Closed_set> closed_sets(const Saddle_poi
   return result;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_CLOSED_SETS_H

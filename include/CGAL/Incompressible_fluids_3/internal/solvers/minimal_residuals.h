@@ -20,9 +20,7 @@
 #include <cmath>
 #include <limits>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The method of minimal residuals, see `minimal_residuals()`.
 template <class Multiply, class Precondition> class Minimal_residual_method
@@ -210,8 +208,6 @@ unsigned minimal_residuals(const For_each_index& for_each, const Multiply& multi
       .solve(x);
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_MINIMAL_RESIDUALS_H

@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The matrix b P D^-1 P b^T + c, an approximation of the Schur complement of pressures, multiplied
 // by a factor. D is the inertia of velocities. The velocities of bodies are omitted: each one would
@@ -153,8 +151,6 @@ inline Eigen::SparseMatrix<double> pressure_matrix(const For_each_index& for_eac
   return result;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_PRESSURE_MATRIX_H

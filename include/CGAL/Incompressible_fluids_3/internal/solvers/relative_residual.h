@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The largest relative residual that is accepted, for any solver. The tolerance of solvers is
 // smaller, but in their own norm. The two norms can differ by the condition of the preconditioner.
@@ -105,8 +103,6 @@ inline double relative_residual(const Saddle_point_system& system,
   return residual > 0 ? residual / size : 0;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_RELATIVE_RESIDUAL_H

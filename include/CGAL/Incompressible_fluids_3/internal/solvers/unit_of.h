@@ -12,9 +12,7 @@
 #include <cmath>
 #include <limits>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the largest power of two that is not above a positive number, or 1 for other numbers.
 // Division by it is exact. So square roots and single precision give the same digits for all units
@@ -27,8 +25,6 @@ inline double unit_of(double x) {
   return std::ldexp(1., (std::max)(-largest, (std::min)(std::ilogb(x), largest)));
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_UNIT_OF_H

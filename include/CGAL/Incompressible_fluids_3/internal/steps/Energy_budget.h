@@ -17,9 +17,7 @@
 #include <cmath>
 #include <limits>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The energy that liquids may have at the end of a time step: the initial energy, plus the energy
 // that moving walls and sources supply. The potential of gravity is 0 at the vertex that is lowest
@@ -96,8 +94,6 @@ private:
   double m_springs, m_given, m_begin = 0, m_scale = 0, m_supplied = 0;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_ENERGY_BUDGET_H

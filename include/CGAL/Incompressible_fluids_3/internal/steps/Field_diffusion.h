@@ -19,9 +19,7 @@
 #include <tuple>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 /*
 A step of length dt of the diffusion of a field c in liquids at rest, by linear finite elements and
@@ -114,8 +112,6 @@ private:
   std::vector<Link> m_links;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_FIELD_DIFFUSION_H

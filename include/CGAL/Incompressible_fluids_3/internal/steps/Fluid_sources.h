@@ -18,9 +18,7 @@
 #include <functional>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The sources of a fluid.
 struct Fluid_sources
@@ -74,8 +72,6 @@ std::vector<double> gains_of_cells(const Fluid_sources& sources, const Mesh& mes
   return divergences;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_FLUID_SOURCES_H

@@ -42,9 +42,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The solution of one time step. The velocities and pressures are solved with the vertices at
 // positions near the midpoint of the step. These positions follow from the velocities, and the
@@ -793,8 +791,6 @@ private:
   double m_residual = 0;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_STEPS_FLUID_STEP_H

@@ -22,9 +22,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 /*
 The equations of motion of rigid bodies. They are solved together with the equations of the liquids.
@@ -326,8 +324,6 @@ inline void Body_equations::extend(System& system, const std::vector<Flux>& flux
   system.velocities_of_bodies = all - n;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_BODY_EQUATIONS_H

@@ -17,9 +17,7 @@
 #include <cmath>
 #include <tuple>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Checks the numbers of a new body in a space of a dimension.
 // \throws Error
@@ -184,8 +182,6 @@ inline void set_motion(Rigid_body_3& body, const std::array<double, 13>& n) {
   body.angular_velocity = {n[10], n[11], n[12]};
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_BODY_MOTION_H

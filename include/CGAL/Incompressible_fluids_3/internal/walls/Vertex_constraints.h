@@ -18,9 +18,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The constraints on the velocities of vertices. A velocity is the sum of a prescribed vector, of
 // vectors that are linear in the unknown velocities of rigid bodies, and of a vector v with P v =
@@ -116,8 +114,6 @@ private:
   std::vector<Attachment> m_attachments;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_VERTEX_CONSTRAINTS_H

@@ -28,9 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A solid and its boundary conditions.
 struct Any_solid_3
@@ -730,8 +728,6 @@ private:
   std::function<bool(std::size_t, const Eigen::Vector3d&)> m_is_open;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_WALL_CONTACTS_H

@@ -19,9 +19,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 /*
 The correction of the volume constraints where a liquid slips along a smooth surface, either a wall
@@ -103,8 +101,6 @@ Slip_flux slip_flux(const Fluid_mesh<Complex>& mesh, const Wall_contacts<Complex
   return result;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_SLIP_FLUX_H

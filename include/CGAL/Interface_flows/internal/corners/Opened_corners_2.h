@@ -27,9 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The corners of curves from which a front moves away. By Huygens' principle, the front of such a
 // corner is an arc around it. The class inserts vertices into the segments at these corners and
@@ -246,8 +244,6 @@ private:
   std::vector<On_arc> m_on_arcs; // in the order of time stamps
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INTERFACE_FLOWS_INTERNAL_CORNERS_OPENED_CORNERS_2_H

@@ -31,9 +31,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The edges and vertices of surfaces from which a front moves away. By Huygens' principle, the
 // front of such an edge is a part of a cylinder, and the front of a vertex a part of a sphere. The
@@ -345,8 +343,6 @@ private:
   std::unordered_map<std::size_t, Point> m_destinations;              // by time stamp
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INTERFACE_FLOWS_INTERNAL_CORNERS_OPENED_CORNERS_3_H

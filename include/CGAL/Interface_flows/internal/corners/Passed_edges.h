@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Collapses edges of the interface that a step would reverse or make very short, if the collapse
 // moves only a small volume, see `keeps_volumes()`. So a corner of a front removes the vertices of
@@ -147,8 +145,6 @@ private:
   std::vector<Reversed> m_reversed;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INTERFACE_FLOWS_INTERNAL_CORNERS_PASSED_EDGES_H

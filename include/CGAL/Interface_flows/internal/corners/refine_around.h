@@ -19,9 +19,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Bisects cells until the edges at a vertex are short enough. Returns the number of splits. Linear
 // in the number of cells at the vertex and at split edges.
@@ -50,8 +48,6 @@ std::size_t refine_around(Complex& complex, typename Complex::Vertex_handle vert
   return report.split;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INTERFACE_FLOWS_INTERNAL_CORNERS_REFINE_AROUND_H

@@ -18,9 +18,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The symmetric positive definite system (M + dt K) u = f of a step of an interface, with the
 // masses M and the tensions K. There is a row for each vertex and each axis. Vertices with a
@@ -113,8 +111,6 @@ private:
   Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper> m_solver;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INTERFACE_FLOWS_INTERNAL_CURVATURE_CURVATURE_SYSTEM_H

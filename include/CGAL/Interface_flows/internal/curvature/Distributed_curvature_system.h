@@ -21,13 +21,11 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
-// The system of `Curvature_system` on several ranks: each rank has the rows of its own vertices. The
-// conjugate gradient method with the diagonal as preconditioner solves it. Scalar products do not
-// depend on the ranks, so the solution has the same bits for any number of ranks.
+// The system of `Curvature_system` on several ranks: each rank has the rows of its own vertices.
+// The conjugate gradient method with the diagonal as preconditioner solves it. Scalar products do
+// not depend on the ranks, so the solution has the same bits for any number of ranks.
 template <class Complex> class Distributed_curvature_system
 {
 public:
@@ -76,8 +74,9 @@ public:
     directions = preconditioned;
     const double size = product(right, right);
     double energy = product(residuals, preconditioned), rest = size;
-    const std::size_t most = 2 * d * std::size_t(m_dsc.communicator().reduced(
-                                     Communicator::Operation::sum, number_of_own()));
+    const std::size_t most =
+        2 * d *
+        std::size_t(m_dsc.communicator().reduced(Communicator::Operation::sum, number_of_own()));
     for (std::size_t i = 0; i < most && rest > tolerance * tolerance * size; ++i) {
       m_dsc.communicator().check_progress();
       const Vectors products = apply(directions);
@@ -97,8 +96,9 @@ public:
       rest = product(residuals, residuals);
     }
     if (!(rest <= sufficient * sufficient * size)) // equal on all ranks
-      throw Error("the step of mean curvature flow cannot be computed: the linear system is too ill "
-                  "conditioned; use a shorter time step");
+      throw Error(
+          "the step of mean curvature flow cannot be computed: the linear system is too ill "
+          "conditioned; use a shorter time step");
     share(solution);
     return solution;
   }
@@ -187,8 +187,6 @@ mean_curvature_destinations(const Distributed_complex<Complex>& dsc,
   return result;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INTERFACE_FLOWS_INTERNAL_CURVATURE_DISTRIBUTED_CURVATURE_SYSTEM_H

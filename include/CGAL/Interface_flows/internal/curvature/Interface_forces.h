@@ -24,9 +24,7 @@
 #include <map>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 /*
 The forces by which the facets of a snapshot reduce the energy of the interface, and the mass matrix
@@ -265,8 +263,6 @@ private:
   bool m_has_obstacles = false;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INTERFACE_FLOWS_INTERNAL_CURVATURE_INTERFACE_FORCES_H

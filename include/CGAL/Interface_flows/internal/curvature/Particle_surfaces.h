@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The surfaces of the particles of a complex: labels whose interfaces all have the mobility 0. The
 // vertices where grain boundaries end slide along them. Without the surfaces, small changes of the
@@ -156,8 +154,6 @@ private:
   const Particle_surfaces<Complex>& m_surfaces;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INTERFACE_FLOWS_INTERNAL_CURVATURE_PARTICLE_SURFACES_H

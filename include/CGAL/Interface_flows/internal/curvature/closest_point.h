@@ -14,9 +14,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the point of a simplex that is closest to p. If the projection of p onto the plane of the
 // simplex is outside, the closest point is on a face opposite to a corner with a negative
@@ -70,8 +68,6 @@ closest_point(const typename Complex::Approximate_point& p,
   }
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INTERFACE_FLOWS_INTERNAL_CURVATURE_CLOSEST_POINT_H

@@ -27,9 +27,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The forms of velocities that `advect_interface()` accepts. If several forms fit, the order is:
 // flow map, interface step, velocity field, interface velocity.
@@ -303,8 +301,6 @@ find_destinations(const Interface& interface_,
   }
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INTERFACE_FLOWS_INTERNAL_PATHS_INTERFACE_PATHS_H

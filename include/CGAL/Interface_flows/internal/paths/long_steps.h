@@ -17,9 +17,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the least distance of points from the sides of the domain; infinity if it is not a box.
 template <class Complex>
@@ -93,8 +91,6 @@ double length_of_step(const Complex& dsc, const Interface& interface_,
   }
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INTERFACE_FLOWS_INTERNAL_PATHS_LONG_STEPS_H

@@ -14,9 +14,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Tells whether a velocity declares that it decreases the measure of the interface:
 // `static constexpr bool contracts_interface = true`.
@@ -77,8 +75,6 @@ inline constexpr bool
 template <class Complex, class Velocity>
 inline constexpr bool moves_segments = Complex::dimension == 2 && opens_corners<Complex, Velocity>;
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INTERFACE_FLOWS_INTERNAL_PATHS_VELOCITY_PROPERTIES_H

@@ -18,9 +18,7 @@
 #include <cmath>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The holes of a point cloud: Delaunay facets between the inside and the outside with an edge that
 // is long compared with the distances of its points from their sixth neighbors.
@@ -72,8 +70,6 @@ private:
   double m_share = 0;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_CLOUDS_CLOUD_HOLES_3_H

@@ -35,9 +35,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The two sides of the surface that a cloud samples. The poles of a point are its largest empty
 // balls. They are on different sides. Balls that overlap deeply are on the same side. These
@@ -386,8 +384,6 @@ private:
   std::vector<double> m_room;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_CLOUDS_CLOUD_SIDES_3_H

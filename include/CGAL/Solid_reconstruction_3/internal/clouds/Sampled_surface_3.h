@@ -28,9 +28,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The surface that a cloud samples: its two sides, and its normal and curvature at each point.
 class Sampled_surface_3
@@ -274,8 +272,6 @@ private:
   double m_noise = 0;
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_CLOUDS_SAMPLED_SURFACE_3_H

@@ -20,8 +20,7 @@ namespace CGAL {
 
 template <typename Point, typename Vector> class Point_set_3;
 
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace Deformable_simplicial_complexes::internal {
 
 // Points of any kernel, and their normals. There are no normals, or as many as points.
 struct Collected_points
@@ -78,8 +77,7 @@ Collected_points collect_points(const Range& range, const NamedParameters& np) {
   return result;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
+} // namespace Deformable_simplicial_complexes::internal
 } // namespace CGAL
 
 #endif // CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_CLOUDS_COLLECT_POINTS_H

@@ -16,9 +16,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 using Cloud_kernel = Simple_cartesian<double>;
 
@@ -94,8 +92,6 @@ Fitted_quadric_3 fit_quadric(const Points& points, const Fitted_plane_3& plane) 
           normal / std::sqrt(normal.squared_length())};
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_CLOUDS_LOCAL_FITS_3_H

@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the clusters of a point cloud: for each point, the smallest index of its cluster. Two
 // points are adjacent if their distance is small compared with the distances of both from their
@@ -98,8 +96,6 @@ inline std::vector<char> surface_points(const Point_cloud_3& cloud) {
   return result;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_CLOUDS_SURFACE_POINTS_3_H

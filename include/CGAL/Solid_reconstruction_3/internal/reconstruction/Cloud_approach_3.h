@@ -21,9 +21,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The motion of an interface towards a cloud (section 4.3 of the paper). Facets with points move
 // their vertices to the planes of these points. Free facets move their vertices inwards, as long as
@@ -150,8 +148,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_RECONSTRUCTION_CLOUD_APPROACH_3_H

@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 template <class Points> std::vector<Sampled_surface_3::Point> cloud_points(const Points& points) {
   std::vector<Sampled_surface_3::Point> result;
@@ -208,8 +206,6 @@ private:
   std::vector<double> m_distances; // of points from their facets
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_RECONSTRUCTION_CLOUD_FACETS_3_H

@@ -23,9 +23,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The initial interface of a reconstruction, around the solid and all points. It consists of faces
 // of an octree, whose leaves are small in narrow gaps.
@@ -166,8 +164,6 @@ template <class Complex> Complex complex_of_shell(const Cloud_shell_3& shell) {
   return result;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_RECONSTRUCTION_CLOUD_SHELL_3_H

@@ -21,9 +21,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The faces around a sharp edge or corner of a sampled surface, and the displacement of a place to
 // this edge or corner. The plane of a face is fitted to the points around the place within a
@@ -255,8 +253,6 @@ private:
   double m_tolerance; // of the distance of points from their plane
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_RECONSTRUCTION_CREASE_PLANES_3_H

@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The diagonal preconditioner of Eigen, with iterations that can be interrupted.
 class Stoppable_preconditioner : public Eigen::DiagonalPreconditioner<double>
@@ -184,8 +182,6 @@ private:
   std::vector<Vector> m_to_middle;                   // displacement of a loose vertex to the mean
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_RECONSTRUCTION_LEAST_SQUARES_3_H

@@ -20,9 +20,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The inside of closed triangles, by the number of triangles that rays intersect.
 class Closed_triangles_3
@@ -94,8 +92,6 @@ misplaced_balls(const Sampled_surface_3& surface, const Closed_triangles_3::Tria
   return result;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_RECONSTRUCTION_MISPLACED_BALLS_3_H

@@ -42,9 +42,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The steps of a reconstruction. They move the interface of a complex from its initial position to
 // the surface that a cloud samples, and divide facets that do not fit.
@@ -359,8 +357,6 @@ private:
   std::vector<std::size_t> m_free; // number of free facets
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_RECONSTRUCTION_RECONSTRUCTOR_3_H

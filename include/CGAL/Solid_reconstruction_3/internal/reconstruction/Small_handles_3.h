@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The handles of a closed manifold surface that lie in small balls about its vertices. A patch of
 // the surface in such a ball has a handle if its genus is positive.
@@ -162,8 +160,6 @@ private:
   std::vector<std::size_t> m_places;   // index of each facet in the patch
 };
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_RECONSTRUCTION_SMALL_HANDLES_3_H

@@ -13,9 +13,7 @@
 #include <CGAL/Solid_reconstruction_3/internal/reconstruction/Reconstructor_3.h>
 #include <CGAL/Solid_reconstruction_3/reconstruct_point_set_3.h>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 
 template <class Complex>
 Complex reconstruct_collected(const Collected_points& points,
@@ -32,8 +30,6 @@ Complex reconstruct_collected(const Collected_points& points,
   return complex;
 }
 
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_RECONSTRUCTION_RECONSTRUCT_COLLECTED_IMPL_H

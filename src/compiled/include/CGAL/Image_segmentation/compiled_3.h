@@ -20,14 +20,10 @@
 #include <CGAL/Deformable_simplicial_complexes/compiled_3.h>
 #include <CGAL/Image_segmentation/segment_image.h>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 CGAL_DSC_SEGMENTATION_INSTANTIATION template Segmentation_report
 segment(Default_complex_3&, const Gray_image<3>&, const Segmentation_options<3>&,
         const Image_phases&, bool);
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_IMAGE_SEGMENTATION_COMPILED_3_H

@@ -22,13 +22,9 @@
 #include <CGAL/Deformable_simplicial_complexes/compiled_3.h>
 #include <CGAL/Solid_reconstruction_3/reconstruct_point_set_3.h>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace CGAL::Deformable_simplicial_complexes::internal {
 CGAL_DSC_RECONSTRUCTION_INSTANTIATION template Default_complex_3
 reconstruct_collected(const Collected_points&, const Reconstruction_options_3<Default_complex_3>&);
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_SOLID_RECONSTRUCTION_3_COMPILED_3_H
