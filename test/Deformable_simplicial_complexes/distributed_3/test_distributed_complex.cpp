@@ -138,7 +138,7 @@ struct Partition
 
 std::vector<Partition> partitions() {
   std::vector<Partition> result;
-  for (int ranks : {2, 3, 4, 7})
+  for (int ranks : {2, 7})
     result.push_back({"curve, " + std::to_string(ranks), ranks, {}});
   result.push_back(
       {"random", 3, [](std::size_t i, const Point&) { return int(DSC::internal::mixed(i) % 3); }});

@@ -356,9 +356,11 @@ TEST(Trapped_cells, small_components_are_found_from_all_of_their_cells) {
         one_by_one_to.add(v, Point(0, 0, 0));
       const internal::Contacts<Complex> at_once_contacts(at_once, at_once_to),
           one_by_one_contacts(one_by_one, one_by_one_to);
+      const internal::Rigid_components<Complex> at_once_rigid(at_once, at_once_to),
+          one_by_one_rigid(one_by_one, one_by_one_to);
       internal::Trapped_cells<Complex> fast(at_once, visitor, at_once_to, at_once_contacts,
-                                            options),
-          slow(one_by_one, visitor, one_by_one_to, one_by_one_contacts, options);
+                                            at_once_rigid, options),
+          slow(one_by_one, visitor, one_by_one_to, one_by_one_contacts, one_by_one_rigid, options);
       fast.remove_vanishing_components(at_once.cells());
       for (Cell_handle c : one_by_one.cells())
         slow.remove_vanishing_components({c});

@@ -42,10 +42,12 @@ public:
   using Vector = typename Complex::Approximate_vector;
 
   // If there are destinations, volumes are those with the vertices at their destinations. What the
-  // motion brings together may then be joined.
+  // motion brings together may then be joined. If volumes are kept, the bound for all operations
+  // together holds for single ones, too: in a coarse mesh, they may otherwise move more.
   explicit Interface_tolerance(const Complex& complex,
-                               const Destinations<Complex>* destinations = nullptr)
-      : m_complex(&complex), m_destinations(destinations) {}
+                               const Destinations<Complex>* destinations = nullptr,
+                               bool keeps_volumes = false)
+      : m_complex(&complex), m_destinations(destinations), m_keeps_volumes(keeps_volumes) {}
 
   // Returns whether a proposed replacement moves a volume that is small enough. It is a collapse of
   // a vertex of the interface, or a flip of an edge of the interface; other proposals move nothing.
@@ -167,10 +169,11 @@ private:
       const double resolution = (std::min)(1., thickness / edge);
       const double most = (std::max)(part * resolution * std::sqrt(resolution) * around.volume,
                                      part_of_motion * std::abs(around.change));
+      const double most_in_all =
+          (std::max)(m_keeps_volumes ? 0 : most, part_in_all * m_complex->measure(label));
       const auto before = m_gains.find(label);
       const double gain = around.gain + (before == m_gains.end() ? 0 : before->second);
-      if (!(swept <= factor * most &&
-            std::abs(gain) <= (std::max)(most, part_in_all * m_complex->measure(label))))
+      if (!(swept <= factor * most && std::abs(gain) <= most_in_all))
         return false;
     }
     for (const auto& [label, around] : labels)
@@ -226,6 +229,7 @@ private:
 
   const Complex* m_complex;
   const Destinations<Complex>* m_destinations;
+  bool m_keeps_volumes;
   std::unordered_map<Label, double> m_gains;        // of labels, by all recorded operations
   std::vector<std::pair<Label, double>> m_proposed; // gains by the last one that was allowed
 };

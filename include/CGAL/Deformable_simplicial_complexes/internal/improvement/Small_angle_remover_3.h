@@ -69,8 +69,8 @@ public:
       : m_complex(complex), m_visitor(visitor), m_destinations(destinations),
         m_rigid_components(rigid_components), m_for_each_index(for_each_index),
         m_target(std::sin(angle * CGAL_PI / 180) / sine_of_regular), m_bound(m_target),
-        m_quality_threshold(quality_threshold), m_tolerance(complex), m_cavity(complex),
-        m_best(complex) {}
+        m_quality_threshold(quality_threshold), m_tolerance(complex, nullptr, true),
+        m_cavity(complex), m_best(complex) {}
 
   const Improvement_report& report() const { return m_report; }
   std::size_t number_of_relocated() const { return m_homes.size(); }
