@@ -14,7 +14,7 @@
 #include "random_fields.h"
 #include "small_meshes.h"
 
-#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/topology_control.h>

@@ -1,6 +1,6 @@
 // Writes a checkpoint in the middle of a flow, reads it, and resumes the flow.
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint.h>
 #include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_flows/interface_flows_3.h>

@@ -1,7 +1,7 @@
 // Catches the exceptions of builders, of a deformation and of a reader, and prints their messages
 // and data.
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
 

@@ -5,15 +5,103 @@
 #ifndef DSC_CUT_LOCI_ANY_SURFACE_H
 #define DSC_CUT_LOCI_ANY_SURFACE_H
 
-#include "Surface_by_differences.h"
-
+#include <CGAL/Cut_loci_2/Riemannian_metric_2.h>
 #include <CGAL/Cut_loci_2/Sphere_like_surface_2.h>
+#include <CGAL/number_utils.h>
 
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <utility>
 
 namespace dsc {
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
+/// Number of points at which a surface is evaluated for its metric: one, and three pairs on each of
+/// three lines.
+inline constexpr std::size_t samples_of_metric = 19;
+using Chart_samples = std::array<std::array<double, 2>, samples_of_metric>; ///< u and v
+using Space_samples = std::array<std::array<double, 3>, samples_of_metric>; ///< x, y and z
+
+/// An embedding of a chart: returns the images of the points.
+using Chart_images = std::function<Space_samples(const Chart_samples&)>;
+
+/// The metric of an embedding of a chart, computed by finite differences of sixth order. The
+/// default width of the differences, 1/600 of a full turn, balances truncation and rounding errors.
+class Surface_by_differences
+{
+public:
+  explicit Surface_by_differences(Chart_images images)
+      : m_images(std::move(images)), m_widths{width, width} {}
+
+  /// \param periods periods of the chart; the widths of the differences are proportional to them
+  Surface_by_differences(Chart_images images, const std::array<double, 2>& periods)
+      : m_images(std::move(images)), m_widths{periods[0] / turn * width,
+                                              periods[1] / turn * width} {}
+
+  DSC::Metric_jet_2 operator()(double u, double v) const {
+    const double a = m_widths[0], b = m_widths[1];
+    const std::array<std::array<double, 2>, 3> steps = {{{a, 0}, {0, b}, {a, b}}};
+    Chart_samples points;
+    points[0] = {u, v};
+    for (std::size_t line = 0; line < 3; ++line)
+      for (std::size_t k = 0; k < pairs; ++k) {
+        const double du = double(k + 1) * steps[line][0], dv = double(k + 1) * steps[line][1];
+        points[place(line, k)] = {u + du, v + dv};
+        points[place(line, k) + 1] = {u - du, v - dv};
+      }
+    const Space_samples samples = m_images(points);
+    Vector ru, ruu, rv, rvv, unused, ruv; // derivatives in units of the widths
+    derive(samples, 0, ru, ruu);
+    derive(samples, 1, rv, rvv);
+    derive(samples, 2, unused, ruv);
+    for (std::size_t i = 0; i < 3; ++i)
+      ruv[i] = (ruv[i] - ruu[i] - rvv[i]) / 2;
+    return {dot(ru, ru) / (a * a),
+            dot(ru, rv) / (a * b),
+            dot(rv, rv) / (b * b),
+            2 * dot(ruu, ru) / (a * a * a),
+            2 * dot(ruv, ru) / (a * a * b),
+            (dot(ruu, rv) + dot(ru, ruv)) / (a * a * b),
+            (dot(ruv, rv) + dot(ru, rvv)) / (a * b * b),
+            2 * dot(ruv, rv) / (a * b * b),
+            2 * dot(rvv, rv) / (b * b * b)};
+  }
+
+private:
+  static constexpr double turn = 2 * CGAL_PI, width = .01;
+  static constexpr std::size_t pairs = 3; // on each line
+
+  using Vector = std::array<double, 3>;
+
+  static double dot(const Vector& a, const Vector& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  }
+
+  static std::size_t place(std::size_t line, std::size_t pair) {
+    return 1 + 2 * (pairs * line + pair);
+  }
+
+  // Computes the first and second derivative along a line, in units of the step.
+  static void derive(const Space_samples& samples, std::size_t line, Vector& first,
+                     Vector& second) {
+    static constexpr double firsts[] = {3. / 4, -3. / 20, 1. / 60},
+                            seconds[] = {3. / 2, -3. / 20, 1. / 90}, middle = -49. / 18;
+    for (std::size_t i = 0; i < 3; ++i) {
+      first[i] = 0;
+      second[i] = middle * samples[0][i];
+      for (std::size_t k = 0; k < pairs; ++k) {
+        const double ahead = samples[place(line, k)][i], behind = samples[place(line, k) + 1][i];
+        first[i] += firsts[k] * (ahead - behind);
+        second[i] += seconds[k] * (ahead + behind);
+      }
+    }
+  }
+
+  Chart_images m_images;
+  std::array<double, 2> m_widths;
+};
 
 /// A metric of a chart. Model of `RiemannianMetric_2`.
 using Any_metric = std::function<DSC::Metric_jet_2(double u, double v)>;

@@ -12,8 +12,7 @@
 #include "fluid_start.h"
 #include "report_json.h"
 
-#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_2.h>
-#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -59,13 +58,6 @@ DSC::Fluid_state state_of(const Json& json) {
   return state;
 }
 
-template <int dimension> auto read_checkpoint_of(const std::string& path) {
-  if constexpr (dimension == 2)
-    return CGAL::IO::read_checkpoint_2(path);
-  else
-    return CGAL::IO::read_checkpoint(path);
-}
-
 } // namespace
 
 template <int dimension>
@@ -98,7 +90,7 @@ template <int dimension>
 Fluid_run<dimension> resume_fluid(const std::string& path, const std::string& folder,
                                   bool uses_petsc) {
   using Run = Fluid_run<dimension>;
-  const auto checkpoint = read_checkpoint_of<dimension>(path);
+  const auto checkpoint = CGAL::IO::read_checkpoint<dimension>(path);
   Run run;
   try {
     const Json json = Json::parse(checkpoint.metadata);

@@ -67,6 +67,17 @@ struct Zalesak
 
 using Motion = std::variant<Rotation, Offset, Advection, Curvature_flow, Zalesak>;
 
+/// Returns the length of a time step of a motion, in the time unit of the input.
+/// \param edge mean interface edge of the input
+inline double time_step(const Motion& motion, double edge) {
+  if (const auto* zalesak = std::get_if<Zalesak>(&motion))
+    return zalesak->dt;
+  if (const auto* advection = std::get_if<Advection>(&motion))
+    return advection->dt;
+  const auto* flow = std::get_if<Curvature_flow>(&motion);
+  return flow == nullptr ? 1 : flow->dt > 0 ? flow->dt : edge * edge;
+}
+
 /// The options of each step of a run.
 struct Step_options
 {

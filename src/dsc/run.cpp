@@ -308,7 +308,7 @@ void Run::start() {
     m_complex->run_once([&] { m_folder->keep_until(m_position.time); });
 
   complete_motion(*m_complex, m_position.time, m_options.output.quiet, m_options.step.motion);
-  m_time_step = m_complex->time_step(m_options.step.motion);
+  m_time_step = time_step(m_options.step.motion, m_complex->mean_edge());
   if (!(m_position.time + m_time_step > m_position.time))
     throw Input_error("the time step is too small to advance the time " +
                       Json(m_position.time).dump() + " of the run; choose a larger --dt");

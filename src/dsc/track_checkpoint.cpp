@@ -6,8 +6,7 @@
 
 #include "tracked_complex_3.h"
 
-#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_2.h>
-#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint.h>
 
 namespace dsc {
 

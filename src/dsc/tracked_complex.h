@@ -46,9 +46,6 @@ public:
   /// Returns the extension of the files of `write_volume_vtu()` and `write_interface_vtu()`.
   virtual std::string grid_extension() const { return ".vtu"; }
 
-  /// Returns the length of a time step of a motion.
-  virtual double time_step(const Motion& motion) const = 0;
-
   /// Deforms the interface by one time step that starts at `time`. After an exception, the complex
   /// may be modified: call go_back().
   /// \throws Usage_error if the motion is not available in this dimension
@@ -91,7 +88,7 @@ public:
   virtual void write_interface_vtu(const std::string& path) const = 0;
   virtual void write_volume_vtu(const std::string& path) const = 0;
   /// Draws the complex to `stem` + ".svg", in the plane only.
-  virtual void write_picture(const std::string& stem) const = 0;
+  virtual void write_picture(const std::string& /*stem*/) const {}
   virtual void write_checkpoint(const std::string& path, const std::string& metadata) const = 0;
   /// Writes the interface after a number of subdivisions.
   /// \throws Usage_error in the plane

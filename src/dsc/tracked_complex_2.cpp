@@ -10,11 +10,11 @@
 #include "option_values.h"
 #include "start_curves.h"
 #include "tracked_checkpoint.h"
+#include "tracked_whole_impl.h"
 #include "unused.h"
 
 #include <CGAL/Deformable_simplicial_complexes/IO/SVG_2.h>
-#include <CGAL/Deformable_simplicial_complexes/IO/VTU_2.h>
-#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_2.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/labelled_PNG_2.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/labelled_curves_2.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/labelled_image_2.h>
@@ -23,7 +23,6 @@
 #include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
 
 #include <CGAL/Bbox_2.h>
-#include <CGAL/Deformable_simplicial_complexes/refine_thin_parts.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -153,18 +152,6 @@ std::unique_ptr<Tracked_complex> track_planar_checkpoint(const std::string& path
   return restored<Tracked_complex_2>(path, CGAL::IO::read_checkpoint_2(path), metadata);
 }
 
-void Tracked_complex_2::go_back() {
-  if (!m_kept)
-    return;
-  complex.clear(); // to save memory
-  complex.restore(*m_kept);
-  m_kept.reset();
-}
-
-std::size_t Tracked_complex_2::missing_facets(double edge_per_thickness) const {
-  return DSC::missing_facets(complex, edge_per_thickness);
-}
-
 Statistics Tracked_complex_2::statistics() const {
   Statistics statistics = {};
   statistics.dimension = 2;
@@ -177,31 +164,6 @@ Statistics Tracked_complex_2::statistics() const {
   add_angles(complex, statistics);
   statistics.min_quality = worst_quality();
   return statistics;
-}
-
-double Tracked_complex_2::worst_quality() const {
-  double result = 1;
-  for (const Complex::Cell_handle c : complex.finite_cells())
-    result = std::min(result, complex.quality(c));
-  return result;
-}
-
-std::vector<Surface_point> Tracked_complex_2::interface_points() const {
-  std::vector<Surface_point> points;
-  for (const Complex::Vertex_handle v : complex.interface_vertices()) {
-    const Point p = complex.user_position(v);
-    points.emplace_back(p.x(), p.y(), 0);
-  }
-  return points;
-}
-
-double Tracked_complex_2::sweep_seconds() const {
-  return seconds_of_sweep(complex.cells(), [&](Complex::Cell_handle c) {
-    const auto& point = [c](int i) -> const Complex::Point_2& { return c->vertex(i)->point(); };
-    const std::array<Point, 3> p = corners(complex, c);
-    return CGAL::orientation(point(0), point(1), point(2)) +
-           complex.quality_measure()(p[0], p[1], p[2]);
-  });
 }
 
 void Tracked_complex_2::write(const std::string& path) const {
@@ -221,21 +183,10 @@ void Tracked_complex_2::write_subdivided(const std::string&, int) const {
   throw Usage_error("--subdivide applies only in space; leave it out");
 }
 
-void Tracked_complex_2::write_interface_vtu(const std::string& path) const {
-  CGAL::IO::write_interface_VTU(path, complex, arrays.of_interface());
-}
-
-void Tracked_complex_2::write_volume_vtu(const std::string& path) const {
-  CGAL::IO::write_VTU(path, complex, arrays.of_cells());
-}
-
 void Tracked_complex_2::write_picture(const std::string& stem) const {
   CGAL::IO::write_SVG(stem + ".svg", complex);
 }
 
-void Tracked_complex_2::write_checkpoint(const std::string& path,
-                                         const std::string& metadata) const {
-  CGAL::IO::write_checkpoint(path, complex.state(), metadata);
-}
+template class Tracked_whole<Complex>;
 
 } // namespace dsc

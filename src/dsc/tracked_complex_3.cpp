@@ -9,14 +9,12 @@
 #include "files.h"
 #include "option_values.h"
 #include "picture.h"
+#include "tracked_whole_impl.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/MEDIT_3.h>
-#include <CGAL/Deformable_simplicial_complexes/IO/VTU_3.h>
-#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_3.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/labelled_surface_3.h>
 #include <CGAL/Deformable_simplicial_complexes/extract_interface_3.h>
-#include <CGAL/Deformable_simplicial_complexes/refine_thin_parts.h>
 #include <CGAL/Deformable_simplicial_complexes/subdivide_interface_3.h>
 
 #include <algorithm>
@@ -49,18 +47,6 @@ void add_dihedral_angles(const Complex& complex, Statistics& statistics) {
 
 } // namespace
 
-void Tracked_complex_3::go_back() {
-  if (!m_kept)
-    return;
-  complex.clear(); // to save memory
-  complex.restore(*m_kept);
-  m_kept.reset();
-}
-
-std::size_t Tracked_complex_3::missing_facets(double edge_per_thickness) const {
-  return DSC::missing_facets(complex, edge_per_thickness);
-}
-
 Statistics Tracked_complex_3::statistics() const {
   const double scale = complex.normalization().scale;
   Statistics statistics = {};
@@ -75,31 +61,6 @@ Statistics Tracked_complex_3::statistics() const {
   add_dihedral_angles(complex, statistics);
   statistics.min_quality = worst_quality();
   return statistics;
-}
-
-double Tracked_complex_3::worst_quality() const {
-  double result = 1;
-  for (const Complex::Cell_handle c : complex.triangulation().finite_cell_handles())
-    result = std::min(result, complex.quality(c));
-  return result;
-}
-
-double Tracked_complex_3::sweep_seconds() const {
-  return seconds_of_sweep(complex.cells(), [&](Complex::Cell_handle c) {
-    const auto& point = [c](int i) -> const Complex::Point_3& { return c->vertex(i)->point(); };
-    const std::array<Point, 4> p = corners(complex, c);
-    return CGAL::orientation(point(0), point(1), point(2), point(3)) +
-           complex.quality_measure()(p[0], p[1], p[2], p[3]);
-  });
-}
-
-std::vector<Surface_point> Tracked_complex_3::interface_points() const {
-  std::vector<Surface_point> points;
-  for (const Complex::Vertex_handle v : complex.interface_vertices()) {
-    const Point p = complex.user_position(v);
-    points.emplace_back(p.x(), p.y(), p.z());
-  }
-  return points;
 }
 
 namespace {
@@ -162,17 +123,6 @@ void Tracked_complex_3::write_subdivided(const std::string& path, int subdivisio
         path, smooth, subdivided_velocities(surface, values.points[0].values, subdivisions));
 }
 
-void Tracked_complex_3::write_interface_vtu(const std::string& path) const {
-  CGAL::IO::write_interface_VTU(path, complex, arrays.of_interface());
-}
-
-void Tracked_complex_3::write_volume_vtu(const std::string& path) const {
-  CGAL::IO::write_VTU(path, complex, arrays.of_cells());
-}
-
-void Tracked_complex_3::write_checkpoint(const std::string& path,
-                                         const std::string& metadata) const {
-  CGAL::IO::write_checkpoint(path, complex.state(), metadata);
-}
+template class Tracked_whole<Complex>;
 
 } // namespace dsc

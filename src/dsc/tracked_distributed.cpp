@@ -6,23 +6,15 @@
 
 #include "angle_statistics.h"
 #include "errors.h"
-#include "motion_options.h"
-#include "velocity_expressions.h"
+#include "motion_step.h"
 
 #include <CGAL/Deformable_simplicial_complexes/IO/PVTU.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/distributed_checkpoint.h>
-#include <CGAL/Interface_flows/Mean_curvature_flow.h>
-#include <CGAL/Interface_flows/Normal_offset.h>
 #include <CGAL/Interface_flows/advect_distributed_adaptively.h>
 #include <CGAL/Interface_flows/advect_distributed_interface.h>
-#include <CGAL/Interface_flows/interface_flows_3.h>
-#include <CGAL/Interface_flows/velocity_fields_3.h>
-
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -40,8 +32,6 @@ namespace {
 using Complex = Tracked_distributed::Complex;
 using Distributed = Tracked_distributed::Distributed;
 using Point = Complex::Approximate_point_3;
-using Vector = Complex::Approximate_vector_3;
-using Options = DSC::Adaptive_advection_options<Distributed::Part>;
 using Operation = DSC::Communicator::Operation;
 
 [[noreturn]] void refuse(const char* what) {
@@ -49,110 +39,21 @@ using Operation = DSC::Communicator::Operation;
                     " is not available on several processes; run dsc without mpirun");
 }
 
-/// A visitor that returns the length of a time step of each motion, in the time unit of the input.
-struct Time_step
+} // namespace
+
+template <> struct Motion_of<Distributed>
 {
-  double edge; ///< mean edge, in the unit of the input
-
-  double operator()(const Rotation&) const { return 1; }
-  double operator()(const Offset&) const { return 1; }
-  double operator()(const Zalesak& zalesak) const { return zalesak.dt; }
-  double operator()(const Advection& advection) const { return advection.dt; }
-  double operator()(const Curvature_flow& flow) const {
-    return flow.dt > 0 ? flow.dt : edge * edge;
-  }
-};
-
-/// A visitor that does a step of each motion.
-struct Step
-{
-  Distributed& complex;
-  double time;
-  unsigned threads;
-  const Step_options& options;
-
+  using Whole = Complex;
+  using Part = Distributed::Part;
   using Report = DSC::Distributed_report<Complex>;
 
-  Report operator()(const Zalesak&) const {
-    throw Usage_error("dsc zalesak applies only in the plane; use dsc rotate in space");
+  static Complex frame(const Distributed& complex) {
+    Complex result;
+    result.set_normalization(complex.normalization());
+    return result;
   }
-
-  Report operator()(const Rotation& rotation) const {
-    if (rotation.axis == std::array<double, 3>())
-      throw Usage_error("--axis is required in space; see dsc rotate --help");
-    const auto [x, y, z] = rotation.axis;
-    const auto box = complex.bounding_box();
-    return advect(DSC::Rigid_rotation_3(CGAL::midpoint(box[0], box[1]), Vector(x, y, z),
-                                        rotation.degrees * (CGAL_PI / 180)),
-                  time, 1);
-  }
-
-  Report operator()(const Offset& offset) const {
-    if (offset.moves_faces)
-      refuse("--move-faces");
-    if (offset.corners != DSC::Corner_rule::miter)
-      refuse("--corners");
-    const double unit = offset.distance.in_mean_edges ? complex.mean_interface_edge()
-                                                      : 1 / complex.normalization().scale;
-    return advect(DSC::Normal_offset{offset.distance.value * unit}, time, 1);
-  }
-
-  Report operator()(const Advection& advection) const {
-    switch (advection.field) {
-    case Advection::Field::enright:
-      return follow(DSC::Enright_velocity_3(advection.period), advection);
-    case Advection::Field::vortex:
-      return follow(DSC::Single_vortex_velocity_3(advection.period), advection);
-    default: {
-      const Velocity_expressions velocity(advection.expressions, 3);
-      return follow(
-          [&](const Point& p, double t) {
-            const auto [x, y, z] = velocity.at({p.x(), p.y(), p.z()}, t);
-            const double factor =
-                advection.period > 0 ? std::cos(CGAL_PI * t / advection.period) : 1;
-            return factor * Vector(x, y, z);
-          },
-          advection);
-    }
-    }
-  }
-
-  Report operator()(const Curvature_flow& flow) const {
-    if (flow.keeps_volumes)
-      refuse("--keep-volumes");
-    const double scale = complex.normalization().scale;
-    const double dt = Time_step{complex.mean_interface_edge() * scale}(flow) / (scale * scale);
-    return follow(DSC::Mean_curvature_flow(), time / (scale * scale), dt, flow.tolerance,
-                  Options(true));
-  }
-
-private:
-  // One type for all velocity fields, so that the advection is instantiated once.
-  using Field = std::function<Vector(const Point&, double)>;
-
-  Report follow(const Field& field, const Advection& advection) const {
-    Complex frame; // of the coordinates
-    frame.set_normalization(complex.normalization());
-    Options chosen;
-    chosen.advection.scheme = advection.scheme;
-    return follow(DSC::Velocity_in_user_coordinates_3<Complex, Field>(frame, field), time,
-                  advection.dt, advection.tolerance, chosen);
-  }
-
-  template <class Velocity>
-  Report follow(const Velocity& velocity, double t, double dt,
-                const std::optional<double>& tolerance, Options chosen) const {
-    complete(chosen, tolerance, options, threads);
-    return DSC::advect_adaptively(complex, velocity, t, dt, chosen);
-  }
-
-  template <class Flow> Report advect(const Flow& flow, double t, double dt) const {
-    return DSC::advect_interface(
-        complex, flow, t, dt, advection_options<Distributed::Part>(options, threads).deformation);
-  }
+  static std::array<Point, 2> box(const Distributed& complex) { return complex.bounding_box(); }
 };
-
-} // namespace
 
 void Tracked_distributed::run_once(const std::function<void()>& function) const {
   complex.communicator().call_together([&] {
@@ -175,10 +76,6 @@ double Tracked_distributed::mean_edge() const {
   return complex.mean_interface_edge() * complex.normalization().scale;
 }
 
-double Tracked_distributed::time_step(const Motion& motion) const {
-  return std::visit(Time_step{mean_edge()}, motion);
-}
-
 Step_outcome Tracked_distributed::advance(const Step_options& options, double time,
                                           unsigned threads) {
   if (options.improves_interface)
@@ -187,9 +84,18 @@ Step_outcome Tracked_distributed::advance(const Step_options& options, double ti
     refuse("--domain grow");
   if (options.largest_displacement.value_or(0) > 0)
     refuse("--largest-displacement");
+  const auto* const offset = std::get_if<Offset>(&options.motion);
+  if (offset != nullptr && offset->moves_faces)
+    refuse("--move-faces");
+  if (offset != nullptr && offset->corners != DSC::Corner_rule::miter)
+    refuse("--corners");
+  const auto* const flow = std::get_if<Curvature_flow>(&options.motion);
+  if (flow != nullptr && flow->keeps_volumes)
+    refuse("--keep-volumes");
   const auto start = Clock::now();
   m_divide(complex);
-  const auto report = std::visit(Step{complex, time, threads, options}, options.motion);
+  const auto report =
+      std::visit(Motion_step<Distributed>{complex, time, threads, options}, options.motion);
   Step_outcome outcome;
   outcome.seconds = seconds_since(start);
   outcome.complete = report.complete;

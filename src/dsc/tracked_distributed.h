@@ -34,7 +34,6 @@ public:
   double agreed(double number) const override;
   std::string grid_extension() const override { return ".pvtu"; }
   int dimension() const override { return 3; }
-  double time_step(const Motion& motion) const override;
   Step_outcome advance(const Step_options& options, double time, unsigned threads) override;
   bool has_room() const override { return true; }
   void grow_domain() override {}
@@ -52,7 +51,6 @@ public:
   void write_subdivided(const std::string& path, int subdivisions) const override;
   void write_interface_vtu(const std::string& path) const override;
   void write_volume_vtu(const std::string& path) const override;
-  void write_picture(const std::string&) const override {}
   void write_checkpoint(const std::string& path, const std::string& metadata) const override;
 
   Distributed complex;

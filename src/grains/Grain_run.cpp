@@ -7,7 +7,7 @@
 #include "errors.h"
 #include "grain_checkpoint.h"
 
-#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_2.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -42,8 +42,9 @@ bool read(const Json& json, Grain_run& run) {
 
 void read_grains(const std::string& checkpoint, Grain_run& run) {
   run.dimension = CGAL::IO::checkpoint_dimension(checkpoint);
-  const std::string metadata = run.dimension == 2 ? read_checkpoint_of<2>(checkpoint).metadata
-                                                  : read_checkpoint_of<3>(checkpoint).metadata;
+  const std::string metadata = run.dimension == 2
+                                   ? CGAL::IO::read_checkpoint<2>(checkpoint).metadata
+                                   : CGAL::IO::read_checkpoint<3>(checkpoint).metadata;
   try {
     const Json saved = Json::parse(metadata);
     if (read(saved.at("grains"), run) && saved.at("step").is_number_unsigned() &&

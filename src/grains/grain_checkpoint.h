@@ -7,19 +7,11 @@
 
 #include "Grain_run.h"
 
-#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_2.h>
-#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint.h>
 
 #include <string>
 
 namespace dsc {
-
-template <int dimension> auto read_checkpoint_of(const std::string& path) {
-  if constexpr (dimension == 2)
-    return CGAL::IO::read_checkpoint_2(path);
-  else
-    return CGAL::IO::read_checkpoint(path);
-}
 
 /// Writes a checkpoint of a run.
 template <class Complex>
@@ -42,7 +34,7 @@ template <int d> struct Saved_grains
 
 /// Reads a checkpoint that `read_grains()` accepts.
 template <int d> Saved_grains<d> read_saved_grains(const std::string& path) {
-  const auto checkpoint = read_checkpoint_of<d>(path);
+  const auto checkpoint = CGAL::IO::read_checkpoint<d>(path);
   const Json json = Json::parse(checkpoint.metadata);
   Saved_grains<d> result{checkpoint.state, {}};
   result.state.time = json.at("time");

@@ -5,18 +5,21 @@
 #ifndef DSC_GRAIN_RUN_IMPL_H
 #define DSC_GRAIN_RUN_IMPL_H
 
-#include "Grain_files.h"
 #include "Grain_run.h"
-#include "Growth_law.h"
-#include "Particles.h"
+#include "errors.h"
+#include "grain_checkpoint.h"
+#include "step_folder.h"
 
 #include <CGAL/Deformable_simplicial_complexes/IO/SVG_2.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
+#include <CGAL/Deformable_simplicial_complexes/Mesh_arrays.h>
+#include <CGAL/Deformable_simplicial_complexes/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/remove_components.h>
 #include <CGAL/Deformable_simplicial_complexes/shared_measures.h>
 #include <CGAL/Interface_flows/Grain_growth.h>
 #include <CGAL/Interface_flows/Grain_orientations.h>
 #include <CGAL/Interface_flows/Voronoi_labels.h>
+#include <CGAL/Interface_flows/grain_statistics.h>
 
 #include <algorithm>
 #include <array>
@@ -24,8 +27,157 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <map>
+#include <optional>
+#include <random>
+#include <vector>
 
 namespace dsc {
+
+/// Writes the states of a run, with the misorientations of the facets of the interface, and a
+/// checkpoint of the last one.
+class Grain_files
+{
+public:
+  /// \throws Input_error if nothing can be written in the folder, or if it contains a run
+  explicit Grain_files(const Grain_run& run) : m_run(run) {
+    if (!run.output.empty())
+      m_folder.emplace(run.output);
+  }
+
+  /// Writes a state unless it is written already.
+  template <class Complex>
+  void write(const Complex& complex, const Grain_state& state,
+             const CGAL::Deformable_simplicial_complexes::Grain_orientations<Complex::dimension>&
+                 orientations) {
+    if (!m_folder || m_last == state.step)
+      return;
+    m_last = state.step;
+    CGAL::Deformable_simplicial_complexes::Mesh_arrays arrays;
+    arrays.cells.push_back({"misorientation", "Float64", 1, {}});
+    static constexpr double none = -1; // at particles, which have no orientation
+    for (const auto& facet : complex.interface_facets()) {
+      const int a = facet.first->label(), b = facet.first->neighbor(facet.second)->label();
+      arrays.cells.back().values.push_back(
+          std::min(a, b) == particle_label ? none : orientations.misorientation(a, b) / degree);
+    }
+    m_folder->write(complex, state.step, state.time, arrays);
+    write_grains(m_folder->file("checkpoint.dsc"), m_run, complex, state);
+  }
+
+private:
+  const Grain_run& m_run;
+  std::optional<Step_folder> m_folder; // none if nothing is written
+  std::optional<unsigned> m_last;      // step of the last state
+};
+
+/// Compares the growth of grains with the law for unit tension and mobility: a regression through
+/// the origin.
+template <class Complex> class Growth_law
+{
+public:
+  using Statistics = std::vector<CGAL::Deformable_simplicial_complexes::Grain_statistics>;
+
+  /// Takes the statistics before a step.
+  void begin(const Complex& complex) { m_before = grain_statistics(complex); }
+
+  /// Adds the rates of growth in a step; in the plane, of the grains whose numbers of corners have
+  /// not changed. Mean rates are those of grains that touch no side.
+  void end(const Complex& complex, double dt) {
+    std::map<int, CGAL::Deformable_simplicial_complexes::Grain_statistics> after;
+    for (const auto& grain : grain_statistics(complex))
+      after.emplace(grain.label, grain);
+    for (const auto& grain : m_before)
+      if (const auto found = after.find(grain.label);
+          found != after.end() && found->second.corners == grain.corners &&
+          found->second.right_angles == grain.right_angles)
+        add(grain, (found->second.measure - grain.measure) / dt);
+  }
+
+  /// Writes the slope, the correlation and the mean rates.
+  void write(Grain_result& result) const {
+    result.slope = m_xx > 0 ? m_xy / m_xx : 0;
+    result.correlation = m_xx > 0 && m_yy > 0 ? m_xy / std::sqrt(m_xx * m_yy) : 0;
+    result.rates = m_rates;
+  }
+
+private:
+  static constexpr int d = Complex::dimension;
+
+  void add(const CGAL::Deformable_simplicial_complexes::Grain_statistics& grain, double rate) {
+    const double x = grain.growth(d);
+    m_xx += x * x;
+    m_xy += x * rate;
+    m_yy += rate * rate;
+    if (d == 2 && grain.right_angles == 0) {
+      m_rates[grain.corners].sum += rate;
+      ++m_rates[grain.corners].number;
+    }
+  }
+
+  Statistics m_before;
+  double m_xx = 0, m_xy = 0, m_yy = 0;
+  std::map<std::size_t, Grain_rate> m_rates;
+};
+
+/// Returns the radius of the particles of a run.
+template <int d> double particle_radius(const Grain_run& run) {
+  return run.particle_radius * std::pow(double(run.number), -1. / d);
+}
+
+/// Balls of the same radius at random places of a torus or a box of size 1, apart from each other
+/// and from the sides of the box.
+/// \tparam d the dimension
+template <int d> class Particles
+{
+public:
+  /// \throws Input_error if there is no room
+  explicit Particles(const Grain_run& run)
+      : m_radius(particle_radius<d>(run)), m_is_periodic(run.is_periodic) {
+    static constexpr double apart = 3, margin = 1.5;   // radii from another center, from a side
+    static constexpr std::size_t most_attempts = 1000; // for each particle
+    std::mt19937 random(run.seed + 1);                 // not the sequence of the grains
+    const double begin = run.is_periodic ? 0 : margin * m_radius;
+    std::size_t attempts = 0; // since the last particle
+    while (m_centers.size() < run.particles) {
+      if (++attempts > most_attempts || apart * m_radius >= 1)
+        throw Input_error("there is no room for the particles; choose fewer or smaller ones");
+      Center p;
+      for (double& x : p)
+        x = begin + (1 - 2 * begin) * (random() / 4294967296.);
+      if (std::none_of(m_centers.begin(), m_centers.end(),
+                       [&](const Center& q) { return distance(p, q) < apart * m_radius; })) {
+        m_centers.push_back(p);
+        attempts = 0;
+      }
+    }
+  }
+
+  /// Returns whether a point is in a particle.
+  template <class Point> bool contain(const Point& p) const {
+    const Center x = CGAL::Deformable_simplicial_complexes::coordinates_of<d>(p);
+    return std::any_of(m_centers.begin(), m_centers.end(),
+                       [&](const Center& q) { return distance(x, q) < m_radius; });
+  }
+
+private:
+  using Center = std::array<double, d>;
+
+  double distance(const Center& p, const Center& q) const {
+    double result = 0;
+    for (int axis = 0; axis < d; ++axis) {
+      double x = std::abs(p[axis] - q[axis]);
+      if (m_is_periodic)
+        x = std::min(x, 1 - x);
+      result += x * x;
+    }
+    return std::sqrt(result);
+  }
+
+  double m_radius;
+  bool m_is_periodic;
+  std::vector<Center> m_centers;
+};
 
 /// Adds the misorientations and the measures of the grain boundaries to a result, without the
 /// surfaces of particles.

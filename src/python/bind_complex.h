@@ -12,15 +12,15 @@
 #include "options.h"
 #include "reports.h"
 
-#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_bytes.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/control_detail.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
-#include <CGAL/Deformable_simplicial_complexes/remove_components.h>
 #include <CGAL/Deformable_simplicial_complexes/refine_thin_parts.h>
+#include <CGAL/Deformable_simplicial_complexes/remove_components.h>
 #include <CGAL/Deformable_simplicial_complexes/restore_volumes.h>
 #include <CGAL/Deformable_simplicial_complexes/sample_labels.h>
 #include <CGAL/Deformable_simplicial_complexes/topology_control.h>

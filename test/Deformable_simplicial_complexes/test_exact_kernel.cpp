@@ -4,7 +4,7 @@
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_traits_3.h>
-#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
 

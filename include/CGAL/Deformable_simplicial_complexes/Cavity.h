@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
-#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Id_map.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Marks.h>
 
 #include <CGAL/enum.h>
 

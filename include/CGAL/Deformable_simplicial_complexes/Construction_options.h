@@ -12,7 +12,6 @@
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Thin_part_options.h>
-#include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
 
@@ -28,8 +27,8 @@ namespace CGAL::Deformable_simplicial_complexes {
 \ingroup PkgDeformableSimplicialComplexesRef
 
 Options of the functions that make a complex, such as `make_deformable_simplicial_complex_3()`. The
-named parameters of these functions have the same names, and their documentation describes the
-effects.
+named parameters of these functions have the same names; those of `Thin_part_options` are
+`edge_per_thickness` and `most_new_facets`.
 
 \tparam dimension dimension of the complex, 2 or 3
 */
@@ -37,20 +36,27 @@ template <int dimension> struct Construction_options
 {
   using Box = std::conditional_t<dimension == 2, Bbox_2, Bbox_3>; ///< a box
 
-  /// The domain. If empty, a box around the input.
+  /// The domain, in the coordinates of the input, which must be strictly inside. As a named
+  /// parameter, also of a class with `bbox()`, such as `Iso_cuboid_3`. If empty, it is the cube (in
+  /// the plane, the square) centered at the barycenter of the points, whose half side is 2.5 times
+  /// the largest distance of a point from the barycenter; \f$[-1, 1]^3\f$ if `normalize` is set.
   std::optional<Box> enclosing_box;
-  /// Whether the coordinates of the complex are normalized, in space.
+  /// Whether the coordinates of the complex are normalized, in space: the barycenter of the points
+  /// is the origin, and their largest distance from it is 1/2.5. `Complex::normalization()` is the
+  /// map to user coordinates.
   bool normalize = false;
   /// Number of pieces that each edge of the box is divided into, in [1, 1000], in space.
   unsigned box_subdivision = 4;
   /// Thin parts are resolved by new facets of the interface.
   Thin_part_options thin_parts;
-  /// Whether the mesh is improved at the end.
+  /// Whether the mesh is improved at the end, as in each pass of a deformation. `improve_mesh()`
+  /// gives a better mesh, since it also inserts vertices.
   bool improve = true;
-  /// Only cells of lower quality are improved, in [0, 1].
-  double quality_threshold = defaults::Quality_threshold::of_new_mesh;
+  /// Only cells of lower quality are improved, in [0, 1]. A new mesh is optimized once. The value
+  /// is greater than that of a deformation, so the first deformations have few cells to improve.
+  double quality_threshold = .3;
   /// Largest number of rounds of improvement.
-  unsigned number_of_iterations = defaults::Number_of_iterations::over_mesh;
+  unsigned number_of_iterations = 10;
 
   /// Throws an exception unless all values are in their ranges.
   /// \throws Error if a value is out of its range

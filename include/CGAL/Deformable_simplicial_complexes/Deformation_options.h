@@ -14,7 +14,6 @@
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Domain_rule.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
-#include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
 
@@ -29,8 +28,7 @@ namespace CGAL::Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Options of `deform_interface()`. The named parameters of that function have the same names, and
-their documentation describes the effects.
+Options of `deform_interface()`. The named parameters of that function have the same names.
 
 \tparam Complex a deformable simplicial complex
 */
@@ -43,36 +41,65 @@ template <class Complex> struct Deformation_options
   /// a function that permits or forbids a change of topology, see `TopologyControl`
   using Topology_control = std::function<bool(const Complex&, Cell_handle, Label)>;
 
-  /// Largest number of passes.
-  unsigned maximum_number_of_passes = defaults::maximum_number_of_passes;
-  /// Moved cells of lower quality are improved, in [0, 1].
-  double quality_threshold = defaults::Quality_threshold::in_motion;
-  /// Trapped cells of lower quality may be relabeled, in [0, 1].
-  double relabeling_threshold = defaults::relabeling_threshold;
-  /// Moved cells with a smaller angle are removed, in degrees, in [0, 30].
-  double minimum_angle = defaults::minimum_angle;
-  /// Facets of the interface with a smaller angle are removed, in degrees, in [0, 30].
-  double minimum_facet_angle = defaults::Minimum_facet_angle::in_motion;
-  /// Whether the boundary of each phase stays a manifold.
+  /// Largest number of passes. Two passes without progress end the deformation earlier.
+  unsigned maximum_number_of_passes = 20;
+  /// Moved cells of lower quality are improved, in [0, 1]. The mesh must only permit the motion of
+  /// the interface; a greater value costs time and remeshes more cells.
+  double quality_threshold = .2;
+  /// A cell of lower quality that is trapped by the interface may join the other phase, if its
+  /// quality is not higher with the interface at its destinations; in [0, 1]. Around vertices that
+  /// make no progress, only the quality at the destinations counts. With 0, no cell is relabeled.
+  /// The value of the paper.
+  double relabeling_threshold = .01;
+  /// Cells with a dihedral angle, in degrees, below this bound or above its supplement are removed
+  /// at the end if they are below the quality threshold; in [0, 30]. Cells at parts of the
+  /// interface that stayed or moved rigidly are not removed. Trapped cells may join another phase,
+  /// as with `relabeling_threshold`. In all other cases, the topology stays. The interface then
+  /// moves by the cell, or by a volume of at most a tenth of the cube of the mean edge length
+  /// there. Or one of its vertices that moved is displaced by at most a twentieth of that length.
+  /// If this is not sufficient, the bounds are up to five times as large. In the plane, triangles
+  /// with a smaller angle are removed, and the interface does not change. With 0, vertices that
+  /// have arrived stay in place.
+  double minimum_angle = 5;
+  /// Facets of the interface whose smallest angle falls below this bound, in degrees, are removed
+  /// where this improves the mesh around them; in [0, 30]; only facets that would soon block the
+  /// motion. With 0, no facet is removed because of its angles. Facets that keep vertices from
+  /// their destinations are then removed only from the third pass on. The bound has no effect on
+  /// `minimum_angle` and `relabeling_threshold`.
+  double minimum_facet_angle = 5;
+  /// Whether the boundary of each phase stays a manifold. If relabeling a cell would make it
+  /// non-manifold, other cells are relabeled, too, or the cell keeps its label, see
+  /// `propose_manifold_relabeling()`. If the boundary is non-manifold at the beginning, the number
+  /// of non-manifold vertices does not increase.
   bool manifold_interface = false;
-  /// What happens if a destination is outside the domain.
+  /// What happens if a destination is outside the domain, a box, and the interface does not touch
+  /// its sides.
   Domain_rule domain_rule = Domain_rule::stop;
-  /// Whether vertices that are moved one by one are sorted by the time of their first collision.
+  /// Order of the vertices that are moved one by one: if true, by the time at which their stars
+  /// would first have a flat cell; otherwise, the order of storage. The rational arithmetic takes
+  /// some microseconds for each cell around these vertices.
   bool collision_order = false;
-  /// Permits or forbids changes of topology. If empty, all are permitted.
+  /// Called before each change of the topology of a phase and of the interface; it permits or
+  /// forbids the change. If empty, all are permitted.
   Topology_control topology_control;
-  /// The energy that changes of topology decrease. Energy densities have no effect. The default is
-  /// the measure of the interface.
+  /// The energy that decides which label a trapped cell gets, and whether neighbors are exchanged.
+  /// Energy densities have no effect. The default is the measure of the interface.
   Interface_energy interface_energy;
-  /// Returns the destinations of vertices by the flow of space, in the order of the vertices. If
-  /// empty, free vertices follow the extension of the displacement.
+  /// Flow of space: the destinations of vertices, in their order. As a named parameter, it is
+  /// `Approximate_point flow(Approximate_point p)` or `Approximate_point flow(Vertex_handle v)`, in
+  /// the coordinates of the complex. Free vertices follow the flow. If the whole interface follows
+  /// it, but the boundary of a box would move, the flow fades to zero towards the boundary. If the
+  /// interface or the boundary deviates from the flow, the harmonic extension of the deviation is
+  /// added. The flow is used in the first pass only, in which most deformations end. Where it is
+  /// not finite, or its displacement is more than 100 times as long as the longest displacement of
+  /// the interface, it is unknown. Free vertices then follow the harmonic extension of the known
+  /// displacements. If empty, it is unknown everywhere.
   std::function<std::vector<Approximate_point>(const std::vector<Vertex_handle>&)> flow;
   /// Whether all free vertices with a finite destination follow the flow in the first pass, however
-  /// far they move. Otherwise, only vertices near the moving interface do, and displacements that
-  /// are much longer than those of the interface are ignored. No effect without `flow`.
+  /// far they move. No named parameter. No effect without `flow`.
   bool flow_moves_all = false;
   /// Number of threads if linked with TBB. The result does not depend on it.
-  unsigned number_of_threads = defaults::number_of_threads;
+  unsigned number_of_threads = 1;
   /// Visitor of the changes, such as a `Visitor_adaptor`; it must outlive the deformation. None if
   /// null.
   Any_visitor<Complex>* visitor = nullptr;

@@ -25,10 +25,11 @@ namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
-Report of a deformation. It names everything that was not reached or was lost.
+Report of a deformation. It names everything that was not reached or was lost. The numbers of
+`Improvement_report` include the edges of the interface.
 \tparam Complex a deformable simplicial complex
 */
-template <class Complex> struct Deformation_report
+template <class Complex> struct Deformation_report : Improvement_report
 {
   /// Vertex that did not reach its destination.
   struct Unfinished_vertex
@@ -126,17 +127,6 @@ template <class Complex> struct Deformation_report
   unsigned passes = 0; ///< executions of the main loop of Algorithm 1
   /// whether the visitor ended the deformation: `go_further()` returned false
   bool stopped = false;
-  /// \var split
-  /// number of edges split
-  /// \var collapsed
-  /// number of edges collapsed, on the interface or off it
-  /// \var flipped
-  /// number of edges, sets of facets, and edges of the interface removed
-  /// \var smoothed
-  /// number of vertices smoothed
-  /// \var inserted
-  /// number of vertices inserted into cells
-  std::size_t split = 0, collapsed = 0, flipped = 0, smoothed = 0, inserted = 0;
   /// number of vertices of the interface that were moved away from the positions that they had
   /// reached, to remove small angles; by a twentieth of the mean edge length there, by a quarter at
   /// most
@@ -162,10 +152,9 @@ template <class Complex> struct Deformation_report
       events.push_back(event);
     }
     exchanges.insert(exchanges.end(), next.exchanges.begin(), next.exchanges.end());
+    Improvement_report::operator+=(next);
     for (const auto number : {&Deformation_report::vanished, &Deformation_report::merged,
-                              &Deformation_report::stopped_at_boundary, &Deformation_report::split,
-                              &Deformation_report::collapsed, &Deformation_report::flipped,
-                              &Deformation_report::smoothed, &Deformation_report::inserted,
+                              &Deformation_report::stopped_at_boundary,
                               &Deformation_report::relocated, &Deformation_report::relabeled})
       this->*number += next.*number;
     estimated_error += next.estimated_error;

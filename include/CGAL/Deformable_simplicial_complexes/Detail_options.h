@@ -13,7 +13,6 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Edge_unit.h>
-#include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
 
@@ -25,32 +24,35 @@ namespace CGAL::Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Options of `control_detail()`. The named parameters of that function have the same names, and their
-documentation describes the effects. Lengths are in units of the target edge length.
+Options of `control_detail()`. The named parameters of that function have the same names. Lengths
+are in units of the target edge length.
 
 \tparam Complex a deformable simplicial complex
 */
 template <class Complex> struct Detail_options
 {
-  /// Target edge length at a point. If empty, it is the mean edge of the initial interface.
+  /// Target edge length, a positive function of position in the coordinates of the complex,
+  /// evaluated at midpoints of edges. If empty, it is `dsc.mean_interface_edge()` everywhere.
   typename Edge_unit<Complex>::Sizing_field sizing_field;
-  /// Selects the cells whose edges are split and collapsed. If empty, these are all cells.
+  /// Selects the cells whose edges are split and collapsed, such as the cells of some labels. An
+  /// edge inside a label is an edge of all cells around it. If empty, these are all cells.
   std::function<bool(typename Complex::Cell_handle)> where;
-  /// Longer edges off the interface are split, greater than 0.
-  double split_length = defaults::split_length;
-  /// Shorter edges off the interface are collapsed, at least 0.
+  /// Longer edges inside a label are split, greater than 0. The value of the paper.
+  double split_length = 4;
+  /// Shorter edges inside a label are collapsed, at least 0. As in the paper, the mesh becomes as
+  /// coarse as its quality allows.
   double collapse_length = std::numeric_limits<double>::infinity();
-  /// No collapse creates a cell of lower quality, in [0, 1].
-  double collapse_quality = defaults::collapse_quality;
+  /// No collapse creates a cell of lower quality, in [0, 1]. The value of the paper.
+  double collapse_quality = .25;
   /// Whether edges of the interface are split and collapsed, too.
   bool change_interface = false;
-  /// Longer edges of the interface are split, greater than 0.
-  double interface_split_length = defaults::interface_split_length;
+  /// Longer edges of the interface are split, greater than 0. The value of the paper.
+  double interface_split_length = 2;
   /// Shorter edges of the interface are collapsed, at least 0; without a sizing field, in units of
-  /// the shortest edge of the initial interface.
-  double interface_collapse_length = defaults::Interface_collapse_length::in_shortest_edges;
-  /// Largest number of rounds.
-  unsigned number_of_iterations = defaults::Number_of_iterations::over_mesh;
+  /// `dsc.minimum_interface_edge()`. The value of the paper.
+  double interface_collapse_length = .5;
+  /// Largest number of rounds. Each round processes the cells changed by the previous one.
+  unsigned number_of_iterations = 10;
   /// Visitor of the changes, such as a `Visitor_adaptor`; it must outlive the call. None if null.
   Any_visitor<Complex>* visitor = nullptr;
 

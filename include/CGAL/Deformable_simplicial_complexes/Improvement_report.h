@@ -28,14 +28,19 @@ struct Improvement_report
   std::size_t smoothed = 0;  ///< vertices smoothed
   std::size_t inserted = 0;  ///< vertices inserted into cells
 
+  /// Adds the numbers of another report.
+  Improvement_report& operator+=(const Improvement_report& other) {
+    split += other.split;
+    collapsed += other.collapsed;
+    flipped += other.flipped;
+    smoothed += other.smoothed;
+    inserted += other.inserted;
+    return *this;
+  }
+
   /// Returns the sums of the numbers.
   friend Improvement_report operator+(Improvement_report a, const Improvement_report& b) {
-    a.split += b.split;
-    a.collapsed += b.collapsed;
-    a.flipped += b.flipped;
-    a.smoothed += b.smoothed;
-    a.inserted += b.inserted;
-    return a;
+    return a += b;
   }
 };
 

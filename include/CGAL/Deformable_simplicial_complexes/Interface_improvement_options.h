@@ -14,7 +14,6 @@
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Edge_unit.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
-#include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
 
@@ -23,39 +22,50 @@ namespace CGAL::Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Options of `improve_interface()`. The named parameters of that function have the same names, and
-their documentation describes the effects. Lengths are in units of the target edge length, angles in
-degrees.
+Options of `improve_interface()`. The named parameters of that function have the same names. Lengths
+are in units of the target edge length, angles in degrees.
 
 \tparam Complex a deformable simplicial complex
 */
 template <class Complex> struct Interface_improvement_options
 {
   /// Number of repetitions of all operations.
-  unsigned number_of_iterations = defaults::Number_of_iterations::over_interface;
-  /// Bound on the relative eigenvalues of directions of smoothing, in [0, 1). With 0, vertices are
-  /// not smoothed.
-  double aggressiveness = defaults::aggressiveness;
-  /// Target edge length at a point. If empty, it is the mean edge of the initial interface.
+  unsigned number_of_iterations = 1;
+  /// Largest ratio of the eigenvalues of the quadric of a vertex for which it may move in a
+  /// direction, see `propose_null_space_position()`, in [0, 1). With 0, vertices are not smoothed.
+  /// The value of the paper.
+  double aggressiveness = .025;
+  /// Target edge length, a positive function of position in the coordinates of the complex, such as
+  /// `Curvature_sizing_field`, evaluated at midpoints of edges. If empty, it is
+  /// `dsc.mean_interface_edge()` everywhere.
   typename Edge_unit<Complex>::Sizing_field sizing_field;
-  /// Longer edges of the interface are split, greater than 0.
-  double interface_split_length = defaults::interface_split_length;
-  /// Shorter edges of the interface are collapsed, at least 0.
-  double interface_collapse_length = defaults::Interface_collapse_length::in_target_lengths;
-  /// Bound on the volume that an operation sweeps, in cubes of the target edge length, in the plane
-  /// in squares; at least 0.
-  double swept_volume = defaults::swept_volume;
-  /// Edges can be flipped if the normals of their facets differ by less, in [0, 90].
-  double flip_angle = defaults::flip_angle;
-  /// Edges are sharp if the normals of their facets differ by more, in [0, 180].
-  double feature_angle = defaults::feature_angle;
-  /// Facets with a smaller angle are removed, in [0, 30].
-  double minimum_facet_angle = defaults::Minimum_facet_angle::of_interface;
+  /// Longer edges of the interface are split, greater than 0. The value of the paper.
+  double interface_split_length = 2;
+  /// Shorter edges of the interface are collapsed, at least 0. The function keeps the shape, and
+  /// also has flips that improve angles, so the value is less than that of `Detail_options`.
+  double interface_collapse_length = .25;
+  /// Bound on the volume between the interface before and after a collapse, or after a flip that
+  /// removes a small angle, in cubes of the target edge length, in the plane in squares; at least
+  /// 0.
+  double swept_volume = .1;
+  /// An edge that does not fulfill the Delaunay criterion is flipped if the normals of its facets
+  /// differ by less, in [0, 90]: the interface looks flat there. The worst cell around must improve
+  /// or stay above the threshold. In space only. The value of the paper.
+  double flip_angle = 5;
+  /// Edges are features if the normals of their facets differ by more, in [0, 180]. They are never
+  /// flipped, and their vertices move and collapse only along feature lines that bend by a smaller
+  /// angle. In the plane, vertices where the edges differ by a larger angle are corners.
+  double feature_angle = 60;
+  /// An edge of a facet with a smaller angle is flipped or collapsed, whichever changes the shape
+  /// less, in [0, 30]; in space only.
+  double minimum_facet_angle = 15;
   /// Changed cells of lower quality are improved, in [0, 1].
-  double quality_threshold = defaults::Quality_threshold::beside_interface;
-  /// Whether new vertices are placed on the smooth surface that the facets suggest.
+  double quality_threshold = .2;
+  /// Whether new vertices are placed on a smooth surface or curve interpolated from the neighbors
+  /// of the edge, instead of on the edge, where the interface is smooth.
   bool curved_splits = false;
-  /// Whether junctions of more than three phases are split, in the plane.
+  /// Whether vertices where more than three phases meet are split into two junctions if this
+  /// decreases the energy, see `propose_junction_split()`; in the plane only.
   bool split_junctions = false;
   /// The energy that splits of junctions decrease. Energy densities have no effect. The default is
   /// the length of the interface.

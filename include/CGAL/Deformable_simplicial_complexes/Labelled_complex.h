@@ -22,8 +22,8 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Label_totals.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Marks.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/kept_components.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/Less_time_stamp.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/apply_to_corners.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/sort_by_time_stamp.h>
 
 #include <array>
 #include <cstddef>

@@ -11,7 +11,6 @@
 
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
-#include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
 namespace CGAL::Deformable_simplicial_complexes {
@@ -23,10 +22,11 @@ Options of `refine_thin_parts()`, and of the functions that make a complex.
 struct Thin_part_options
 {
   /// Longest edge of the interface, in thicknesses of the phase or the gap at it; at least 1, or 0
-  /// for no refinement.
-  double edge_per_thickness = defaults::edge_per_thickness;
-  /// Largest number of new facets of the interface.
-  unsigned most_new_facets = defaults::most_new_facets;
+  /// for no refinement. Cells of thin parts then have a quality above that at which they are
+  /// relabeled.
+  double edge_per_thickness = 3;
+  /// Largest number of new facets of the interface. Their cells take about a second.
+  unsigned most_new_facets = 10000;
 
   /// Throws an exception unless all values are in their ranges.
   /// \throws Error if a value is out of its range

@@ -47,63 +47,10 @@ rounding of the midpoints; collapses move it by the volume between the old and t
 collapse creates an edge that would be split.
 
 \param dsc the complex
-\param np named parameters:
+\param np named parameters with the names of the members of `Detail_options`. Function objects
+       and a visitor, a model of `DeformationVisitor`, are given by value or by
+       `std::reference_wrapper`.
 
-\cgalNamedParamsBegin
-  \cgalParamNBegin{sizing_field}
-    \cgalParamDescription{target edge length, a positive function of position in the coordinates of
-                          the complex: `double sizing_field(Approximate_point p)`, callable as
-                          `const`, evaluated at midpoints of edges}
-    \cgalParamType{function object, by value or `std::reference_wrapper`}
-    \cgalParamDefault{`dsc.mean_interface_edge()` everywhere}
-  \cgalParamNEnd
-  \cgalParamNBegin{where}
-    \cgalParamDescription{`bool where(Cell_handle c)` selects the cells whose edges are split and
-                          collapsed, such as the cells of some labels; an edge inside a label is an
-                          edge of all cells around it}
-    \cgalParamType{function object}
-    \cgalParamDefault{all cells}
-  \cgalParamNEnd
-  \cgalParamNBegin{split_length}
-    \cgalParamDescription{longer edges inside a label are split; in units of the target edge length,
-                          positive}
-    \cgalParamType{`double`} \cgalParamDefault{4, the paper's}
-  \cgalParamNEnd
-  \cgalParamNBegin{collapse_length}
-    \cgalParamDescription{shorter edges inside a label are collapsed; in units of the target edge
-                          length, at least 0}
-    \cgalParamType{`double`} \cgalParamDefault{infinity, as in the paper: the mesh becomes as coarse
-                   as its quality allows}
-  \cgalParamNEnd
-  \cgalParamNBegin{collapse_quality}
-    \cgalParamDescription{lower bound of the quality of cells created by collapses, in [0, 1]}
-    \cgalParamType{`double`} \cgalParamDefault{0.25, the paper's}
-  \cgalParamNEnd
-  \cgalParamNBegin{change_interface}
-    \cgalParamDescription{whether edges of the interface are split and collapsed, too}
-    \cgalParamType{`bool`} \cgalParamDefault{`false`}
-  \cgalParamNEnd
-  \cgalParamNBegin{interface_split_length}
-    \cgalParamDescription{longer edges of the interface are split; in units of the target edge
-                          length, positive}
-    \cgalParamType{`double`} \cgalParamDefault{2, the paper's}
-  \cgalParamNEnd
-  \cgalParamNBegin{interface_collapse_length}
-    \cgalParamDescription{shorter edges of the interface are collapsed; in units of the sizing field
-                          or, without one, of `dsc.minimum_interface_edge()`, at least 0}
-    \cgalParamType{`double`} \cgalParamDefault{0.5, the paper's}
-  \cgalParamNEnd
-  \cgalParamNBegin{number_of_iterations}
-    \cgalParamDescription{largest number of rounds; each round processes the cells changed by the
-                          previous one}
-    \cgalParamType{`unsigned int`} \cgalParamDefault{10}
-  \cgalParamNEnd
-  \cgalParamNBegin{visitor}
-    \cgalParamDescription{visitor that is called at each change of the mesh}
-    \cgalParamType{model of `DeformationVisitor`, by value or `std::reference_wrapper`}
-    \cgalParamDefault{`Deformation_visitor`}
-  \cgalParamNEnd
-\cgalNamedParamsEnd
 
 \return the numbers of changes
 \throws Error if a parameter is out of its range, or there is an interface, but neither a sizing

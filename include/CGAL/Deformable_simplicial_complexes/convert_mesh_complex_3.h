@@ -11,7 +11,6 @@
 
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
-#include <CGAL/Deformable_simplicial_complexes/internal/conversion/Labelled_tetrahedra_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/conversion/copy_to_mesh_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>

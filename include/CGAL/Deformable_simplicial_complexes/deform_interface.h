@@ -61,105 +61,10 @@ Each pass does the following:
        of the interface, in the coordinates of the complex. A vertex on a side of the domain moves
        to the nearest point of that side. A destination outside the domain, a box, is replaced by
        the nearest point of the box: the interface stops there, and the report counts it.
-\param np named parameters:
+\param np named parameters with the names of the members of `Deformation_options`, and `visitor`, a
+       model of `DeformationVisitor`, which may also end the deformation. Function objects, a model
+of `TopologyControl` and a visitor are given by value or by `std::reference_wrapper`.
 
-\cgalNamedParamsBegin
-  \cgalParamNBegin{maximum_number_of_passes}
-    \cgalParamDescription{largest number of passes; two passes without progress end the deformation
-                          earlier}
-    \cgalParamType{`unsigned int`} \cgalParamDefault{20}
-  \cgalParamNEnd
-  \cgalParamNBegin{quality_threshold}
-    \cgalParamDescription{moved cells of lower quality are improved, in [0, 1]}
-    \cgalParamType{`double`} \cgalParamDefault{0.2}
-  \cgalParamNEnd
-  \cgalParamNBegin{relabeling_threshold}
-    \cgalParamDescription{a cell of lower quality that is trapped by the interface may join the
-                          other phase, if its quality is not higher with the interface at its
-                          destinations; in [0, 1]. Around vertices that make no progress, only the
-                          quality at the destinations counts. With 0, no cell is relabeled.}
-    \cgalParamType{`double`} \cgalParamDefault{0.01, the paper's}
-  \cgalParamNEnd
-  \cgalParamNBegin{minimum_angle}
-    \cgalParamDescription{cells with a dihedral angle, in degrees, below this bound or above its
-                          supplement are removed at the end if they are below the quality threshold.
-                          Cells at parts of the interface that stayed or moved rigidly are not
-                          removed. Trapped cells may join another phase, as with
-                          `relabeling_threshold`. In all other cases, the topology stays. The
-                          interface then moves by the cell, or by a volume of at most a tenth of the
-                          cube of the mean edge length there. Or one of its vertices that moved is
-                          displaced by at most a twentieth of that length. If this is not
-                          sufficient, the bounds are up to five times as large. In 2D, triangles
-                          with a smaller angle are removed, and the interface does not change. In
-                          [0, 30]; with 0, vertices that have arrived stay in place.}
-    \cgalParamType{`double`} \cgalParamDefault{5}
-  \cgalParamNEnd
-  \cgalParamNBegin{minimum_facet_angle}
-    \cgalParamDescription{facets of the interface whose smallest angle falls below this bound, in
-                          degrees, are removed where this improves the mesh around them; in [0, 30].
-                          With 0, no facet is removed because of its angles. Facets that keep
-                          vertices from their destinations are then removed only from the third pass
-                          on. The bound has no effect on `minimum_angle` and
-                          `relabeling_threshold`.}
-    \cgalParamType{`double`} \cgalParamDefault{5}
-  \cgalParamNEnd
-  \cgalParamNBegin{flow}
-    \cgalParamDescription{flow of space: the destination of a point or of a vertex. Free vertices
-                          follow the flow. If the whole interface follows the flow, but the boundary
-                          of a box would move, the flow fades to zero towards the boundary. If the
-                          interface or the boundary deviates from the flow, the harmonic extension
-                          of the deviation is added. The flow is used in the first pass only, in
-                          which most deformations end. Where it is not finite, or its displacement
-                          is more than 100 times as long as the longest displacement of the
-                          interface, it is unknown. Free vertices then follow the harmonic extension
-                          of the known displacements.}
-    \cgalParamType{function object `Approximate_point flow(Approximate_point p)` or
-                   `Approximate_point flow(Vertex_handle v)`, in the coordinates of the complex}
-    \cgalParamDefault{none: free vertices follow the extension of the displacement}
-  \cgalParamNEnd
-  \cgalParamNBegin{number_of_threads}
-    \cgalParamDescription{number of threads if linked with TBB; the result does not depend on it}
-    \cgalParamType{`unsigned int`} \cgalParamDefault{1}
-  \cgalParamNEnd
-  \cgalParamNBegin{topology_control}
-    \cgalParamDescription{called before each change of the topology of a phase and of the interface;
-                          it permits or forbids the change}
-    \cgalParamType{model of `TopologyControl`, by value or `std::reference_wrapper`}
-    \cgalParamDefault{`Allow_topology_changes`}
-  \cgalParamNEnd
-  \cgalParamNBegin{interface_energy}
-    \cgalParamDescription{the energy that decides which label a trapped cell gets, and whether
-                          neighbors are exchanged; energy densities have no effect}
-    \cgalParamType{`Interface_energy`} \cgalParamDefault{the measure of the interface}
-  \cgalParamNEnd
-  \cgalParamNBegin{manifold_interface}
-    \cgalParamDescription{whether the boundary of each phase stays a manifold. If relabeling a cell
-                          would make it non-manifold, other cells are relabeled, too, or the cell
-                          keeps its label, see `propose_manifold_relabeling()`. If the boundary is
-                          non-manifold at the beginning, the number of non-manifold vertices does
-                          not increase.}
-    \cgalParamType{`bool`} \cgalParamDefault{`false`}
-  \cgalParamNEnd
-  \cgalParamNBegin{domain_rule}
-    \cgalParamDescription{what happens if a destination is outside the domain, a box, and the
-                          interface does not touch its sides}
-    \cgalParamType{`Domain_rule`}
-    \cgalParamDefault{`Domain_rule::stop`; `Domain_rule::refuse` for `advect_interface()`}
-  \cgalParamNEnd
-  \cgalParamNBegin{collision_order}
-    \cgalParamDescription{order of the vertices that are moved one by one: if true, by the time at
-                          which their stars would first have a flat cell; otherwise, the order of
-                          storage. The rational arithmetic takes some microseconds for each cell
-                          around these vertices.}
-    \cgalParamType{`bool`} \cgalParamDefault{`false`}
-  \cgalParamNEnd
-  \cgalParamNBegin{visitor}
-    \cgalParamDescription{visitor that is called at each change of the mesh and may end the
-                          deformation}
-    \cgalParamType{model of `DeformationVisitor`, by value or `std::reference_wrapper`}
-    \cgalParamDefault{`Deformation_visitor`}
-  \cgalParamNEnd
-\cgalNamedParamsEnd
 
 \return the vertices that did not arrive with their remaining distances, and the changes of labels
         and mesh

@@ -47,89 +47,10 @@ and their vertices move and collapse only along them. In 2D, corners stay. Smoot
 volumes of labels up to rounding; flips, collapses and curved splits change them slightly.
 
 \param dsc the complex
-\param np named parameters:
+\param np named parameters with the names of the members of `Interface_improvement_options`. Function objects
+       and a visitor, a model of `DeformationVisitor`, are given by value or by
+       `std::reference_wrapper`.
 
-\cgalNamedParamsBegin
-  \cgalParamNBegin{number_of_iterations}
-    \cgalParamDescription{number of repetitions of all operations}
-    \cgalParamType{`unsigned int`} \cgalParamDefault{1}
-  \cgalParamNEnd
-  \cgalParamNBegin{aggressiveness}
-    \cgalParamDescription{largest ratio of the eigenvalues of the quadric of a vertex for which it
-                          may move in a direction, see `propose_null_space_position()`; in [0, 1); 0
-                          for no smoothing}
-    \cgalParamType{`double`} \cgalParamDefault{0.025, the paper's}
-  \cgalParamNEnd
-  \cgalParamNBegin{flip_angle}
-    \cgalParamDescription{an edge that does not fulfill the Delaunay criterion is flipped if the
-                          normals of its facets differ by a smaller angle, in degrees, in [0, 90].
-                          The worst cell around must improve or stay above the threshold. In 3D
-                          only.}
-    \cgalParamType{`double`} \cgalParamDefault{5, the paper's}
-  \cgalParamNEnd
-  \cgalParamNBegin{feature_angle}
-    \cgalParamDescription{edges where the normals of the facets differ by a larger angle, in
-                          degrees, in [0, 180], are features. They are never flipped, and their
-                          vertices move and collapse only along feature lines that bend by a smaller
-                          angle. In 2D, vertices where the edges differ by a larger angle are
-                          corners.}
-    \cgalParamType{`double`} \cgalParamDefault{60}
-  \cgalParamNEnd
-  \cgalParamNBegin{sizing_field}
-    \cgalParamDescription{target edge length, a positive function of position in the coordinates of
-                          the complex: `double sizing_field(Approximate_point p)`, callable as
-                          `const`, evaluated at midpoints of edges; for example
-                          `Curvature_sizing_field`}
-    \cgalParamType{function object, by value or `std::reference_wrapper`}
-    \cgalParamDefault{`dsc.mean_interface_edge()` everywhere}
-  \cgalParamNEnd
-  \cgalParamNBegin{interface_split_length}
-    \cgalParamDescription{longer edges are split; in units of the target edge length, positive}
-    \cgalParamType{`double`} \cgalParamDefault{2, the paper's}
-  \cgalParamNEnd
-  \cgalParamNBegin{curved_splits}
-    \cgalParamDescription{whether new vertices are placed on a smooth surface or curve interpolated
-                          from the neighbors of the edge, instead of on the edge; only where the
-                          interface is smooth}
-    \cgalParamType{`bool`} \cgalParamDefault{`false`}
-  \cgalParamNEnd
-  \cgalParamNBegin{split_junctions}
-    \cgalParamDescription{whether vertices where more than three phases meet are split into two
-                          junctions if this decreases the energy, see `propose_junction_split()`; in
-                          2D only}
-    \cgalParamType{`bool`} \cgalParamDefault{`false`}
-  \cgalParamNEnd
-  \cgalParamNBegin{interface_energy}
-    \cgalParamDescription{the energy that splits of junctions decrease; energy densities have no
-                          effect}
-    \cgalParamType{`Interface_energy`} \cgalParamDefault{the length of the interface}
-  \cgalParamNEnd
-  \cgalParamNBegin{interface_collapse_length}
-    \cgalParamDescription{shorter edges are collapsed; in units of the target edge length, at least
-                          0}
-    \cgalParamType{`double`} \cgalParamDefault{0.25}
-  \cgalParamNEnd
-  \cgalParamNBegin{minimum_facet_angle}
-    \cgalParamDescription{an edge of a facet with a smaller angle is flipped or collapsed, whichever
-                          changes the shape less; in degrees, in [0, 30]; in 3D only}
-    \cgalParamType{`double`} \cgalParamDefault{15}
-  \cgalParamNEnd
-  \cgalParamNBegin{swept_volume}
-    \cgalParamDescription{largest volume between the interface before and after a collapse, or after
-                          a flip that removes a small angle; in cubes (in 2D, squares) of the target
-                          edge length, at least 0}
-    \cgalParamType{`double`} \cgalParamDefault{0.1}
-  \cgalParamNEnd
-  \cgalParamNBegin{quality_threshold}
-    \cgalParamDescription{changed cells of lower quality are improved, in [0, 1]}
-    \cgalParamType{`double`} \cgalParamDefault{0.2}
-  \cgalParamNEnd
-  \cgalParamNBegin{visitor}
-    \cgalParamDescription{visitor that is called at each change of the mesh}
-    \cgalParamType{model of `DeformationVisitor`, by value or `std::reference_wrapper`}
-    \cgalParamDefault{`Deformation_visitor`}
-  \cgalParamNEnd
-\cgalNamedParamsEnd
 
 \return the numbers of changes
 \throws Error if a parameter is out of its range, or there is an interface, but neither a sizing

@@ -46,41 +46,10 @@ The quality is that of the complex's quality measure. If dihedral angles are imp
 seeds.
 
 \param dsc the complex
-\param np named parameters:
+\param np named parameters with the names of the members of `Mesh_improvement_options`. Function objects
+       and a visitor, a model of `DeformationVisitor`, are given by value or by
+       `std::reference_wrapper`.
 
-\cgalNamedParamsBegin
-  \cgalParamNBegin{quality_threshold}
-    \cgalParamDescription{only cells of lower quality are improved, in [0, 1]; the higher it is, the
-                          more vertices are inserted}
-    \cgalParamType{`double`} \cgalParamDefault{0.25; 0.46 if `aggressive`}
-  \cgalParamNEnd
-  \cgalParamNBegin{number_of_iterations}
-    \cgalParamDescription{largest number of rounds; each round processes the cells changed by the
-                          previous one. Where neighbors are improved, too, there are six times as
-                          many rounds}
-    \cgalParamType{`unsigned int`} \cgalParamDefault{10}
-  \cgalParamNEnd
-  \cgalParamNBegin{aggressive}
-    \cgalParamDescription{whether the cells around remaining cells of low quality are perturbed and
-                          improved repeatedly; in 3D only; this takes minutes instead of seconds}
-    \cgalParamType{`bool`} \cgalParamDefault{`false`}
-  \cgalParamNEnd
-  \cgalParamNBegin{smooth_interface}
-    \cgalParamDescription{whether vertices of the interface may move within a plane or a line where
-                          the interface is flat or straight, see `propose_optimal_position()`; in 3D
-                          only}
-    \cgalParamType{`bool`} \cgalParamDefault{`false`}
-  \cgalParamNEnd
-  \cgalParamNBegin{number_of_threads}
-    \cgalParamDescription{number of threads if linked with TBB; the result does not depend on it}
-    \cgalParamType{`unsigned int`} \cgalParamDefault{1}
-  \cgalParamNEnd
-  \cgalParamNBegin{visitor}
-    \cgalParamDescription{visitor that is called at each change of the mesh}
-    \cgalParamType{model of `DeformationVisitor`, by value or `std::reference_wrapper`}
-    \cgalParamDefault{`Deformation_visitor`}
-  \cgalParamNEnd
-\cgalNamedParamsEnd
 
 \return the numbers of changes
 \throws Error if a parameter is out of its range; the complex is then unchanged

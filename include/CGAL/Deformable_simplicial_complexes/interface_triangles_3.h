@@ -12,7 +12,7 @@
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/geometry/vectors_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/geometry/triangle_quality.h>
 
 #include <algorithm>
 #include <array>

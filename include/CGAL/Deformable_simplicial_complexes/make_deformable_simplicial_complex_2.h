@@ -110,44 +110,8 @@ curves are bitwise unchanged.
 
 \param curves curves with the labels of the regions that they enclose; coordinates are rounded to
        `double`
-\param np a `Construction_options<2>`, or named parameters:
+\param np a `Construction_options<2>`, or named parameters with the names of its members
 
-\cgalNamedParamsBegin
-  \cgalParamNBegin{enclosing_box}
-    \cgalParamDescription{The domain; the curves must be strictly inside.}
-    \cgalParamType{`Bbox_2` or a class with `bbox()`, such as `Iso_rectangle_2`}
-    \cgalParamDefault{the square centered at the barycenter of the points, whose half side is 2.5
-                      times the largest distance of a point from the barycenter}
-  \cgalParamNEnd
-  \cgalParamNBegin{edge_per_thickness}
-    \cgalParamDescription{Longest edge of the interface, in thicknesses of the phase or the gap at it;
-                          longer ones are split, see `refine_thin_parts()`. At least 1; with 0, the
-                          interface keeps its facets.}
-    \cgalParamType{`double`}
-    \cgalParamDefault{3}
-  \cgalParamNEnd
-  \cgalParamNBegin{most_new_facets}
-    \cgalParamDescription{Largest number of facets that are added in this way.}
-    \cgalParamType{`unsigned`}
-    \cgalParamDefault{10 000}
-  \cgalParamNEnd
-  \cgalParamNBegin{improve}
-    \cgalParamDescription{Whether the mesh is improved at the end, as in each pass of a
-                          deformation.}
-    \cgalParamType{`bool`}
-    \cgalParamDefault{`true`}
-  \cgalParamNEnd
-  \cgalParamNBegin{quality_threshold}
-    \cgalParamDescription{Only cells of lower quality are improved, in [0, 1].}
-    \cgalParamType{`double`}
-    \cgalParamDefault{0.3}
-  \cgalParamNEnd
-  \cgalParamNBegin{number_of_iterations}
-    \cgalParamDescription{Largest number of rounds of improvement.}
-    \cgalParamType{`unsigned int`}
-    \cgalParamDefault{10}
-  \cgalParamNEnd
-\cgalNamedParamsEnd
 
 \throws Invalid_surface_error if a curve is not as described above, or reaches the box; the facets
         of the error are segments

@@ -23,7 +23,6 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/building/box_grid_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/building/label_by_sides_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/building/label_cells.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/checks/check_patches_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/checks/check_surfaces_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/checks/check_tetrahedra_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/improve_new_mesh.h>
@@ -98,58 +97,8 @@ triangles that are coplanar up to a millionth of their length are then exchanged
 \param surfaces surfaces with the labels of the solids that they bound; coordinates are rounded to
        `double`
 \param tetrahedralizer tetrahedralizer that fills the box
-\param np a `Construction_options<3>`, or named parameters:
+\param np a `Construction_options<3>`, or named parameters with the names of its members
 
-\cgalNamedParamsBegin
-  \cgalParamNBegin{normalize}
-    \cgalParamDescription{Whether the coordinates of the complex are normalized: the barycenter of
-                          the points of the surfaces is the origin, and their largest distance from
-                          it is 1/2.5. `Complex::normalization()` is the map to user coordinates.}
-    \cgalParamType{`bool`}
-    \cgalParamDefault{`false`}
-  \cgalParamNEnd
-  \cgalParamNBegin{enclosing_box}
-    \cgalParamDescription{The domain, in the coordinates of the surfaces; the surfaces must be
-                          strictly inside.}
-    \cgalParamType{`Bbox_3` or a class with `bbox()`, such as `Iso_cuboid_3`}
-    \cgalParamDefault{the cube centered at the barycenter, whose half side is 2.5 times the largest
-                      distance of a point from the barycenter; \f$[-1, 1]^3\f$ if `normalize` is
-                      set}
-  \cgalParamNEnd
-  \cgalParamNBegin{box_subdivision}
-    \cgalParamDescription{Number of pieces that each edge of the box is divided into, in [1, 1000].}
-    \cgalParamType{`unsigned`}
-    \cgalParamDefault{4}
-  \cgalParamNEnd
-  \cgalParamNBegin{edge_per_thickness}
-    \cgalParamDescription{Longest edge of the interface, in thicknesses of the phase or the gap at it;
-                          longer ones are split, see `refine_thin_parts()`. At least 1; with 0, the
-                          interface keeps its facets.}
-    \cgalParamType{`double`}
-    \cgalParamDefault{3}
-  \cgalParamNEnd
-  \cgalParamNBegin{most_new_facets}
-    \cgalParamDescription{Largest number of facets that are added in this way.}
-    \cgalParamType{`unsigned`}
-    \cgalParamDefault{10 000}
-  \cgalParamNEnd
-  \cgalParamNBegin{improve}
-    \cgalParamDescription{Whether the mesh is improved at the end, as in each pass of a deformation.
-                          `improve_mesh()` gives a better mesh, since it also inserts vertices.}
-    \cgalParamType{`bool`}
-    \cgalParamDefault{`true`}
-  \cgalParamNEnd
-  \cgalParamNBegin{quality_threshold}
-    \cgalParamDescription{Only cells of lower quality are improved, in [0, 1].}
-    \cgalParamType{`double`}
-    \cgalParamDefault{0.3}
-  \cgalParamNEnd
-  \cgalParamNBegin{number_of_iterations}
-    \cgalParamDescription{Largest number of rounds of improvement.}
-    \cgalParamType{`unsigned int`}
-    \cgalParamDefault{10}
-  \cgalParamNEnd
-\cgalNamedParamsEnd
 
 \throws Invalid_surface_error if a surface is not as described above, or reaches the box
 \throws Tetrahedralization_error if the tetrahedralizer fails

@@ -13,8 +13,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Vertex_quadric_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/geometry/triangle_quality.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/geometry/vectors_3.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_fan_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_fan.h>
 #include <CGAL/Deformable_simplicial_complexes/vertex_smoothing.h>
 
 #include <algorithm>

@@ -16,7 +16,6 @@
 #include <CGAL/Deformable_simplicial_complexes/Edge_unit.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
-#include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/balance/Interface_tolerance.h>
@@ -32,23 +31,24 @@ namespace CGAL::Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Options of `remove_degeneracies()`. The named parameters of that function have the same names, and
-their documentation describes the effects.
+Options of `remove_degeneracies()`. The named parameters of that function have the same names. The
+numbers are those of the paper.
 
 \tparam Complex a deformable simplicial complex
 */
 template <class Complex> struct Degeneracy_options
 {
-  /// Cells of lower quality are removed, in [0, 1], in space.
-  double degenerate_quality = defaults::Degenerate::quality;
+  /// Cells of lower quality are removed, in [0, 1]; in space only.
+  double degenerate_quality = .005;
   /// Facets, in the plane triangles, with an angle of larger cosine are removed, in [0.5, 1].
-  double degenerate_cosine = defaults::Degenerate::cosine;
+  double degenerate_cosine = .999;
   /// Shorter edges are removed, in units of the target edge length, at least 0.
-  double degenerate_length = defaults::Degenerate::length;
-  /// Target edge length at a point. If empty, it is the shortest edge of the initial interface.
+  double degenerate_length = .5;
+  /// Target edge length, a positive function of position in the coordinates of the complex,
+  /// evaluated at midpoints of edges. If empty, it is `dsc.minimum_interface_edge()` everywhere.
   typename Edge_unit<Complex>::Sizing_field sizing_field;
-  /// Largest number of rounds.
-  unsigned number_of_iterations = defaults::Number_of_iterations::over_mesh;
+  /// Largest number of rounds. Each round processes the cells created by the previous one.
+  unsigned number_of_iterations = 10;
   /// Visitor of the changes, such as a `Visitor_adaptor`; it must outlive the call. None if null.
   Any_visitor<Complex>* visitor = nullptr;
 
@@ -124,41 +124,10 @@ edges. The topology of the interface stays; the interface moves by the volume of
 A pass over the cells, then n log n in the number of changed cells.
 
 \param dsc the complex
-\param np named parameters:
+\param np named parameters with the names of the members of `Degeneracy_options`. Function objects
+       and a visitor, a model of `DeformationVisitor`, are given by value or by
+       `std::reference_wrapper`.
 
-\cgalNamedParamsBegin
-  \cgalParamNBegin{degenerate_quality}
-    \cgalParamDescription{cells of lower quality are removed, in [0, 1]; in 3D only}
-    \cgalParamType{`double`} \cgalParamDefault{0.005, the paper's}
-  \cgalParamNEnd
-  \cgalParamNBegin{degenerate_cosine}
-    \cgalParamDescription{facets (in 2D, triangles) with an angle of larger cosine are removed; in
-                          [0.5, 1]}
-    \cgalParamType{`double`} \cgalParamDefault{0.999, the paper's}
-  \cgalParamNEnd
-  \cgalParamNBegin{degenerate_length}
-    \cgalParamDescription{shorter edges are removed; in units of the sizing field or, without one,
-                          of `dsc.minimum_interface_edge()`, at least 0}
-    \cgalParamType{`double`} \cgalParamDefault{0.5, the paper's}
-  \cgalParamNEnd
-  \cgalParamNBegin{sizing_field}
-    \cgalParamDescription{target edge length, a positive function of position in the coordinates of
-                          the complex: `double sizing_field(Approximate_point p)`, callable as
-                          `const`, evaluated at midpoints of edges}
-    \cgalParamType{function object, by value or `std::reference_wrapper`}
-    \cgalParamDefault{`dsc.minimum_interface_edge()` everywhere}
-  \cgalParamNEnd
-  \cgalParamNBegin{number_of_iterations}
-    \cgalParamDescription{largest number of rounds; each round processes the cells created by the
-                          previous one}
-    \cgalParamType{`unsigned int`} \cgalParamDefault{10}
-  \cgalParamNEnd
-  \cgalParamNBegin{visitor}
-    \cgalParamDescription{visitor that is called at each change of the mesh}
-    \cgalParamType{model of `DeformationVisitor`, by value or `std::reference_wrapper`}
-    \cgalParamDefault{`Deformation_visitor`}
-  \cgalParamNEnd
-\cgalNamedParamsEnd
 
 \return the numbers of changes
 \throws Error if a parameter is out of its range; the complex is then unchanged

@@ -91,30 +91,9 @@ plus the square of the number of edges of holes, plus the wrap.
 
 \param surface the surface; it is replaced by the repaired surface, and unchanged if it already
        bounds a solid
-\param np named parameters:
+\param np named parameters with the names of the members of `Surface_repair_options_3`:
+       `largest_hole`, `wrap_alpha` and `wrap_offset`
 
-\cgalNamedParamsBegin
-  \cgalParamNBegin{largest_hole}
-    \cgalParamDescription{Length of the longest border of holes that are filled, at least 0. The
-                          unit is the diagonal of the bounding box of the connected component with
-                          the hole. The border of a flat sheet is at least two diagonals long.}
-    \cgalParamType{`double`}
-    \cgalParamDefault{1.6}
-  \cgalParamNEnd
-  \cgalParamNBegin{wrap_alpha}
-    \cgalParamDescription{The parameter alpha of CGAL's alpha wrap, in mean edge lengths of the
-                          surface, at least 0; 0 for no wrap. A ball of this radius does not pass
-                          smaller holes. At least a thousandth of the diagonal of the bounding box
-                          is used.}
-    \cgalParamType{`double`}
-    \cgalParamDefault{1}
-  \cgalParamNEnd
-  \cgalParamNBegin{wrap_offset}
-    \cgalParamDescription{Distance of the wrap from the surface, in mean edge lengths, positive.}
-    \cgalParamType{`double`}
-    \cgalParamDefault{0.1}
-  \cgalParamNEnd
-\cgalNamedParamsEnd
 
 \return the numbers of changes, and the distances between the input and the result
 \throws Invalid_surface_error if coordinates are not finite, indices are wrong, there are no

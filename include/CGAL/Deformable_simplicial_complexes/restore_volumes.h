@@ -14,7 +14,6 @@
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/Volume_changer.h>
-#include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
@@ -50,9 +49,9 @@ template <class Complex> struct Volume_restoration_options
 {
   Deformation_options<Complex> deformation; ///< Options of the deformations.
   /// Largest relative error of a volume at the end, greater than 0.
-  double volume_tolerance = defaults::volume_tolerance;
-  /// Largest number of deformations.
-  unsigned number_of_iterations = defaults::Number_of_iterations::towards_volumes;
+  double volume_tolerance = 1e-10;
+  /// Largest number of deformations. Before each one, Newton's method computes its destinations.
+  unsigned number_of_iterations = 5;
 
   /// Throws an exception unless all values are in their ranges.
   /// \throws Error if a value is out of its range
@@ -129,18 +128,9 @@ the interface, plus the deformations.
 \param dsc the complex
 \param volumes target volumes of labels, positive, in the coordinates of the complex. Labels without
        a target volume share the rest of the domain.
-\param np named parameters: those of `deform_interface()` and
+\param np named parameters: those of `deform_interface()`, and those with the names of the other
+       members of `Volume_restoration_options`
 
-\cgalNamedParamsBegin
-  \cgalParamNBegin{volume_tolerance}
-    \cgalParamDescription{largest relative error of a volume at the end, positive}
-    \cgalParamType{`double`} \cgalParamDefault{1e-10}
-  \cgalParamNEnd
-  \cgalParamNBegin{number_of_iterations}
-    \cgalParamDescription{largest number of deformations}
-    \cgalParamType{`unsigned int`} \cgalParamDefault{5}
-  \cgalParamNEnd
-\cgalNamedParamsEnd
 
 \return the deformations, and whether all volumes are correct within the tolerance. If they are not,
         the interface could not reach its destinations, a visitor ended the deformation, or there

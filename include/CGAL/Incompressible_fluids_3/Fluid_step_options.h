@@ -30,14 +30,18 @@ template <class Complex> struct Fluid_step_options
   /// Options of the deformations. The fluid has its own flow and visitor, so these two are not
   /// used.
   Deformation_options<Complex> deformation;
-  /// The time in the step at which forces act, in steps, in [0.5, 1].
-  double implicitness = defaults::implicitness;
+  /// The time in the step at which forces act, in steps, in [0.5, 1]. With 0.5, the step is the
+  /// implicit midpoint rule, which preserves energy. With 1, it is the backward Euler method, which
+  /// damps oscillations that are faster than the step. In the four steps after a change of
+  /// topology, the value is at least 0.6.
+  double implicitness = .5;
   /// Largest distance of an edge of the interface to a smooth surface, in mean edges of the initial
-  /// interface, at least 0. With 0, the interface is not remeshed before steps.
+  /// interface, at least 0. The interface is remeshed as in `advect_adaptively()` if too many edges
+  /// are too long or too short. With 0, the interface is not remeshed before steps.
   double interface_tolerance =
       defaults::Adaptive_advection<Complex::dimension>::interface_tolerance;
-  /// Number of steps between two adaptations of the mesh. With 0, the mesh is never adapted
-  /// before steps. The motion can still change it.
+  /// Number of steps between two adaptations of the mesh. The first adaptation precedes the first
+  /// step. With 0, the mesh is never adapted before steps. The motion can still change it.
   unsigned adaptation_interval =
       defaults::Adaptive_advection<Complex::dimension>::adaptation_interval;
 

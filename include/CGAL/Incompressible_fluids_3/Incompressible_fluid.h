@@ -35,16 +35,14 @@
 #include <CGAL/Incompressible_fluids_3/internal/fluid/Energy_check.h>
 #include <CGAL/Incompressible_fluids_3/internal/fluid/Fixed_point_accelerator.h>
 #include <CGAL/Incompressible_fluids_3/internal/fluid/Fluid_motion.h>
-#include <CGAL/Incompressible_fluids_3/internal/fluid/Fluid_snapshot.h>
 #include <CGAL/Incompressible_fluids_3/internal/fluid/Gas_bookkeeping.h>
 #include <CGAL/Incompressible_fluids_3/internal/fluid/Liquid_bookkeeping.h>
 #include <CGAL/Incompressible_fluids_3/internal/fluid/Liquid_interface.h>
 #include <CGAL/Incompressible_fluids_3/internal/fluid/Step_plan.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Component_momenta.h>
-#include <CGAL/Incompressible_fluids_3/internal/mesh/Liquid_flow.h>
+#include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/set_tensions.h>
 #include <CGAL/Incompressible_fluids_3/internal/sides/Open_sides.h>
-#include <CGAL/Incompressible_fluids_3/internal/sides/opening_checks.h>
 #include <CGAL/Incompressible_fluids_3/internal/sides/side_velocities.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Field_diffusion.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_sources.h>
@@ -484,31 +482,9 @@ public:
   neither adapted nor improved before an attempt.
 
   \param dt the length of the time step, greater than 0
-  \param np named parameters: those of `deform_interface()`, except `flow` and `visitor`, and
+  \param np named parameters: those of `deform_interface()`, except `flow` and `visitor`, and those
+         with the names of the other members of `Fluid_step_options`
 
-  \cgalNamedParamsBegin
-    \cgalParamNBegin{implicitness}
-      \cgalParamDescription{the time in the step at which forces act, in [0.5, 1], in units of the
-                            step. With 0.5, the step is the implicit midpoint rule, which preserves
-                            energy. With 1, it is the backward Euler method, which damps
-                            oscillations that are faster than the step. In the four steps after a
-                            change of topology, the value is at least 0.6.}
-      \cgalParamType{`double`} \cgalParamDefault{0.5}
-    \cgalParamNEnd
-    \cgalParamNBegin{interface_tolerance}
-      \cgalParamDescription{the largest distance of an edge of the interface to a smooth surface, in
-                            units of `Complex::mean_interface_edge()`. The interface is remeshed as
-                            in `advect_adaptively()` if too many edges are too long or too short.
-                            With 0, the interface is not remeshed before steps.}
-      \cgalParamType{`double`} \cgalParamDefault{0.04}
-    \cgalParamNEnd
-    \cgalParamNBegin{adaptation_interval}
-      \cgalParamDescription{the number of steps between two adaptations of the mesh. The first
-                            adaptation precedes the first step. With 0, the mesh is never adapted
-                            before steps.}
-      \cgalParamType{`unsigned int`} \cgalParamDefault{4}
-    \cgalParamNEnd
-  \cgalNamedParamsEnd
 
   \return the report of the step
   \throws Error if a parameter is out of its range, if `dt` is not positive, not finite, or too

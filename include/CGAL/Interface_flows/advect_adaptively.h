@@ -133,20 +133,15 @@ Deformation_report<Complex> advect_adaptively(Complex& dsc, const Velocity& velo
     changes = keep_interface_fit(dsc, adaptation, is_stretching, deformation.visitor);
     if ((contracts && Complex::dimension == 2) || internal::preserves_volumes(velocity))
       for (const auto& restored : restore_volumes(dsc, volumes, restoration).deformations)
-        changes = changes + Improvement_report{restored.split, restored.collapsed, restored.flipped,
-                                               restored.smoothed, restored.inserted};
+        changes += restored;
     Detail_options<Complex> detail;
     detail.collapse_length = defaults::Adaptive_advection<Complex::dimension>::collapse_length;
     detail.visitor = deformation.visitor;
-    changes = changes + control_detail(dsc, detail);
+    changes += control_detail(dsc, detail);
   }
   Deformation_report<Complex> report = advect_interface(dsc, velocity, t, dt, options.advection);
   internal::begin_with(earlier, report);
-  report.split += changes.split;
-  report.collapsed += changes.collapsed;
-  report.flipped += changes.flipped;
-  report.smoothed += changes.smoothed;
-  report.inserted += changes.inserted;
+  report += changes;
   return report;
 }
 
@@ -175,8 +170,7 @@ the mesh is adapted at the beginning of the step:
 
 The defaults of some parameters differ from those of `advect_interface()`. Cells may become flatter,
 and facets of the interface may become longer, because the flow may bring the interface back. A flow
-that contracts the interface does not bring it back. It has the defaults of `advect_interface()` for
-the last three parameters below.
+that contracts the interface does not bring it back, and has the defaults of `advect_interface()`.
 
 \param dsc the complex
 \param velocity as for `advect_interface()`. If the interface is worn, the step is integrated once
@@ -186,42 +180,10 @@ the last three parameters below.
 \param t the time at the beginning of the step
 \param dt the length of the step. It must be the same in each step; otherwise use an
        `adaptation_interval` of 1.
-\param np named parameters: those of `advect_interface()` and
+\param np named parameters: those of `advect_interface()`, and those with the names of the other
+       members of `Adaptive_advection_options`, with the default values of
+       `defaults::Adaptive_advection`. The default of `scheme` is `Integration_scheme::rk4`.
 
-\cgalNamedParamsBegin
-  \cgalParamNBegin{interface_tolerance}
-    \cgalParamDescription{the largest distance of an edge of an adapted interface from the smooth
-                          surface, in units of `dsc.mean_interface_edge()`, not negative; with 0,
-                          the interface is not adapted}
-    \cgalParamType{`double`}
-    \cgalParamDefault{0.04 in space, 0.005 in the plane}
-  \cgalParamNEnd
-  \cgalParamNBegin{adaptation_interval}
-    \cgalParamDescription{the number of steps from one adaptation to the next, positive}
-    \cgalParamType{`unsigned int`}
-    \cgalParamDefault{4; 1 if the velocity contracts the interface}
-  \cgalParamNEnd
-  \cgalParamNBegin{feature_angle}
-    \cgalParamDescription{edges with a larger angle between the normals of their facets are sharp
-                          and stay when the interface is adapted, in degrees, in [0, 180]}
-    \cgalParamType{`double`}
-    \cgalParamDefault{85: the edges of a cube are sharp, the rims of thin sheets are not. 180 for a
-                      velocity that contracts the interface in the plane, where corners become round
-                      at once}
-  \cgalParamNEnd
-  \cgalParamNBegin{scheme}
-    \cgalParamDefault{`Integration_scheme::rk4`}
-  \cgalParamNEnd
-  \cgalParamNBegin{quality_threshold}
-    \cgalParamDefault{0.1; 0.2 if the velocity contracts the interface}
-  \cgalParamNEnd
-  \cgalParamNBegin{minimum_angle}
-    \cgalParamDefault{0.1; 5 if the velocity contracts the interface}
-  \cgalParamNEnd
-  \cgalParamNBegin{minimum_facet_angle}
-    \cgalParamDefault{0; 5 if the velocity contracts the interface}
-  \cgalParamNEnd
-\cgalNamedParamsEnd
 
 \return the report of `advect_interface()`. Its numbers of operations include the adaptation.
 \throws Error if a parameter is out of its range, or if there is an interface and

@@ -77,15 +77,10 @@ Distributed_report<Complex> advect_adaptively(
   });
   Detail_options<Part> detail;
   detail.collapse_length = defaults::Adaptive_advection<Complex::dimension>::collapse_length;
-  changes = changes + control_detail(dsc, detail);
+  changes += control_detail(dsc, detail);
   Distributed_report<Complex> report =
       advect_interface(dsc, velocity, t, dt, deformation, options.advection.scheme);
-  using size_type = typename Distributed_report<Complex>::size_type;
-  report.split += size_type(changes.split);
-  report.collapsed += size_type(changes.collapsed);
-  report.flipped += size_type(changes.flipped);
-  report.smoothed += size_type(changes.smoothed);
-  report.inserted += size_type(changes.inserted);
+  report += changes;
   return report;
 }
 

@@ -14,7 +14,6 @@
 #include <CGAL/Deformable_simplicial_complexes/Edge_unit.h>
 #include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
-#include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/grow_domain.h>
@@ -44,11 +43,19 @@ template <class Complex> struct Advection_options
   Deformation_options<Complex> deformation;
   Integration_scheme scheme = Integration_scheme::rk2; ///< The method that integrates velocities.
   /// Largest estimated error of a destination in each substep of `Integration_scheme::adaptive`, in
-  /// mean edges of the initial interface, greater than 0.
-  double integration_tolerance = defaults::integration_tolerance;
+  /// mean edges of the initial interface, greater than 0. It is far below the distance between an
+  /// edge and a curved interface.
+  double integration_tolerance = 1e-4;
   /// Longest displacement of a vertex relative to its neighbors in one deformation, in local edge
-  /// lengths, at least 0. Longer time steps are divided. With 0, no time step is divided.
-  double largest_displacement = defaults::largest_displacement;
+  /// lengths, at least 0. In a rotation, 0.5 is a turn by 29 degrees: straight paths then deviate
+  /// from the circle by less than a thirtieth of the radius. If the free vertices do not follow the
+  /// velocity, a vertex also moves by at most four times this length. A segment of a
+  /// `Normal_offset` in the plane moves by at most one such length, and parts also end when a
+  /// segment vanishes; `scheme` is not used. A longer time step is divided into parts: a flow map,
+  /// a step and an interface velocity are called for each part, and the paths in a field are
+  /// integrated adaptively, unless `scheme` is `Integration_scheme::euler`. With 0, or if the
+  /// parameter `flow` is given, the time step is not divided.
+  double largest_displacement = .5;
 
   /// Constructs options with default values.
   Advection_options() { deformation.domain_rule = Domain_rule::refuse; }
@@ -345,34 +352,9 @@ vertices near the interface also move with it, unless the parameter `flow` is gi
   the coordinates of the complex.
 \param t the time at the beginning of the step
 \param dt the length of the step. A negative value moves backwards in time.
-\param np named parameters: those of `deform_interface()` and
+\param np named parameters: those of `deform_interface()`, and those with the names of the other
+       members of `Advection_options`. The default of `domain_rule` is `Domain_rule::refuse`.
 
-\cgalNamedParamsBegin
-  \cgalParamNBegin{scheme}
-    \cgalParamDescription{the method that integrates velocities}
-    \cgalParamType{`Integration_scheme`}
-    \cgalParamDefault{`Integration_scheme::rk2`}
-  \cgalParamNEnd
-  \cgalParamNBegin{integration_tolerance}
-    \cgalParamDescription{the largest estimated error of a destination in each substep of
-                          `Integration_scheme::adaptive`, in units of `dsc.mean_interface_edge()`,
-                          positive}
-    \cgalParamType{`double`}
-    \cgalParamDefault{1e-4}
-  \cgalParamNEnd
-  \cgalParamNBegin{largest_displacement}
-    \cgalParamDescription{the longest displacement of a vertex relative to its neighbors in one
-                          deformation, in local edge lengths, not negative. If the free vertices do
-                          not follow the velocity, a vertex also moves by at most four times this
-                          length. A segment of a `Normal_offset` in the plane moves by at most one
-such length, and parts also end when a segment vanishes; `scheme` is not used. A longer time step is
-divided into parts: a flow map, a step and an interface velocity are called for each part, and the
-paths in a field are integrated adaptively, unless `scheme` is `Integration_scheme::euler`. With 0,
-or if the parameter `flow` is given, the time step is not divided}
-    \cgalParamType{`double`}
-    \cgalParamDefault{0.5, a turn by 29 degrees}
-  \cgalParamNEnd
-\cgalNamedParamsEnd
 
 \return the report of `deform_interface()`. The report of a divided time step contains the sums over
         its parts.

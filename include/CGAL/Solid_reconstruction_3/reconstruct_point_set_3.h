@@ -11,7 +11,6 @@
 #include <CGAL/license/Solid_reconstruction_3.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
-#include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
@@ -46,15 +45,18 @@ Options of `reconstruct_point_set_3()`. The named parameters of that function ha
 */
 template <class Complex> struct Reconstruction_options_3
 {
-  /// Bound on the root mean square distance between a facet and its points, in spacings, greater
-  /// than 0 and finite.
-  double fit_tolerance = defaults::fit_tolerance;
-  /// Whether points that sample an open sheet are reconstructed.
+  /// Tolerance of the fit, in spacings, greater than 0 and finite. A facet is divided if the root
+  /// mean square of the distances of its points exceeds the tolerance, which is at least 1.3 times
+  /// the noise. The target edge length is at least 2 spacings plus 14 times the noise, at sharp
+  /// edges at least 3 spacings plus 24 times the noise.
+  double fit_tolerance = .03;
+  /// Whether points that sample an open sheet are accepted. The result is still closed. The sheet
+  /// is its interface without `Reconstruction_report_3::facets_without_points`.
   bool keep_open = false;
-  /// Largest number of steps.
-  unsigned number_of_iterations = defaults::Number_of_iterations::of_reconstruction;
+  /// Largest number of steps. Long narrow tunnels take many steps.
+  unsigned number_of_iterations = 80;
   /// Number of threads if linked with TBB. The result does not depend on it.
-  unsigned number_of_threads = defaults::number_of_threads;
+  unsigned number_of_threads = 1;
   /// Called before the first step and after each step. If it returns `false`, the reconstruction
   /// ends with the present result. If empty, no function is called.
   std::function<bool(const Complex&, std::size_t)> observer;
@@ -126,59 +128,13 @@ neighbors of each point.
         default, the points and normals of a `Point_set_3` are used.
 
 \param points the points, in any order
-\param np named parameters:
+\param np named parameters with the names of the members of `Reconstruction_options_3`, where
+       `observer` is a model of `ReconstructionObserver_3`, by value or `std::reference_wrapper`,
+and `report` a `std::reference_wrapper`. Also `point_map` and `normal_map`, models of
+       `ReadablePropertyMap` whose value types have `x()`, `y()` and `z()`: the position of a point,
+       by default by `Identity_property_map`, and the normal at a point, of any length and sign. By
+       default, and where it is 0 or not finite, it is estimated from the 16 nearest points.
 
-\cgalNamedParamsBegin
-  \cgalParamNBegin{point_map}
-    \cgalParamDescription{the position of a point}
-    \cgalParamType{a model of `ReadablePropertyMap` whose value type has `x()`, `y()` and `z()`}
-    \cgalParamDefault{`Identity_property_map`}
-  \cgalParamNEnd
-  \cgalParamNBegin{normal_map}
-    \cgalParamDescription{the normal of the surface at a point, of any length and sign. A normal
-                          that is 0 or not finite is estimated}
-    \cgalParamType{a model of `ReadablePropertyMap` whose value type has `x()`, `y()` and `z()`}
-    \cgalParamDefault{normals are estimated from the 16 nearest points}
-  \cgalParamNEnd
-  \cgalParamNBegin{fit_tolerance}
-    \cgalParamDescription{the tolerance of the fit, in spacings, positive and finite. A facet is
-                          divided if the root mean square of the distances of its points exceeds the
-                          tolerance. The tolerance is at least 1.3 times the noise. The target edge
-                          length is at least 2 spacings plus 14 times the noise, at sharp edges at
-                          least 3 spacings plus 24 times the noise.}
-    \cgalParamType{`double`}
-    \cgalParamDefault{0.03}
-  \cgalParamNEnd
-  \cgalParamNBegin{keep_open}
-    \cgalParamDescription{whether points that sample an open sheet are accepted. The result is still
-                          closed. The sheet is its interface without
-                          `Reconstruction_report_3::facets_without_points`.}
-    \cgalParamType{`bool`}
-    \cgalParamDefault{`false`}
-  \cgalParamNEnd
-  \cgalParamNBegin{number_of_iterations}
-    \cgalParamDescription{the largest number of steps, positive}
-    \cgalParamType{`unsigned int`}
-    \cgalParamDefault{80}
-  \cgalParamNEnd
-  \cgalParamNBegin{number_of_threads}
-    \cgalParamDescription{the number of threads if TBB is linked. The result does not depend on it.}
-    \cgalParamType{`unsigned int`}
-    \cgalParamDefault{1}
-  \cgalParamNEnd
-  \cgalParamNBegin{observer}
-    \cgalParamDescription{called as `observer(complex, step)` before the first step and after each
-                          step. If it returns `false`, the reconstruction ends with the present
-                          result.}
-    \cgalParamType{a model of `ReconstructionObserver_3`, by value or `std::reference_wrapper`}
-    \cgalParamDefault{`Reconstruction_observer_3`}
-  \cgalParamNEnd
-  \cgalParamNBegin{report}
-    \cgalParamDescription{a report that is filled. Handles in it belong to the result.}
-    \cgalParamType{`std::reference_wrapper` of a `Reconstruction_report_3<Complex>`}
-    \cgalParamDefault{none}
-  \cgalParamNEnd
-\cgalNamedParamsEnd
 
 \return the complex. It has label 1 inside the solid, and label 0 between the solid and a box around
         it.

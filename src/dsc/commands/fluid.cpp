@@ -20,7 +20,7 @@
 #include "threads_option.h"
 #include "unused.h"
 
-#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_2.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint.h>
 
 #include <CLI/CLI.hpp>
 

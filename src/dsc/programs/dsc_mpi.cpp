@@ -14,7 +14,7 @@
 #include "../tracked_distributed.h"
 #include "mpi_processes.h"
 
-#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_2.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/distributed_checkpoint.h>
 #include <CGAL/Deformable_simplicial_complexes/Mpi_communicator.h>
 #ifdef DSC_WITH_SCOTCH

@@ -297,8 +297,7 @@ TEST(Carried_values, keep_the_integral_in_deformations) {
     for (unsigned seed : {3, 4, 5}) {
       const auto report = carry(dsc, values, averages,
                                 [&](auto& visitor) { return shake(dsc, .4, seed, visitor); });
-      changes = changes + DSC::Improvement_report{report.split, report.collapsed, report.flipped,
-                                                  report.smoothed, report.inserted};
+      changes += report;
       relabeled += report.relabeled;
       EXPECT_NEAR(integral(dsc, averages), before, tolerance * before);
       EXPECT_GE(range(dsc, averages).first, 0);

@@ -1,8 +1,7 @@
 #include "small_meshes.h"
 #include "temporary_folder.h"
 
-#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_3.h>
-#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_bytes.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint.h>
 #include <CGAL/Deformable_simplicial_complexes/State.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/little_endian.h>

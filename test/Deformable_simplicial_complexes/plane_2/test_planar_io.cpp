@@ -3,8 +3,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/IO/SVG_2.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/VTU_2.h>
-#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_2.h>
-#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint_3.h>
+#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/labelled_PNG_2.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/labelled_curves_2.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/labelled_image_2.h>

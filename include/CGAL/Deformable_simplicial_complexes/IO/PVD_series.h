@@ -13,8 +13,8 @@
 
 #include <CGAL/Deformable_simplicial_complexes/IO/replace_file.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/Xml_element.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/text/files.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/text/xml_escaped.h>
 
 #include <cmath>
 #include <filesystem>

@@ -15,7 +15,7 @@
 #include <CGAL/Deformable_simplicial_complexes/IO/replace_file.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/grids/Vtu_document.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/grids/write_vtu.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/text/xml_escaped.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/text/Xml_element.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -25,35 +25,11 @@ namespace CGAL::IO {
 Writes all triangles of a complex in 2D as a VTK unstructured grid (`.vtu`), with z = 0. Otherwise
 the function is the same as `write_VTU()` in 3D. n log n in the number of cells; memory for a second
 copy of the file.
-
-\param path name of the file; its folder must exist
-\param dsc the complex
-
-\throws Deformable_simplicial_complexes::File_error if the file cannot be written; an older file of
-        that name is then unchanged
-*/
-template <class Traits, class Tds, class Domain>
-void write_VTU(const std::string& path,
-               const Deformable_simplicial_complex_2<Traits, Tds, Domain>& dsc) {
-  Deformable_simplicial_complexes::internal::write_cells_vtu(path, dsc);
-}
-
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Writes all triangles as above, with additional arrays. The function is the same as `write_VTU()`
-with arrays in 3D.
-
-\param path, dsc as above
-\param arrays arrays with a row for each vertex, in the order of `dsc.vertices()`, or for each cell,
-       in the order of `dsc.cells()`
-
-\throws Deformable_simplicial_complexes::File_error as above
 */
 template <class Traits, class Tds, class Domain>
 void write_VTU(const std::string& path,
                const Deformable_simplicial_complex_2<Traits, Tds, Domain>& dsc,
-               const Deformable_simplicial_complexes::Mesh_arrays& arrays) {
+               const Deformable_simplicial_complexes::Mesh_arrays& arrays = {}) {
   Deformable_simplicial_complexes::internal::write_cells_vtu(path, dsc, arrays);
 }
 
@@ -63,37 +39,11 @@ void write_VTU(const std::string& path,
 Writes the segments of the interface of a complex in 2D as a VTK unstructured grid (`.vtu`), with z
 = 0 and the larger label on the left. Otherwise the function is the same as `write_interface_VTU()`
 in 3D. Linear in the number of cells, and n log n in the size of the interface.
-
-\param path name of the file; its folder must exist
-\param dsc the complex; without an interface, the file has no cells
-
-\throws Deformable_simplicial_complexes::File_error if the file cannot be written; an older file of
-        that name is then unchanged
-
-\sa `extract_interface()`
-*/
-template <class Traits, class Tds, class Domain>
-void write_interface_VTU(const std::string& path,
-                         const Deformable_simplicial_complex_2<Traits, Tds, Domain>& dsc) {
-  Deformable_simplicial_complexes::internal::write_facets_vtu(path, dsc);
-}
-
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Writes the segments of the interface as above, with additional arrays. The function is the same as
-`write_interface_VTU()` with arrays in 3D.
-
-\param path, dsc as above
-\param arrays arrays with a row for each vertex of the interface, in the order of
-       `dsc.interface_vertices()`, or for each segment, in the order of `dsc.interface_facets()`
-
-\throws Deformable_simplicial_complexes::File_error as above
 */
 template <class Traits, class Tds, class Domain>
 void write_interface_VTU(const std::string& path,
                          const Deformable_simplicial_complex_2<Traits, Tds, Domain>& dsc,
-                         const Deformable_simplicial_complexes::Mesh_arrays& arrays) {
+                         const Deformable_simplicial_complexes::Mesh_arrays& arrays = {}) {
   Deformable_simplicial_complexes::internal::write_facets_vtu(path, dsc, arrays);
 }
 

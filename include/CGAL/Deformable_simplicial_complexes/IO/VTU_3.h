@@ -39,59 +39,12 @@ in the same folder is written and renamed when complete.
 
 \param path name of the file; its folder must exist
 \param dsc the complex
-
-\throws Deformable_simplicial_complexes::File_error if the file cannot be written; an older file of
-        that name is then unchanged
-*/
-template <class Traits, class Tds, class QualityMeasure, class Domain>
-void write_VTU(const std::string& path,
-               const Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure, Domain>& dsc) {
-  Deformable_simplicial_complexes::internal::write_cells_vtu(path, dsc);
-}
-
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Writes all tetrahedra as above, with a vector at each point, such as the velocity of a fluid.
-
-\tparam VectorAt a function from `Vertex_handle` to a vector with coordinates 0 to 2 by `[]`
-
-\param path, dsc as above
-\param name name of the vectors in the point data; it must not contain the characters `"`, `&` and
-       `<`
-\param vector_at returns the vector at a vertex
-
-\throws Deformable_simplicial_complexes::File_error as above
-*/
-template <class Traits, class Tds, class QualityMeasure, class Domain, class VectorAt>
-void write_VTU(const std::string& path,
-               const Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure, Domain>& dsc,
-               const std::string& name, const VectorAt& vector_at) {
-  Deformable_simplicial_complexes::internal::write_cells_vtu(
-      path, dsc,
-      [&](auto& document, const auto& vertices) {
-        std::vector<double> numbers;
-        for (const auto v : vertices) {
-          const auto vector = vector_at(v);
-          for (int axis = 0; axis < 3; ++axis)
-            numbers.push_back(CGAL::to_double(vector[axis]));
-        }
-        document.array(name, numbers, 3);
-      },
-      [](auto&) {});
-}
-
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Writes all tetrahedra as above, with additional arrays.
-
-\param path, dsc as above
 \param arrays arrays with a row for each vertex, in the order of `dsc.vertices()`, or for each cell,
        in the order of `dsc.cells()`. Labels are also written under the name of `arrays.labels`, if
        it has one. Arrays with the name of an array that is always written are ignored.
 
-\throws Deformable_simplicial_complexes::File_error as above
+\throws Deformable_simplicial_complexes::File_error if the file cannot be written; an older file of
+        that name is then unchanged
 
 \pre The types of the arrays are VTK names: `Int8` to `Int64`, `UInt8` to `UInt64`, `Float32`,
      `Float64`. The number of rows of each array is the number of vertices or of cells. Names do not
@@ -101,7 +54,7 @@ Writes all tetrahedra as above, with additional arrays.
 template <class Traits, class Tds, class QualityMeasure, class Domain>
 void write_VTU(const std::string& path,
                const Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure, Domain>& dsc,
-               const Deformable_simplicial_complexes::Mesh_arrays& arrays) {
+               const Deformable_simplicial_complexes::Mesh_arrays& arrays = {}) {
   Deformable_simplicial_complexes::internal::write_cells_vtu(path, dsc, arrays);
 }
 
@@ -117,38 +70,22 @@ renamed when complete.
 
 \param path name of the file; its folder must exist
 \param dsc the complex; without an interface, the file has no cells
+\param arrays arrays with a row for each vertex of the interface, in the order of
+       `dsc.interface_vertices()`, or for each triangle, in the order of `dsc.interface_facets()`. A
+       cell array with the name `label_pair` is ignored, and so is `arrays.labels`.
 
 \throws Deformable_simplicial_complexes::File_error if the file cannot be written; an older file of
         that name is then unchanged
+
+\pre Types, numbers of rows and names of the arrays are as for `write_VTU()`.
 
 \sa `extract_interface()`
 */
 template <class Traits, class Tds, class QualityMeasure, class Domain>
 void write_interface_VTU(
     const std::string& path,
-    const Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure, Domain>& dsc) {
-  Deformable_simplicial_complexes::internal::write_facets_vtu(path, dsc);
-}
-
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Writes the triangles of the interface as above, with additional arrays.
-
-\param path, dsc as above
-\param arrays arrays with a row for each vertex of the interface, in the order of
-       `dsc.interface_vertices()`, or for each triangle, in the order of `dsc.interface_facets()`. A
-       cell array with the name `label_pair` is ignored, and so is `arrays.labels`.
-
-\throws Deformable_simplicial_complexes::File_error as above
-
-\pre Types, numbers of rows and names of the arrays are as for `write_VTU()`.
-*/
-template <class Traits, class Tds, class QualityMeasure, class Domain>
-void write_interface_VTU(
-    const std::string& path,
     const Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure, Domain>& dsc,
-    const Deformable_simplicial_complexes::Mesh_arrays& arrays) {
+    const Deformable_simplicial_complexes::Mesh_arrays& arrays = {}) {
   Deformable_simplicial_complexes::internal::write_facets_vtu(path, dsc, arrays);
 }
 

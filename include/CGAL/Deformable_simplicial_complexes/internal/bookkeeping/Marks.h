@@ -11,11 +11,70 @@
 
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Borrowed_table.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
+
+// A hash table from the ids of a few items to their indices in a list, designed for frequent
+// clearing.
+class Id_map
+{
+public:
+  static constexpr std::uint32_t none = std::uint32_t(-1);
+
+  void clear() {
+    if (m_size == 0)
+      return;
+    m_slots.resize((std::min)(m_slots.size(), most_kept));
+    std::fill(m_slots.begin(), m_slots.end(), Slot());
+    m_size = 0;
+  }
+
+  std::uint32_t find(std::uint32_t id) const {
+    return m_slots.empty() ? none : m_slots[slot_of(id)].place;
+  }
+
+  // Inserts an id.
+  // \pre The id is not in the map, and `place` is not `none`.
+  void insert(std::uint32_t id, std::uint32_t place) {
+    if (2 * (m_size + 1) > m_slots.size())
+      grow();
+    m_slots[slot_of(id)] = {id, place};
+    ++m_size;
+  }
+
+private:
+  struct Slot
+  {
+    std::uint32_t id = 0, place = none;
+  };
+
+  static constexpr std::size_t fewest = 64, most_kept = 256; // numbers of slots, powers of two
+
+  // Returns the slot that contains an id, or the slot where it would be inserted.
+  std::size_t slot_of(std::uint32_t id) const {
+    static constexpr std::uint32_t golden = 2654435769u; // 2^32 divided by the golden ratio
+    const std::size_t mask = m_slots.size() - 1;
+    std::size_t slot = std::size_t((id * golden) >> 8) & mask;
+    while (m_slots[slot].place != none && m_slots[slot].id != id)
+      slot = (slot + 1) & mask;
+    return slot;
+  }
+
+  void grow() {
+    std::vector<Slot> slots((std::max)(fewest, 2 * m_slots.size()));
+    m_slots.swap(slots);
+    for (const Slot& slot : slots)
+      if (slot.place != none)
+        m_slots[slot_of(slot.id)] = slot;
+  }
+
+  std::vector<Slot> m_slots; // at least half of them are free
+  std::size_t m_size = 0;
+};
 
 // The entry of a marked item, which is valid if its epoch is the current one.
 struct Mark

@@ -10,28 +10,216 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BUILDING_PLANAR_FILLING_2_H
 
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/cgal_compat.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/building/Curve_soup_2.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/building/Graded_points_2.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/building/curve_crossings_2.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/building/label_cells.h>
 
+#include <CGAL/AABB_tree.h>
 #include <CGAL/Bbox_2.h>
+#include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Spatial_sort_traits_adapter_2.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <CGAL/box_intersection_d.h>
 #include <CGAL/property_map.h>
 #include <CGAL/spatial_sort.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <numeric>
 #include <optional>
 #include <set>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
+
+// Returns whether two segments intersect in more than a common end. Equal segments of different
+// curves are allowed.
+template <class Kernel> bool meet(const Curve_soup_2& soup, const Wall<2>& s, const Wall<2>& t) {
+  const auto point = [&](std::size_t i) { return soup.points[i]; };
+  if (s.vertices == t.vertices)
+    return s.surface == t.surface;
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j)
+      if (s.vertices[i] == t.vertices[j]) {
+        const auto p = point(s.vertices[i]), a = point(s.vertices[1 - i]),
+                   b = point(t.vertices[1 - j]);
+        return CGAL::collinear(p, a, b) &&
+               !CGAL::collinear_are_strictly_ordered_along_line(a, p, b);
+      }
+  using Segment = typename Kernel::Segment_2;
+  return CGAL::do_intersect(Segment(point(s.vertices[0]), point(s.vertices[1])),
+                            Segment(point(t.vertices[0]), point(t.vertices[1])));
+}
+
+// Throws `Invalid_surface_error` if segments cross or overlap. Complexity: O(n log n) if few
+// bounding boxes of segments overlap.
+template <class Kernel> void check_crossings(const Curve_soup_2& soup) {
+  using Box = Box_intersection_d::Box_with_info_d<double, 2, std::size_t>;
+  using Reason = Invalid_surface_error::Reason;
+  std::vector<Box> boxes;
+  for (std::size_t w = 0; w < soup.walls.size(); ++w) {
+    const auto& v = soup.walls[w].vertices;
+    boxes.emplace_back(soup.points[v[0]].bbox() + soup.points[v[1]].bbox(), w);
+  }
+  std::vector<std::pair<std::size_t, std::size_t>> crossings;
+  box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
+    Progress_scope::check();
+    if (meet<Kernel>(soup, soup.walls[a.info()], soup.walls[b.info()]))
+      crossings.push_back(std::minmax(a.info(), b.info()));
+  });
+  if (crossings.empty())
+    return;
+  std::sort(crossings.begin(), crossings.end());
+  const auto curve = [&](std::size_t wall) { return soup.walls[wall].surface; };
+  const std::size_t first = curve(crossings[0].first), second = curve(crossings[0].second);
+  std::vector<std::size_t> segments;
+  for (const auto& [a, b] : crossings)
+    if (curve(a) == first && curve(b) == second)
+      segments.insert(segments.end(), {soup.segments[a], soup.segments[b]});
+  const std::string place =
+      " at its segment from " + text_of(soup.points[soup.walls[crossings[0].first].vertices[0]]) +
+      " to " + text_of(soup.points[soup.walls[crossings[0].first].vertices[1]]);
+  if (first == second)
+    refuse_curve(Reason::self_intersection,
+                 "intersects itself" + place + ": segments may meet only in common ends", first,
+                 second, std::move(segments));
+  refuse_curve(Reason::crossing_surfaces,
+               "intersects curve " + std::to_string(second) + place +
+                   ": curves may be nested and may share whole segments or their ends, but must "
+                   "not cross or overlap in parts of segments",
+               first, second, std::move(segments));
+}
+
+// Points that a mesh needs in addition to the points of curves. Near a curve their spacing is about
+// the length of its segments, and it grows with the distance from the curves. Points on the
+// boundary of the box follow the same spacing if curves end there.
+class Graded_points_2
+{
+public:
+  using Point = Planar_kernel::Point_2;
+
+  Graded_points_2(const Curve_soup_2& soup, const Bbox_2& box) : m_box(box) {
+    const auto in_space = [&](std::size_t v) {
+      return Planar_kernel::Point_3(soup.points[v].x(), soup.points[v].y(), 0);
+    };
+    for (const Wall<2>& w : soup.walls)
+      m_segments.emplace_back(in_space(w.vertices[0]), in_space(w.vertices[1]));
+    m_tree.insert(m_segments.begin(), m_segments.end());
+    if (!m_segments.empty())
+      m_tree.accelerate_distance_queries();
+    m_reaches_box = std::any_of(soup.points.begin(), soup.points.end(), [&](const Point& p) {
+      return p.x() == box.xmin() || p.x() == box.xmax() || p.y() == box.ymin() ||
+             p.y() == box.ymax();
+    });
+    const double width = box.xmax() - box.xmin(), height = box.ymax() - box.ymin();
+    const double side =
+        (std::min)((std::max)(width, height) / least_parts, (std::min)(width, height));
+    m_columns = number_of_parts(width / side);
+    m_rows = number_of_parts(height / side);
+    for (int i = 0; i < m_columns; ++i)
+      for (int j = 0; j < m_rows; ++j)
+        divide(x(i), y(j), x(i + 1), y(j + 1), 0);
+    for (int i = 0; i <= m_columns; ++i)
+      for (int j = 0; j <= m_rows; ++j)
+        if (i == 0 || i == m_columns || j == 0 || j == m_rows)
+          add_border(x(i), y(j));
+  }
+
+  const std::vector<Point>& points() const { return m_points; }
+
+private:
+  using Segments = std::vector<Planar_kernel::Segment_3>;
+  using Tree = AABB_tree<Segment_tree_traits_3<Planar_kernel, Segments::const_iterator>>;
+
+  static constexpr int least_parts = 8; // minimum number of parts of the longer side of the box
+  // maximum number of parts of a side, before refinement near curves
+  static constexpr int most_parts = 1000;
+  // maximum number of halvings, since coordinates are of type `double`
+  static constexpr int most_divisions = 40;
+  static constexpr double densest = 1.2; // spacing at a curve, in lengths of the nearest segment
+  // minimum distance of a point from a curve, in the same unit
+  static constexpr double clearance = .6;
+  // maximum ratio of the spacing to the distance from the curves
+  static constexpr double gradation = .6;
+
+  static int number_of_parts(double n) {
+    return int(std::lround((std::max)(1., (std::min)(double(most_parts), n))));
+  }
+
+  double x(int i) const { return at(m_box.xmin(), m_box.xmax(), i, m_columns); }
+  double y(int j) const { return at(m_box.ymin(), m_box.ymax(), j, m_rows); }
+  static double at(double low, double high, int i, int n) {
+    return i == n ? high : low + (high - low) * (double(i) / n);
+  }
+
+  struct Nearest
+  {
+    double distance, length; // of the nearest segment
+  };
+
+  Nearest nearest(double x, double y) const {
+    if (m_segments.empty())
+      return {std::numeric_limits<double>::infinity(), 0};
+    const Planar_kernel::Point_3 p(x, y, 0);
+    const auto found = m_tree.closest_point_and_primitive(p);
+    return {std::sqrt(CGAL::squared_distance(p, found.first)),
+            std::sqrt(found.second->squared_length())};
+  }
+
+  // Adds a point on the boundary of the box. If curves end on the boundary, points too close to a
+  // curve are omitted, except for the corners of the box.
+  void add_border(double x, double y) {
+    const bool is_corner =
+        (x == m_box.xmin() || x == m_box.xmax()) && (y == m_box.ymin() || y == m_box.ymax());
+    const Nearest near = m_reaches_box && !is_corner ? nearest(x, y) : Nearest{1, 0};
+    if (near.distance > clearance * near.length)
+      m_points.emplace_back(x, y);
+  }
+
+  // Adds the corners of a rectangle that lie on the boundary of the box.
+  void add_border(double x0, double y0, double x1, double y1) {
+    for (double x : {x0, x1})
+      for (double y : {y0, y1})
+        if (x == m_box.xmin() || x == m_box.xmax() || y == m_box.ymin() || y == m_box.ymax())
+          add_border(x, y);
+  }
+
+  // Divides a rectangle into four quarters until it is small compared with its distance from the
+  // curves; then adds its center.
+  void divide(double x0, double y0, double x1, double y1, int divisions) {
+    Progress_scope::check();
+    const double x = (x0 + x1) / 2, y = (y0 + y1) / 2, side = (std::max)(x1 - x0, y1 - y0);
+    const auto [distance, length] = nearest(x, y);
+    if (side > (std::max)(densest * length, gradation * distance) && divisions < most_divisions) {
+      divide(x0, y0, x, y, divisions + 1);
+      divide(x, y0, x1, y, divisions + 1);
+      divide(x0, y, x, y1, divisions + 1);
+      divide(x, y, x1, y1, divisions + 1);
+      return;
+    }
+    if (distance > clearance * length)
+      m_points.emplace_back(x, y);
+    if (m_reaches_box)
+      add_border(x0, y0, x1, y1);
+  }
+
+  Bbox_2 m_box;
+  int m_columns, m_rows;
+  bool m_reaches_box;
+  Segments m_segments; // in the plane z = 0, because the AABB tree is three-dimensional
+  Tree m_tree;
+  std::vector<Point> m_points;
+};
 
 // Triangles that fill a box. The segments of the curves are edges of the triangles. The spacing of
 // additional points follows the lengths of the nearest segments.

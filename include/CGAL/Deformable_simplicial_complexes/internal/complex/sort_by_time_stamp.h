@@ -18,6 +18,15 @@
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
+// A function object that compares items by time stamp, that is, in the order of creation; see
+// `Item_numbers`.
+struct Less_time_stamp
+{
+  template <class Handle> bool operator()(Handle a, Handle b) const {
+    return a->time_stamp() < b->time_stamp();
+  }
+};
+
 // Sorts handles in the order of creation; see `Item_numbers`. The time stamps are read once,
 // because they are at scattered places in memory.
 template <class Handle> void sort_by_time_stamp(std::vector<Handle>& items) {

@@ -18,7 +18,6 @@
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Item_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Extent.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/Less_time_stamp.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/assemble_triangulation.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/hilbert_order.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/sort_by_time_stamp.h>

@@ -26,7 +26,6 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Rigid_components.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/collision_order.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/displacement_extension.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/motion/free_vertices_near.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/simultaneous_motion.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Trapped_cells.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
@@ -299,12 +298,7 @@ public:
     report.vanished = m_vanished;
     report.merged = m_merged;
     report.stopped_at_boundary = m_stopped_at_boundary;
-    const Improvement_report done = m_mesh.report();
-    report.split = done.split;
-    report.collapsed = done.collapsed;
-    report.flipped = done.flipped;
-    report.smoothed = done.smoothed;
-    report.inserted = done.inserted;
+    report += m_mesh.report();
     report.relocated = m_mesh.number_of_relocated();
     report.exchanges = m_mesh.exchanges();
     report.relabeled = m_trapped_cells.number_of_relabeled();

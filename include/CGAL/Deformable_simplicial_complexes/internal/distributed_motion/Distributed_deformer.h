@@ -111,10 +111,9 @@ public:
       Distributed_motion<Complex> motion(m_mesh);
       motion.run(report.passes == 1 ? flow : Flow());
       activate(motion.moved());
-      add(Patch_rounds<Complex>(
-              m_mesh, [this](auto& patch) { treat(patch); }, report.passes, m_places)
-              .run(),
-          report);
+      report += Patch_rounds<Complex>(
+                    m_mesh, [this](auto& patch) { treat(patch); }, report.passes, m_places)
+                    .run();
       measure_remaining(report);
       idle = m_remaining > same * last ? idle + 1 : 0;
       last = m_remaining;
@@ -215,7 +214,7 @@ private:
                          point_at<Part>(v.data.destination),
                          v.data.is_open && v.is_core && patch.part.is_interface(v.handle)});
     Deformation_report<Part> report = resume_deformation(patch.part, moved, patch.core, m_options);
-    add_operations(report, patch.counts);
+    patch.counts += report;
     patch.counts.relocated += std::int64_t(report.relocated);
     patch.counts.relabeled += std::int64_t(report.relabeled);
     patch.events = std::move(report.events);
@@ -316,19 +315,6 @@ private:
     m_mesh.communicator->reduce(Operation::sum, units);
     for (auto& [number, component] : m_mesh.components)
       component.volume = units[places.at(number)];
-  }
-
-  static void add(const Patch_counts& counts, Report& report) {
-    report.rounds += counts.rounds;
-    report.patches += counts.patches;
-    report.split += counts.split;
-    report.collapsed += counts.collapsed;
-    report.flipped += counts.flipped;
-    report.smoothed += counts.smoothed;
-    report.inserted += counts.inserted;
-    report.relocated += counts.relocated;
-    report.relabeled += counts.relabeled;
-    report.vanished += counts.vanished;
   }
 
   Mesh& m_mesh;

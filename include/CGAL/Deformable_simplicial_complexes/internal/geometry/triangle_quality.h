@@ -9,13 +9,23 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GEOMETRY_TRIANGLE_QUALITY_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_GEOMETRY_TRIANGLE_QUALITY_H
 
-#include <CGAL/Deformable_simplicial_complexes/internal/geometry/vectors_3.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
+
+// Returns the normal of a triangle, towards the side from which it is counterclockwise. Its length
+// is the area of the triangle.
+template <class Point> auto area_vector(const std::array<Point, 3>& p) {
+  return cross_product(p[1] - p[0], p[2] - p[0]) / 2;
+}
+
+// Returns the angle between two vectors, in radians. It is accurate for small angles, and 0 if a
+// vector is zero.
+template <class Vector> double angle_between(const Vector& a, const Vector& b) {
+  return std::atan2(std::sqrt(cross_product(a, b).squared_length()), a * b);
+}
 
 // Returns the normalized ratio of the area to the sum of the squared edge lengths: 1 for an
 // equilateral triangle, 0 for a degenerate one. It corresponds to the volume-length ratio of a

@@ -31,13 +31,17 @@ constexpr Vtu_document::Cell_type vtu_simplex(int dimension) {
                           : Vtu_document::line;
 }
 
-// Writes all cells. On a flat torus, a cell that crosses the seam is written next to its first
-// vertex, with additional images of its other vertices. `add_point_arrays(document, vertices)` adds
-// point data, and `add_cell_arrays(document)` adds cell data. Cells are in the order of time
-// stamps. Throws if the file cannot be written.
-template <class Complex, class AddPointArrays, class AddCellArrays>
-void write_cells_vtu(const std::string& path, const Complex& dsc,
-                     const AddPointArrays& add_point_arrays, const AddCellArrays& add_cell_arrays) {
+// Returns whether `write_cells_vtu()` always writes an array with this name.
+inline bool is_computed_vtu_array(const std::string& name) {
+  return name == "label" || name == "quality" || name == "boundary_class" || name == "interface";
+}
+
+// Writes all cells and given arrays. The arrays have a row for each vertex or cell, in the order of
+// time stamps, which is also the order of the cells. On a flat torus, a cell that crosses the seam
+// is written next to its first vertex, with additional images of its other vertices. Throws if the
+// file cannot be written.
+template <class Complex>
+void write_cells_vtu(const std::string& path, const Complex& dsc, const Mesh_arrays& arrays) {
   using Vertex_handle = typename Complex::Vertex_handle;
   const Vertex_numbering<Vertex_handle> number(dsc.vertices());
   std::vector<typename Complex::Approximate_point> points; // in the frame of the complex
@@ -85,59 +89,34 @@ void write_cells_vtu(const std::string& path, const Complex& dsc,
   document.begin("PointData");
   document.array("boundary_class", boundary_classes);
   document.array("interface", interface_flags);
-  add_point_arrays(document, vertices);
+  std::vector<std::size_t> rows;
+  for (const auto v : vertices)
+    rows.push_back(number(v));
+  for (const Mesh_array& array : arrays.points)
+    if (!is_computed_vtu_array(array.name))
+      document.array(array.selected(rows));
   document.end("PointData");
   document.begin("CellData");
   document.array("label", labels);
   document.array("quality", qualities);
-  add_cell_arrays(document);
+  if (!arrays.labels.name.empty() && !is_computed_vtu_array(arrays.labels.name)) {
+    Mesh_array given = arrays.labels;
+    given.values.insert(given.values.end(), labels.begin(), labels.end());
+    document.array(given);
+  }
+  for (const Mesh_array& array : arrays.cells)
+    if (!is_computed_vtu_array(array.name))
+      document.array(array);
   document.end("CellData");
   document.points(points);
   document.cells(connectivity, vtu_simplex(Complex::dimension));
   replace_file_by_stream(path, [&](std::ostream& out) { document.write(out); });
 }
 
-template <class Complex> void write_cells_vtu(const std::string& path, const Complex& dsc) {
-  write_cells_vtu(
-      path, dsc, [](Vtu_document&, const auto&) {}, [](Vtu_document&) {});
-}
-
-// Returns whether `write_cells_vtu()` always writes an array with this name.
-inline bool is_computed_vtu_array(const std::string& name) {
-  return name == "label" || name == "quality" || name == "boundary_class" || name == "interface";
-}
-
-// Writes all cells and given arrays. The arrays have a row for each vertex or cell, in the order of
-// time stamps.
-template <class Complex>
-void write_cells_vtu(const std::string& path, const Complex& dsc, const Mesh_arrays& arrays) {
-  const Vertex_numbering<typename Complex::Vertex_handle> number(dsc.vertices());
-  const auto add_point_arrays = [&](Vtu_document& document, const auto& vertices) {
-    std::vector<std::size_t> rows;
-    for (const auto v : vertices)
-      rows.push_back(number(v));
-    for (const Mesh_array& array : arrays.points)
-      if (!is_computed_vtu_array(array.name))
-        document.array(array.selected(rows));
-  };
-  const auto add_cell_arrays = [&](Vtu_document& document) {
-    if (!arrays.labels.name.empty() && !is_computed_vtu_array(arrays.labels.name)) {
-      Mesh_array labels = arrays.labels;
-      for (const auto c : dsc.cells())
-        labels.values.push_back(dsc.label(c));
-      document.array(labels);
-    }
-    for (const Mesh_array& array : arrays.cells)
-      if (!is_computed_vtu_array(array.name))
-        document.array(array);
-  };
-  write_cells_vtu(path, dsc, add_point_arrays, add_cell_arrays);
-}
-
 // Writes all interface facets and given arrays. The arrays have a row for each vertex in the order
 // of `dsc.interface_vertices()`, or for each facet in the order of `dsc.interface_facets()`.
 template <class Complex>
-void write_facets_vtu(const std::string& path, const Complex& dsc, const Mesh_arrays& arrays = {}) {
+void write_facets_vtu(const std::string& path, const Complex& dsc, const Mesh_arrays& arrays) {
   const Extracted_facets<Complex> interface_(dsc, dsc.interface_facets(), false);
   std::vector<std::int64_t> connectivity;
   for (const auto& facet : interface_.facets)

@@ -16,6 +16,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
+#include <CGAL/Deformable_simplicial_complexes/degeneracy_removal_3.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_split.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/balance/Interface_tolerance.h>
@@ -379,6 +380,38 @@ protected:
   std::vector<double> m_qualities;    // of the cells of a star
   std::size_t m_first_created = none; // time stamp after the motion of vertices in a round
   Improvement_report m_report;
+};
+
+// The improver for 3D, which also removes degenerate interface facets.
+template <class Complex> class Mesh_improver_3 : public Mesh_improver<Complex>
+{
+  using Base = Mesh_improver<Complex>;
+
+public:
+  using Base::Base;
+  using typename Base::Cell_handle;
+  using typename Base::Cells;
+  using typename Base::Vertex_handle;
+
+  // Removes an interface facet that has an angle below a bound, if this improves the surrounding
+  // cells. `cosine` is the cosine of the bound. Returns whether the facet was removed.
+  bool remove_degenerate_facet(Cell_handle c, int i, double cosine, Cells& touched) {
+    const double quality = Base::better * c->quality();
+    Cavity<Complex>& cavity = this->m_cavity;
+    if (!this->m_complex.is_interface(std::make_pair(c, i)) ||
+        !propose_degenerate_facet_removal(this->m_complex, c, i, cosine, quality, cavity))
+      return false;
+    const Vertex_handle vanishing = cavity.vanishing_vertex(), kept = cavity.kept_vertex();
+    if (vanishing != Vertex_handle() && this->covers_interface() &&
+        (!propose_edge_collapse(this->m_complex, c, c->index(kept), c->index(vanishing), quality,
+                                cavity) ||
+         this->covers_interface()))
+      return false;
+    if (!this->m_tolerance.allows(cavity, this->m_tolerance_factor))
+      return false;
+    this->m_tolerance.record();
+    return this->commit(touched);
+  }
 };
 
 } // namespace CGAL::Deformable_simplicial_complexes::internal

@@ -18,9 +18,9 @@
 #include <CGAL/Deformable_simplicial_complexes/edge_removal_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/balance/Interface_tolerance.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Failure_memory.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/Changed_facets.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_edge_3.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_fan_3.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/interface/changed_facets_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_fan.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/local_edge_length.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Destinations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Rigid_components.h>

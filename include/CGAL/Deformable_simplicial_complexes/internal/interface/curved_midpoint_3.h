@@ -9,8 +9,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_CURVED_MIDPOINT_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_CURVED_MIDPOINT_3_H
 
-#include <CGAL/Deformable_simplicial_complexes/internal/geometry/vectors_3.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_fan_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/geometry/triangle_quality.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_fan.h>
 
 #include <Eigen/Dense>
 

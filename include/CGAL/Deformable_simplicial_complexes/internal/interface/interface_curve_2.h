@@ -10,7 +10,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_INTERFACE_CURVE_2_H
 
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Changed_facets.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_fan_2.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_fan.h>
 #include <CGAL/Deformable_simplicial_complexes/vertex_smoothing.h>
 
 #include <CGAL/determinant.h>

@@ -160,8 +160,7 @@ private:
       }
     }
     const Curvature_sizing_field<d> field(points, lengths, Rule::longest * m_edge);
-    add_operations(remesh_interface(patch.part, remeshing_options<Part>(field, m_options)),
-                   patch.counts);
+    patch.counts += remesh_interface(patch.part, remeshing_options<Part>(field, m_options));
     cells.for_each([](auto c) { set_exhausted(c, to_adapt_interface); });
     patch.target_length = [part = &patch.part, field](typename Part::Vertex_handle v) {
       return v->is_interface() ? field(part->position(v)) : 0;

@@ -15,7 +15,7 @@
 #include <CGAL/Deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
-#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Distributed_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Part_domain.h>
 #include <CGAL/Deformable_simplicial_complexes/State.h>
 #include <CGAL/Deformable_simplicial_complexes/Topology_event.h>
@@ -83,45 +83,6 @@ Patch_key patch_key(const std::array<typename Complex::Approximate_point, Comple
   return (std::max)(parities << (64 - d) | key >> d, Patch_key(1));
 }
 
-// Numbers of operations in patches; equal on all ranks after a reduction.
-struct Patch_counts
-{
-  std::int64_t patches = 0, split = 0, collapsed = 0, flipped = 0, smoothed = 0, inserted = 0,
-               relocated = 0, relabeled = 0, vanished = 0;
-  std::int64_t rounds = 0; // of all ranks together
-
-  // The numbers that are sums over the patches.
-  static constexpr std::int64_t Patch_counts::*sums[] = {
-      &Patch_counts::patches,   &Patch_counts::split,     &Patch_counts::collapsed,
-      &Patch_counts::flipped,   &Patch_counts::smoothed,  &Patch_counts::inserted,
-      &Patch_counts::relocated, &Patch_counts::relabeled, &Patch_counts::vanished};
-
-  Improvement_report improvements() const {
-    Improvement_report result;
-    result.split = std::size_t(split);
-    result.collapsed = std::size_t(collapsed);
-    result.flipped = std::size_t(flipped);
-    result.smoothed = std::size_t(smoothed);
-    result.inserted = std::size_t(inserted);
-    return result;
-  }
-
-  Patch_counts& operator+=(const Patch_counts& other) {
-    for (const auto member : sums)
-      this->*member += other.*member;
-    return *this;
-  }
-};
-
-// Adds the numbers of operations of a report.
-template <class Report> void add_operations(const Report& report, Patch_counts& counts) {
-  counts.split += std::int64_t(report.split);
-  counts.collapsed += std::int64_t(report.collapsed);
-  counts.flipped += std::int64_t(report.flipped);
-  counts.smoothed += std::int64_t(report.smoothed);
-  counts.inserted += std::int64_t(report.inserted);
-}
-
 // The place of a change of topology in a patch. The change is one of the components of the patch;
 // whether components of the complex changed is found later.
 template <int d> struct Topology_place
@@ -150,7 +111,7 @@ template <class Complex> struct Treated_patch
   std::vector<Vertex> vertices;
   std::vector<typename Part::Cell_handle> core; // active cells of the cube
   // Set by the treatment:
-  Patch_counts counts;
+  Distributed_counts counts;
   std::vector<Topology_event<Part>> events;
   std::function<double(typename Part::Vertex_handle)> target_length; // of a new vertex
 };
@@ -191,8 +152,8 @@ public:
   // Treats the patch. New vertices get ids that increase from `provisional`.
   // Appends the places of changes of topology in the pass `pass`. Returns the numbers of
   // operations.
-  Patch_counts run(const Mesh& mesh, const Patch_treatment<Complex>& treat, std::uint32_t pass,
-                   std::vector<Topology_place<d>>& places) {
+  Distributed_counts run(const Mesh& mesh, const Patch_treatment<Complex>& treat,
+                         std::uint32_t pass, std::vector<Topology_place<d>>& places) {
     sort_input();
     find_core(mesh.mean_interface_edge);
     Part part(mesh.traits, mesh.quality_measure);

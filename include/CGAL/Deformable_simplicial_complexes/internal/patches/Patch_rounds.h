@@ -50,7 +50,7 @@ public:
 
   // Runs until no cell is active. Returns the numbers of operations of all ranks.
   // Throws Error on all ranks if a patch of one of them throws.
-  Patch_counts run() {
+  Distributed_counts run() {
     while (propose()) {
       ++m_counts.rounds;
       find_winners();
@@ -393,14 +393,14 @@ private:
   }
 
   // Returns the sums of the numbers of all ranks.
-  Patch_counts totals() const {
-    Patch_counts result;
+  Distributed_counts totals() const {
+    Distributed_counts result;
     std::vector<std::int64_t> numbers;
-    for (const auto member : Patch_counts::sums)
+    for (const auto member : Distributed_counts::sums())
       numbers.push_back(m_counts.*member);
     m_mesh.communicator->reduce(Operation::sum, numbers);
     auto next = numbers.begin();
-    for (const auto member : Patch_counts::sums)
+    for (const auto member : Distributed_counts::sums())
       result.*member = *next++;
     result.rounds = m_counts.rounds;
     return result;
@@ -416,7 +416,7 @@ private:
   std::vector<Index> m_touched;           // vertices with a key
   std::vector<std::uint8_t> m_is_touched; // by vertex
   std::map<Patch_key, int> m_winners;     // known to this rank, and the ranks that improve them
-  Patch_counts m_counts;
+  Distributed_counts m_counts;
 };
 
 } // namespace CGAL::Deformable_simplicial_complexes::internal

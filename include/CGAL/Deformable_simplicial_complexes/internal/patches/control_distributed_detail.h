@@ -59,7 +59,7 @@ control_distributed_detail(Distributed_mesh<Complex>& mesh,
     Any_visitor<Part> no_visitor;
     Detail_controller<Part> controller(patch.part, no_visitor, options);
     controller.run();
-    add_operations(controller.report(), patch.counts);
+    patch.counts += controller.report();
     cells.for_each([&](auto c) {
       if (controller.has_edge_to_change(c))
         set_exhausted(c, to_control_detail);

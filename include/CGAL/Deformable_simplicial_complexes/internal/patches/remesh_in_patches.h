@@ -71,14 +71,14 @@ Improvement_report remesh_in_patches(Distributed_mesh<Complex>& mesh, Attempt at
   mesh.are_components_known = false;
   for (typename Piece<Complex::dimension>::Index v = 0; v < mesh.piece.vertex_bound(); ++v)
     mesh.piece.vertex(v).end_motion();
-  Patch_counts result;
+  Distributed_counts result;
   for (int i = 0; i < most; ++i) {
     mark_cells();
     for (typename Piece<Complex::dimension>::Index c = 0; c < mesh.piece.cell_bound(); ++c)
       if ((mesh.piece.cell(c).data.failures & attempt) != 0)
         mesh.piece.cell(c).data.is_active = false;
     std::vector<Topology_place<Complex::dimension>> places; // none, because no label changes
-    const Patch_counts counts = Patch_rounds<Complex>(mesh, treat, 0, places).run();
+    const Distributed_counts counts = Patch_rounds<Complex>(mesh, treat, 0, places).run();
     if (counts.patches == 0)
       break;
     result += counts;
@@ -87,7 +87,8 @@ Improvement_report remesh_in_patches(Distributed_mesh<Complex>& mesh, Attempt at
     Distributed_components<Complex>(mesh, Label_totals(mesh.domain_measure))
         .update(mesh.components);
   mesh.are_components_known = are_known;
-  return result.improvements();
+  return {std::size_t(result.split), std::size_t(result.collapsed), std::size_t(result.flipped),
+          std::size_t(result.smoothed), std::size_t(result.inserted)};
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes::internal

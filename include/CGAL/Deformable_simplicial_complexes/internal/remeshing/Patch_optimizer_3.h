@@ -15,7 +15,7 @@
 #include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_split.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Patch_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 #include <CGAL/Deformable_simplicial_complexes/star_union.h>

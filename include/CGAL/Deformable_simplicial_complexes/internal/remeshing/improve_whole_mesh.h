@@ -15,7 +15,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Mesh_improvement_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Patch_improver.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Patch_improver_3.h>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
@@ -36,11 +36,15 @@ Improvement_report improve_whole_mesh(Complex& dsc,
   improver.improve_all(threshold, rounds, attempts);
   if (!options.aggressive)
     return improver.report();
-  Patch_improver<Complex> patch_improver(dsc, visitor, threshold, rounds, for_each_index);
-  if (rounds > 0)
-    patch_improver.run();
+  Improvement_report patches;
+  if constexpr (Complex::dimension == 3) { // in the plane, flips reach any triangulation
+    Patch_improver_3<Complex> patch_improver(dsc, visitor, threshold, rounds, for_each_index);
+    if (rounds > 0)
+      patch_improver.run();
+    patches = patch_improver.report();
+  }
   improver.improve_all(threshold, rounds, 0);
-  return improver.report() + patch_improver.report();
+  return improver.report() + patches;
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes::internal

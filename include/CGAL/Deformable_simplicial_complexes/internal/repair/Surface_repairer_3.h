@@ -17,10 +17,8 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/checks/refuse_surface.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/repair/clean_soup_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/repair/distance_of_samples_3.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/repair/remove_fins_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/repair/repair_options.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/repair/split_at_t_junctions_3.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/repair/stopping_visitors_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/repair/unite_components_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/soups/Triangle_soup_3.h>
 
@@ -55,6 +53,21 @@
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
+
+// A visitor that makes a wrap interruptible.
+struct Stopping_wrap_visitor : Alpha_wraps_3::internal::Wrapping_default_visitor
+{
+  template <class Wrap, class Gate> void before_facet_treatment(const Wrap&, const Gate&) {
+    Progress_scope::check();
+  }
+};
+
+// A visitor that makes hole filling interruptible.
+struct Stopping_hole_visitor : Polygon_mesh_processing::Hole_filling::Default_visitor
+{
+  void quadratic_step() const { Progress_scope::check(); }
+  void cubic_step() const { Progress_scope::check(); }
+};
 
 // Makes a soup bound a solid, by repair steps of increasing strength. Ends as soon as the soup
 // bounds a solid.

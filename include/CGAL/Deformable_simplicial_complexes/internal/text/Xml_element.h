@@ -19,6 +19,26 @@
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
+// Returns a text as the value of an attribute in quotes.
+inline std::string xml_escaped(const std::string& text) {
+  std::string result;
+  for (char c : text)
+    switch (c) {
+    case '&':
+      result += "&amp;";
+      break;
+    case '<':
+      result += "&lt;";
+      break;
+    case '"':
+      result += "&quot;";
+      break;
+    default:
+      result += c;
+    }
+  return result;
+}
+
 inline constexpr char xml_white_space[] = " \t\r\n";
 
 // An element of an XML text, as views into the text.

@@ -432,6 +432,13 @@ private:
   std::vector<Index> m_pressure_of_vertex; // the first one
 };
 
+// The mesh of the liquids, and the positions and the motion of its vertices.
+template <class Complex> struct Liquid_flow
+{
+  Fluid_mesh<Complex> mesh;
+  Vectors_3 positions, velocities, accelerations;
+};
+
 } // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_MESH_FLUID_MESH_H

@@ -13,11 +13,24 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
+
+// Returns the largest power of two that is not above a positive number, or 1 for other numbers.
+// Division by it is exact. So square roots and single precision give the same digits for all units
+// that differ by a power of two.
+inline double unit_of(double x) {
+  if (!(x > 0) || !std::isfinite(x))
+    return 1;
+  // The inverse of the unit is a normal number, too.
+  static constexpr int largest = std::numeric_limits<double>::max_exponent - 2;
+  return std::ldexp(1., (std::max)(-largest, (std::min)(std::ilogb(x), largest)));
+}
 
 constexpr Eigen::Index block_size = 8192; // entries; a block fits into the cache
 

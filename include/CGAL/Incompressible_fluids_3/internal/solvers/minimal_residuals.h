@@ -12,7 +12,6 @@
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Incompressible_fluids_3/fluid_errors.h>
 #include <CGAL/Incompressible_fluids_3/internal/solvers/blocks_of_vectors.h>
-#include <CGAL/Incompressible_fluids_3/internal/solvers/unit_of.h>
 
 #include <Eigen/Core>
 

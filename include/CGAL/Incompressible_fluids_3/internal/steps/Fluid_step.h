@@ -14,10 +14,8 @@
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Component_momenta.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Gas_components.h>
-#include <CGAL/Incompressible_fluids_3/internal/mesh/Liquid_flow.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/slip_changes.h>
 #include <CGAL/Incompressible_fluids_3/internal/sides/Open_sides.h>
-#include <CGAL/Incompressible_fluids_3/internal/sides/Side_fluxes.h>
 #include <CGAL/Incompressible_fluids_3/internal/sides/side_passage.h>
 #include <CGAL/Incompressible_fluids_3/internal/sides/side_velocities.h>
 #include <CGAL/Incompressible_fluids_3/internal/solvers/closed_sets.h>

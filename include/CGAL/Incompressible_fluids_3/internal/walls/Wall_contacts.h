@@ -11,7 +11,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Incompressible_fluids_3/Solids_3.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
-#include <CGAL/Incompressible_fluids_3/internal/sides/kept_distance.h>
+#include <CGAL/Incompressible_fluids_3/internal/sides/side_velocities.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Body_equations.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Body_motion.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Vertex_constraints.h>

@@ -16,7 +16,6 @@
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/control_detail.h>
-#include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_split.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
@@ -26,12 +25,10 @@
 #include <CGAL/Solid_reconstruction_3/internal/clouds/Sampled_surface_3.h>
 #include <CGAL/Solid_reconstruction_3/internal/reconstruction/Cloud_approach_3.h>
 #include <CGAL/Solid_reconstruction_3/internal/reconstruction/Cloud_facets_3.h>
-#include <CGAL/Solid_reconstruction_3/internal/reconstruction/Cloud_sizes_3.h>
 #include <CGAL/Solid_reconstruction_3/internal/reconstruction/Crease_planes_3.h>
 #include <CGAL/Solid_reconstruction_3/internal/reconstruction/Least_squares_3.h>
 #include <CGAL/Solid_reconstruction_3/internal/reconstruction/Misplaced_balls_3.h>
 #include <CGAL/Solid_reconstruction_3/internal/reconstruction/Small_handles_3.h>
-#include <CGAL/Solid_reconstruction_3/internal/reconstruction/edges_across_creases_3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -253,7 +250,7 @@ private:
 
   void deform(const Snapshot& front, const std::vector<Point>& positions,
               const std::vector<Vector>& displacements,
-              double minimum_angle = defaults::minimum_angle) {
+              double minimum_angle = Deformation_options<Complex>().minimum_angle) {
     std::vector<typename Complex::Approximate_point> destinations;
     for (std::size_t v = 0; v < displacements.size(); ++v) {
       const Point q = positions[v] + displacements[v];
@@ -267,9 +264,7 @@ private:
     options.minimum_angle = options.minimum_facet_angle = minimum_angle;
     const Deformation_report<Complex> report =
         deform_interface_to(m_complex, front, destinations, options);
-    m_report.changes =
-        m_report.changes + Improvement_report{report.split, report.collapsed, report.flipped,
-                                              report.smoothed, report.inserted};
+    m_report.changes += report;
     m_report.relabeled += report.relabeled;
     m_report.topology_changes += report.events.size();
     m_report.held_back += report.unfinished.size();
