@@ -1,10 +1,13 @@
 // CAD surfaces, whose triangles have small angles, in rigid motion.
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Construction_options.h>
 #include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_flows/interface_flows_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
+
+#include <CGAL/Bbox_3.h>
 
 #include <gtest/gtest.h>
 
@@ -12,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
@@ -77,6 +81,38 @@ TEST(Needles, keep_their_triangles_in_a_rigid_motion) {
   turn(dsc, 20);
   EXPECT_EQ(interface_triangles(dsc), triangles);
   EXPECT_NEAR(dsc.volume(1), volume, 1e-12 * volume);
+}
+
+// Free vertices and edges at the sides of the domain were in the way, and vertices that moved one
+// by one changed the shape of the box.
+TEST(Boxes_of_twelve_triangles, are_turned_exactly_by_any_angle) {
+  Surface box;
+  for (double z : {0., 4.726324897624818})
+    for (const auto& [x, y] :
+         {std::pair(0., 0.), std::pair(9.423012542407854, 0.),
+          std::pair(9.423012542407854, 13.723331000548068), std::pair(0., 13.723331000548068)})
+      box.points.emplace_back(x, y, z);
+  box.triangles = {{1, 0, 3}, {3, 2, 1}, {7, 4, 5}, {5, 6, 7}, {0, 1, 5}, {0, 5, 4},
+                   {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}};
+  box.label = 1;
+  DSC::Construction_options<3> options;
+  options.thin_parts.edge_per_thickness = 0;
+  const Complex start = DSC::make_deformable_simplicial_complex_3<Complex>(
+      std::vector<Surface>{box}, CGAL::Tetgen_tetrahedralizer_3(), options);
+  const auto triangles = interface_triangles(start);
+  CGAL::Bbox_3 domain;
+  for (auto v : start.finite_vertices())
+    domain += start.position(v).bbox();
+  const Complex::Approximate_point_3 center((domain.xmin() + domain.xmax()) / 2,
+                                            (domain.ymin() + domain.ymax()) / 2,
+                                            (domain.zmin() + domain.zmax()) / 2);
+  for (double degrees : {90., 200., 260., 270., 272., 275., 300., 1000.}) {
+    Complex dsc = start;
+    const DSC::Rigid_rotation_3 rotation(center, {1, 2, 3}, degrees * CGAL_PI / 180);
+    EXPECT_TRUE(DSC::advect_interface(dsc, rotation, 0, 1).complete) << degrees;
+    EXPECT_EQ(interface_triangles(dsc), triangles) << degrees;
+    EXPECT_NEAR(dsc.volume(1), start.volume(1), 1e-12 * start.volume(1)) << degrees;
+  }
 }
 
 // Cells at needles cannot be improved. After the first step, remeshing works only where the mesh is

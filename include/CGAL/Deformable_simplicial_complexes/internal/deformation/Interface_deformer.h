@@ -175,17 +175,31 @@ public:
       }
     }
     const std::vector<Cell_handle> cells = star_union(m_complex, vertices, m_for_each_index);
-    move_simultaneously(m_complex, vertices, targets, cells, m_for_each_index);
+    m_in_the_way.clear();
+    const auto in_the_way =
+        move_simultaneously(m_complex, vertices, targets, cells, m_for_each_index, [&] {
+          return std::all_of(cells.begin(), cells.end(), [&](Cell_handle c) {
+            for (int i = 0; i < Complex::corners; ++i)
+              if (c->neighbor(i)->label() < c->label() && !m_rigid_components.keeps_facet(c, i))
+                return false;
+            return true;
+          });
+        });
+    for (Cell_handle c : in_the_way)
+      m_in_the_way.push(c);
     for (Cell_handle c : cells)
       touch(c);
     update_destinations();
   }
 
-  // Moves the remaining vertices one at a time (Algorithm 2). A vertex of a cell flat enough to be
-  // relabeled moves only if it reaches its destination, since a partial move would gain nothing.
+  // Moves the remaining vertices one at a time (Algorithm 2), except where all have been moved by
+  // the same part of a rigid motion. A vertex of a cell flat enough to be relabeled moves only if
+  // it reaches its destination, since a partial move would gain nothing.
   void move_one_by_one() {
     // fraction of the distance to a flat cell that is left, so that the cell can still be improved
     static constexpr double margin = .25;
+    if (!m_in_the_way.empty())
+      return;
     std::vector<Vertex_handle> vertices = unfinished();
     if (m_options.collision_order)
       sort_by_first_collision(m_complex, m_destinations, vertices);
@@ -236,6 +250,9 @@ public:
     m_trapped_cells.remove_vanishing_components(handles(cells));
     find_events(pass);
     update_destinations();
+    for (const auto& item : m_in_the_way)
+      if (m_complex.is_alive(item.cell, item.time_stamp))
+        m_mesh.make_way(item.cell, m_touched);
     for (const auto& item : cells) {
       Progress_scope::check();
       if (m_complex.is_alive(item.cell, item.time_stamp))
@@ -395,6 +412,7 @@ private:
   double m_last_distance = std::numeric_limits<double>::infinity();
   unsigned m_idle_passes = 0;
   bool m_may_remove_facets = true;
+  Work_list<Cell_handle> m_in_the_way; // of a rigid motion, of which only a part was possible
   std::size_t m_vanished = 0, m_merged = 0, m_stopped_at_boundary = 0;
 };
 

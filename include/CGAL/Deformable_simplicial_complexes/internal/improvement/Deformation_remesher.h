@@ -67,6 +67,8 @@ public:
   void begin_pass(unsigned pass) { m_improver.begin_pass(pass); }
   bool is_bad(Cell_handle c) const { return m_improver.is_bad(c); }
 
+  void make_way(Cell_handle c, Cells& touched) { m_improver.make_way(c, touched); }
+
   void remove_obstacle(Cell_handle c, bool may_remove_facets, Cells& touched) {
     if (may_remove_facets && m_improver.remove_short_edge(c, touched))
       return;
@@ -167,22 +169,21 @@ public:
                        options.quality_threshold, for_each_index) {}
 
   // Collects the interface facets that will have a small angle at their destinations, smaller than
-  // the current one. Facets of regions that move rigidly are thus not collected.
+  // before the motion. Facets of regions that move rigidly are thus not collected.
   void begin_pass(unsigned pass) {
     m_improver.begin_pass(pass);
     const std::vector<Vertex_handle>& unfinished = m_destinations.unfinished();
     m_degenerating.clear();
-    const auto now = [&](Vertex_handle v) { return m_complex.position(v); };
     const Vertex_numbers numbers(m_complex, unfinished);
     std::vector<typename Complex::Approximate_point> destinations;
     for (std::size_t k = 0; k < unfinished.size(); ++k)
       destinations.push_back(m_complex.approximate(m_destinations.destination(k)));
     const auto final = [&](Vertex_handle v) {
       const std::uint32_t number = numbers(v);
-      return number != Vertex_numbers::none ? destinations[number] : now(v);
+      return number != Vertex_numbers::none ? destinations[number] : m_complex.position(v);
     };
     const auto degenerates = [&](Cell_handle c, int i) {
-      return is_interface_from(c, i) && will_degenerate({c, i}, now, final);
+      return is_interface_from(c, i) && will_degenerate({c, i}, final);
     };
     std::vector<Cell_handle> cells = star_union_if(
         m_complex, unfinished,
@@ -198,6 +199,8 @@ public:
   }
 
   bool is_bad(Cell_handle c) const { return m_improver.is_bad(c); }
+
+  void make_way(Cell_handle c, Cells& touched) { m_improver.make_way(c, touched); }
 
   void remove_obstacle(Cell_handle c, bool may_remove_facets, Cells& touched) {
     static constexpr double cosine = .94; // the cosine of 20 degrees
@@ -246,10 +249,10 @@ private:
     return n->label() < c->label() && !m_complex.is_infinite(n);
   }
 
-  // Returns whether a facet will have a small angle that is clearly smaller than the current one: a
-  // needle of the input that keeps its shape stays. `now` and `final` return positions of vertices.
-  template <class Now, class Final>
-  bool will_degenerate(const typename Complex::Facet& f, const Now& now, const Final& final) const {
+  // Returns whether a facet will have a small angle that is clearly smaller than before the motion:
+  // a needle of the input that keeps its shape stays. `final` returns destinations of vertices.
+  template <class Final>
+  bool will_degenerate(const typename Complex::Facet& f, const Final& final) const {
     using Triangle = std::array<typename Complex::Approximate_point, 3>;
     const auto v = m_complex.facet_vertices(f);
     const auto cosine_with = [&](const auto& position_of) {
@@ -260,7 +263,8 @@ private:
     const double after = cosine_with(final);
     if (!(after > m_degenerate_cosine))
       return false;
-    const double before = cosine_with(now);
+    const double before =
+        cosine_with([&](Vertex_handle w) { return m_destinations.position_before(w); });
     return std::sqrt(1 - after * after) < reduction_of_angles * std::sqrt(1 - before * before);
   }
 
@@ -287,6 +291,7 @@ private:
 The remeshing of a deformation, composed of dimension-specific operations:
 - `begin_pass(pass)`: prepares a pass; some vertices have not reached their destinations
 - `is_bad(c)`: returns whether a cell should be improved
+- `make_way(c, touched)`: changes a cell that the interface would sweep over
 - `remove_obstacle(c, may_remove_facets, touched)`: removes a cell that keeps a vertex from its
   destination
 - `remove_degenerating_facets(touched)`: removes interface facets that the pass made degenerate

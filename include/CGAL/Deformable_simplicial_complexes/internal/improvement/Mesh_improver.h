@@ -214,7 +214,29 @@ public:
     return false;
   }
 
+  // Changes a cell that the interface would sweep over: splits an edge between free vertices,
+  // collapses the only free vertex into the interface, or splits an edge between both.
+  bool make_way(Cell_handle c, Cells& touched) {
+    return split_edge_with(c, 2, touched) || remove_trapped_vertex(c, touched) ||
+           split_edge_with(c, 1, touched);
+  }
+
 protected:
+  // Splits an edge of a cell of whose ends a number is free.
+  bool split_edge_with(Cell_handle c, int number_of_free_ends, Cells& touched) {
+    for (int i = 0; i < Complex::corners; ++i)
+      for (int j = i + 1; j < Complex::corners; ++j)
+        if (const Vertex_handle v = c->vertex(i), w = c->vertex(j);
+            !v->is_interface() + !w->is_interface() == number_of_free_ends &&
+            propose_edge_split(m_complex, c, i, j, .5, m_cavity) &&
+            (m_cavity.vertices().back().boundary_class & Boundary_class::fixed) == 0) {
+          commit_split(m_complex, m_cavity, v, w, m_visitor, m_report);
+          touch_created(touched);
+          return true;
+        }
+    return false;
+  }
+
   // A cell that could not be reconnected, and its quality.
   struct Stuck_cell
   {

@@ -57,6 +57,16 @@ public:
     return number_of_rigid_vertices(c, final) > 1;
   }
 
+  // Returns whether the motion keeps the lengths of the edges of a facet.
+  bool keeps_facet(Cell_handle c, int i) const {
+    const auto final = [this](Vertex_handle v) { return m_destinations.final_position(v); };
+    for (int j = 0; j < Complex::corners; ++j)
+      for (int k = 0; k < j; ++k)
+        if (j != i && k != i && !are_as_far(c->vertex(j), c->vertex(k), final))
+          return false;
+    return true;
+  }
+
   // Returns whether the interface touched by a cell has moved rigidly. The test uses the vertices
   // of the cell or, if only one is on the interface, the interface vertices around it.
   bool touches_rigid_component(Cell_handle c) const {

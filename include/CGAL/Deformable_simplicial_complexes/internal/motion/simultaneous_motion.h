@@ -185,29 +185,68 @@ private:
   std::vector<double> m_fractions; // fraction of the displacement of each vertex
 };
 
+// Relocates the free vertices of all cells that would be inverted or degraded. Returns the cells
+// that still would be.
+template <class Complex>
+std::vector<typename Complex::Cell_handle> untangle(Proposed_motion<Complex>& motion) {
+  auto bad = untangle(motion, motion.inverted_cells());
+  return bad.empty() ? untangle(motion, motion.degraded_cells()) : bad;
+}
+
+// Replaces all displacements by the same fraction of them, 1/2, 1/4 or 1/8, so that no cell would
+// be inverted or degraded. Returns whether this is possible; otherwise, the displacements stay.
+template <class Complex> bool shorten(Proposed_motion<Complex>& motion) {
+  static constexpr double smallest_fraction = 1. / 32;
+  using Number = typename Proposed_motion<Complex>::Number;
+  const Complex& complex = motion.complex();
+  std::vector<typename Complex::Point> targets;
+  for (Number i = 0; i < motion.size(); ++i)
+    targets.push_back(motion.point(i));
+  for (double fraction = .5; fraction >= smallest_fraction; fraction /= 2) {
+    for (Number i = 0; i < motion.size(); ++i) {
+      const auto v = motion.vertex(i);
+      const auto displacement = complex.displacement(v, complex.approximate(targets[i]));
+      motion.set_point(i, complex.admissible_destination(
+                              v, complex.exact(complex.position(v) + fraction * displacement)));
+    }
+    if (untangle(motion).empty())
+      return true;
+  }
+  for (Number i = 0; i < motion.size(); ++i)
+    motion.set_point(i, targets[i]);
+  return false;
+}
+
 /*
 Moves vertices simultaneously towards their targets, as far as no cell is inverted or falls below
 the quality floor. Where a cell would be inverted, its free vertices are relocated. If this does not
-help, the displacements of its moving vertices are reduced. `cells` are the finite cells around the
-vertices, each once.
+help, the displacements of its moving vertices are reduced, or of all vertices alike, if
+`is_rigid()` returns true. `cells` are the finite cells around the vertices, each once. Returns the
+cells that made it necessary to reduce all displacements alike.
 
 All cells stay positively oriented and the boundary of the domain stays in place. Thus the map from
 the old to the new complex is a homeomorphism.
 */
-template <class Complex>
-void move_simultaneously(Complex& complex,
-                         const std::vector<typename Complex::Vertex_handle>& vertices,
-                         const std::vector<typename Complex::Point>& targets,
-                         const std::vector<typename Complex::Cell_handle>& cells,
-                         const For_each_index& for_each_index) {
+template <class Complex, class Is_rigid>
+std::vector<typename Complex::Cell_handle>
+move_simultaneously(Complex& complex, const std::vector<typename Complex::Vertex_handle>& vertices,
+                    const std::vector<typename Complex::Point>& targets,
+                    const std::vector<typename Complex::Cell_handle>& cells,
+                    const For_each_index& for_each_index, const Is_rigid& is_rigid) {
   Proposed_motion<Complex> motion(complex, vertices, targets, cells, for_each_index);
-  auto bad = motion.inverted_cells();
-  do {
-    bad = untangle(motion, std::move(bad));
+  auto bad = untangle(motion);
+  std::vector<typename Complex::Cell_handle> in_the_way;
+  if (!bad.empty() && is_rigid() && shorten(motion))
+    in_the_way.swap(bad);
+  for (;;) {
     Displacement_reduction<Complex>(motion).run(std::move(bad));
     bad = motion.degraded_cells();
-  } while (!bad.empty());
+    if (bad.empty())
+      break;
+    bad = untangle(motion, std::move(bad));
+  }
   motion.commit();
+  return in_the_way;
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes::internal

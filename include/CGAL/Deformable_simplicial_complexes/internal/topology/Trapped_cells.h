@@ -212,8 +212,8 @@ private:
     m_tolerance.forget();
     if (is_done(c) || is_at_cut<Complex>(c) ||
         !propose_relabeling(m_complex, c, threshold, label, m_energy) ||
-        !(m_contacts.closes(c, m_final_threshold) ||
-          (may_be_small && !m_rigid_components.moves_rigidly(c) && is_small(c, label))))
+        m_rigid_components.moves_rigidly(c) ||
+        !(m_contacts.closes(c, m_final_threshold) || (may_be_small && is_small(c, label))))
       return false;
     cells.assign(1, c);
     return complete(cells, label) && volume(cells) - volume({c}) < small_volume({c}) &&
