@@ -251,7 +251,8 @@ public:
     find_events(pass);
     update_destinations();
     for (const auto& item : m_in_the_way)
-      if (m_complex.is_alive(item.cell, item.time_stamp))
+      if (m_complex.is_alive(item.cell, item.time_stamp) &&
+          m_rigid_components.moves_rigidly(item.cell))
         m_mesh.make_way(item.cell, m_touched);
     for (const auto& item : cells) {
       Progress_scope::check();
