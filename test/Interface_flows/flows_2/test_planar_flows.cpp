@@ -1,11 +1,16 @@
 // Curves, complexes of curves, and their flows.
 
 #include <CGAL/Deformable_simplicial_complex_2.h>
+#include <CGAL/Deformable_simplicial_complexes/Construction_options.h>
 #include <CGAL/Deformable_simplicial_complexes/control_detail.h>
 #include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
+#include <CGAL/Interface_flows/Mean_curvature_flow.h>
+#include <CGAL/Interface_flows/advect_adaptively.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_flows/interface_flows_2.h>
 #include <CGAL/Interface_flows/velocity_fields_2.h>
+
+#include <CGAL/Bbox_2.h>
 
 #include <gtest/gtest.h>
 
@@ -238,6 +243,35 @@ TEST(Planar_flows, star_turns_and_is_back) {
 TEST(Planar_flows, nested_figure_turns_and_is_back) {
   Complex dsc = make({circle(0, 0, 1, 64, 1), circle(.2, 0, .6, 48, 2), circle(.1, .1, .2, 24, 3)});
   expect_turn(dsc, 6, 1e-12);
+}
+
+// Vertices that moved one by one changed the shape of flat polygons with few corners.
+TEST(Planar_flows, flat_polygons_are_turned_exactly_by_any_angle) {
+  std::mt19937 random(1);
+  const auto any = [&] { return double(random()) / 4294967296.; };
+  for (int i = 0; i < 40; ++i) {
+    std::vector<Point> corners;
+    const std::size_t n = 4 + i % 5;
+    for (std::size_t k = 0; k < n; ++k) {
+      const double angle = 2 * pi * (double(k) + .8 * any()) / double(n), r = .2 + any();
+      corners.emplace_back(r * std::cos(angle), 8 * r * std::sin(angle));
+    }
+    DSC::Construction_options<2> options;
+    options.thin_parts.edge_per_thickness = 0;
+    const Complex start =
+        DSC::make_deformable_simplicial_complex_2<Complex>(Curves{polygon(corners)}, options);
+    CGAL::Bbox_2 domain;
+    for (auto v : start.finite_vertices())
+      domain += start.position(v).bbox();
+    const Position center((domain.xmin() + domain.xmax()) / 2, (domain.ymin() + domain.ymax()) / 2);
+    for (double degrees : {90., 180., 270., 300., 1000.}) {
+      Complex dsc = start;
+      const DSC::Rigid_rotation_2 rotation(center, degrees * pi / 180);
+      EXPECT_TRUE(DSC::advect_interface(dsc, rotation, 0, 1).complete) << i << ", " << degrees;
+      EXPECT_EQ(dsc.interface_facets().size(), n) << i << ", " << degrees;
+      EXPECT_NEAR(dsc.area(1), start.area(1), 1e-12 * start.area(1)) << i << ", " << degrees;
+    }
+  }
 }
 
 // Two disks of radius 1/2 grow by .2 each and merge.
