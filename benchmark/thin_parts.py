@@ -26,8 +26,8 @@ ALLOWED = 0.01  # relative difference of volumes
 SECONDS = 120  # limit of a run
 
 
-def read_volumes(path):
-    """Returns the volumes of the labels of a file written by `dsc`."""
+def read_mesh(path):
+    """Returns the points, the tetrahedra and the labels of a file written by `dsc`."""
     with open(path, "rb") as file:
         data = file.read()
     begin = data.index(b"_", data.index(b"<AppendedData")) + 1
@@ -39,11 +39,14 @@ def read_volumes(path):
         size = int.from_bytes(data[at : at + 8], "little")
         return numpy.frombuffer(data[at + 8 : at + 8 + size], types[found.group(1).decode()])
 
-    points = array(b"points").reshape(-1, 3)
-    cells = points[array(b"connectivity").reshape(-1, 4)]
-    edges = cells[:, 1:] - cells[:, :1]
-    volumes = numpy.linalg.det(edges) / 6
-    labels = array(b"label")
+    return array(b"points").reshape(-1, 3), array(b"connectivity").reshape(-1, 4), array(b"label")
+
+
+def read_volumes(path):
+    """Returns the volumes of the labels of a file written by `dsc`."""
+    points, cells, labels = read_mesh(path)
+    corners = points[cells]
+    volumes = numpy.linalg.det(corners[:, 1:] - corners[:, :1]) / 6
     if not (volumes > 0).all():
         return None
     return {int(label): float(volumes[labels == label].sum()) for label in numpy.unique(labels)}
@@ -135,12 +138,17 @@ def table(program):
         add(f"wedge {degrees} degrees", surface, ["rotate", "--axis=.3,.2,1", "--angle=30"], volume)
 
 
+def generator(seed, index):
+    """Returns the random numbers of a solid, and its thickness."""
+    random_ = random.Random(seed * 1000003 + index)
+    return random_, 10 ** random_.uniform(-0.7, 1)
+
+
 def random_solids(program, number, seed, worst):
     results = []
     failed = runs = 0
     for index in range(number):
-        random_ = random.Random(seed * 1000003 + index)
-        thickness = 10 ** random_.uniform(-0.7, 1)
+        random_, thickness = generator(seed, index)
         if random_.random() < 0.5:
             solid = cad_solids.random_blocks(random_, thickness)
             surface, volume = solid.surface(), solid.volume()

@@ -193,23 +193,24 @@ std::vector<typename Complex::Cell_handle> untangle(Proposed_motion<Complex>& mo
   return bad.empty() ? untangle(motion, motion.degraded_cells()) : bad;
 }
 
-// Replaces all displacements by the same fraction of them, 1/2, 1/4 or 1/8, so that no cell would
-// be inverted or degraded. Returns whether this is possible; otherwise, the displacements stay.
-template <class Complex> bool shorten(Proposed_motion<Complex>& motion) {
+// Replaces all displacements by the same fraction of them, 1, 1/2, ... 1/32, so that no cell would
+// be inverted or, if `may_degrade` is false, degraded. Returns whether this is possible; otherwise,
+// the displacements stay.
+template <class Complex> bool shorten(Proposed_motion<Complex>& motion, bool may_degrade) {
   static constexpr double smallest_fraction = 1. / 32;
   using Number = typename Proposed_motion<Complex>::Number;
   const Complex& complex = motion.complex();
   std::vector<typename Complex::Point> targets;
   for (Number i = 0; i < motion.size(); ++i)
     targets.push_back(motion.point(i));
-  for (double fraction = .5; fraction >= smallest_fraction; fraction /= 2) {
-    for (Number i = 0; i < motion.size(); ++i) {
+  for (double fraction = 1; fraction >= smallest_fraction; fraction /= 2) {
+    for (Number i = 0; i < motion.size() && fraction < 1; ++i) {
       const auto v = motion.vertex(i);
       const auto displacement = complex.displacement(v, complex.approximate(targets[i]));
       motion.set_point(i, complex.admissible_destination(
                               v, complex.exact(complex.position(v) + fraction * displacement)));
     }
-    if (untangle(motion).empty())
+    if (untangle(motion).empty() || (may_degrade && motion.inverted_cells().empty()))
       return true;
   }
   for (Number i = 0; i < motion.size(); ++i)
@@ -236,12 +237,12 @@ move_simultaneously(Complex& complex, const std::vector<typename Complex::Vertex
   Proposed_motion<Complex> motion(complex, vertices, targets, cells, for_each_index);
   auto bad = untangle(motion);
   std::vector<typename Complex::Cell_handle> in_the_way;
-  if (!bad.empty() && is_rigid() && shorten(motion))
+  if (!bad.empty() && is_rigid() && (shorten(motion, false) || shorten(motion, true)))
     in_the_way.swap(bad);
   for (;;) {
     Displacement_reduction<Complex>(motion).run(std::move(bad));
-    bad = motion.degraded_cells();
-    if (bad.empty())
+    bad = motion.degraded_cells(); // also measures the qualities of changed cells
+    if (bad.empty() || !in_the_way.empty())
       break;
     bad = untangle(motion, std::move(bad));
   }
