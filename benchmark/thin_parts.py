@@ -4,9 +4,9 @@
 Usage: benchmark/thin_parts.py DSC [--random N] [--seed N] [--worst N]
 
 Without --random, prints the table of plates, bars, cylinders and wedges. With --random, moves N random
-solids by six motions each and prints silent losses and the worst motions. The volumes are computed from the written files,
-not from the report of the program. A loss is silent if the program ends with status 0, prints nothing
-about it, and the volume differs from the exact one by more than a hundredth.
+solids by six motions each and prints silent losses and the worst motions. The volumes are computed from
+the written files, not from the report of the program. A loss is silent if the program ends with status 0,
+prints nothing about it, and the volume differs from the exact one by more than a hundredth.
 """
 
 import argparse
@@ -169,7 +169,7 @@ def random_solids(program, number, seed, worst):
     results.sort(key=lambda r: -r[0])
     silent = [r for r in results if r[6] == 0 and r[0] > ALLOWED and not r[8]]
     print(f"{runs} motions of {number} solids: {len(silent)} silent losses, {failed} failures")
-    for r in silent + results[:worst]:
+    for r in silent + [r for r in results[:worst] if r not in silent]:
         print(f"solid {r[1]} ({r[7]} triangles), {r[3]}: {r[4]:.6g}, exact {r[5]:.6g} ({100 * r[0]:.3g} %), "
               f"status {r[6]} {r[8]}")
     return not silent

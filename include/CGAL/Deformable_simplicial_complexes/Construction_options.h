@@ -27,8 +27,8 @@ namespace CGAL::Deformable_simplicial_complexes {
 \ingroup PkgDeformableSimplicialComplexesRef
 
 Options of the functions that make a complex, such as `make_deformable_simplicial_complex_3()`. The
-named parameters of these functions have the same names; those of `Thin_part_options` are
-`edge_per_thickness` and `most_new_facets`.
+named parameters of these functions have the same names. The members of `thin_parts` are the named
+parameters `edge_per_thickness` and `most_new_facets`, see `refine_thin_parts()`.
 
 \tparam dimension dimension of the complex, 2 or 3
 */

@@ -28,7 +28,8 @@ namespace CGAL::Deformable_simplicial_complexes {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Options of `deform_interface()`. The named parameters of that function have the same names.
+Options of `deform_interface()`. The named parameters of that function have the same names. "The
+paper" is the one by Misztal and B&aelig;rentzen, see \ref dsc_mb "[1]" in the user manual.
 
 \tparam Complex a deformable simplicial complex
 */
@@ -62,10 +63,10 @@ template <class Complex> struct Deformation_options
   /// have arrived stay in place.
   double minimum_angle = 5;
   /// Facets of the interface whose smallest angle falls below this bound, in degrees, are removed
-  /// where this improves the mesh around them; in [0, 30]; only facets that would soon block the
-  /// motion. With 0, no facet is removed because of its angles. Facets that keep vertices from
-  /// their destinations are then removed only from the third pass on. The bound has no effect on
-  /// `minimum_angle` and `relabeling_threshold`.
+  /// where this improves the mesh around them; in [0, 30]. Each removal changes the interface, so
+  /// only facets that would soon block the motion are removed. With 0, no facet is removed because
+  /// of its angles. Facets that keep vertices from their destinations are then removed only from
+  /// the third pass on. The bound has no effect on `minimum_angle` and `relabeling_threshold`.
   double minimum_facet_angle = 5;
   /// Whether the boundary of each phase stays a manifold. If relabeling a cell would make it
   /// non-manifold, other cells are relabeled, too, or the cell keeps its label, see
@@ -80,7 +81,8 @@ template <class Complex> struct Deformation_options
   /// some microseconds for each cell around these vertices.
   bool collision_order = false;
   /// Called before each change of the topology of a phase and of the interface; it permits or
-  /// forbids the change. If empty, all are permitted.
+  /// forbids the change. As a named parameter, a model of `TopologyControl`, by default
+  /// `Allow_topology_changes`. If empty, all are permitted.
   Topology_control topology_control;
   /// The energy that decides which label a trapped cell gets, and whether neighbors are exchanged.
   /// Energy densities have no effect. The default is the measure of the interface.

@@ -25,17 +25,20 @@ namespace CGAL::Deformable_simplicial_complexes {
 \ingroup PkgDeformableSimplicialComplexesRef
 
 Options of `control_detail()`. The named parameters of that function have the same names. Lengths
-are in units of the target edge length.
+are in units of the target edge length. "The paper" is the one by Misztal and B&aelig;rentzen, see
+\ref dsc_mb "[1]" in the user manual.
 
 \tparam Complex a deformable simplicial complex
 */
 template <class Complex> struct Detail_options
 {
   /// Target edge length, a positive function of position in the coordinates of the complex,
-  /// evaluated at midpoints of edges. If empty, it is `dsc.mean_interface_edge()` everywhere.
+  /// evaluated at midpoints of edges. As a named parameter, `double sizing_field(Approximate_point
+  /// p)`, callable as `const`. If empty, it is `dsc.mean_interface_edge()` everywhere.
   typename Edge_unit<Complex>::Sizing_field sizing_field;
-  /// Selects the cells whose edges are split and collapsed, such as the cells of some labels. An
-  /// edge inside a label is an edge of all cells around it. If empty, these are all cells.
+  /// Selects the cells whose edges are split and collapsed, such as the cells of some labels. As a
+  /// named parameter, `bool where(Cell_handle c)`. An edge inside a label is an edge of all cells
+  /// around it. If empty, these are all cells.
   std::function<bool(typename Complex::Cell_handle)> where;
   /// Longer edges inside a label are split, greater than 0. The value of the paper.
   double split_length = 4;

@@ -23,7 +23,8 @@ namespace CGAL::Deformable_simplicial_complexes {
 \ingroup PkgDeformableSimplicialComplexesRef
 
 Options of `improve_interface()`. The named parameters of that function have the same names. Lengths
-are in units of the target edge length, angles in degrees.
+are in units of the target edge length, angles in degrees. "The paper" is the one by
+Misztal and B&aelig;rentzen, see \ref dsc_mb "[1]" in the user manual.
 
 \tparam Complex a deformable simplicial complex
 */

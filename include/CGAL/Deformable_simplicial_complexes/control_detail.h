@@ -51,7 +51,6 @@ collapse creates an edge that would be split.
        and a visitor, a model of `DeformationVisitor`, are given by value or by
        `std::reference_wrapper`.
 
-
 \return the numbers of changes
 \throws Error if a parameter is out of its range, or there is an interface, but neither a sizing
         field nor `dsc.mean_interface_edge()`. The complex is then unchanged.

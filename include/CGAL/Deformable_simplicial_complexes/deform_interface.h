@@ -63,8 +63,7 @@ Each pass does the following:
        the nearest point of the box: the interface stops there, and the report counts it.
 \param np named parameters with the names of the members of `Deformation_options`, and `visitor`, a
        model of `DeformationVisitor`, which may also end the deformation. Function objects, a model
-of `TopologyControl` and a visitor are given by value or by `std::reference_wrapper`.
-
+       of `TopologyControl` and a visitor are given by value or by `std::reference_wrapper`.
 
 \return the vertices that did not arrive with their remaining distances, and the changes of labels
         and mesh

@@ -47,10 +47,9 @@ and their vertices move and collapse only along them. In 2D, corners stay. Smoot
 volumes of labels up to rounding; flips, collapses and curved splits change them slightly.
 
 \param dsc the complex
-\param np named parameters with the names of the members of `Interface_improvement_options`. Function objects
-       and a visitor, a model of `DeformationVisitor`, are given by value or by
+\param np named parameters with the names of the members of `Interface_improvement_options`. Function
+       objects and a visitor, a model of `DeformationVisitor`, are given by value or by
        `std::reference_wrapper`.
-
 
 \return the numbers of changes
 \throws Error if a parameter is out of its range, or there is an interface, but neither a sizing

@@ -46,10 +46,8 @@ The quality is that of the complex's quality measure. If dihedral angles are imp
 seeds.
 
 \param dsc the complex
-\param np named parameters with the names of the members of `Mesh_improvement_options`. Function objects
-       and a visitor, a model of `DeformationVisitor`, are given by value or by
-       `std::reference_wrapper`.
-
+\param np named parameters with the names of the members of `Mesh_improvement_options`. A visitor, a
+       model of `DeformationVisitor`, is given by value or by `std::reference_wrapper`.
 
 \return the numbers of changes
 \throws Error if a parameter is out of its range; the complex is then unchanged

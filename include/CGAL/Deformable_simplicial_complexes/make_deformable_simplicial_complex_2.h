@@ -112,7 +112,6 @@ curves are bitwise unchanged.
        `double`
 \param np a `Construction_options<2>`, or named parameters with the names of its members
 
-
 \throws Invalid_surface_error if a curve is not as described above, or reaches the box; the facets
         of the error are segments
 \throws Error if there is no curve, or parameters or the extent of the domain are out of range

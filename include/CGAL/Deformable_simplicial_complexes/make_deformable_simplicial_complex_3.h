@@ -99,7 +99,6 @@ triangles that are coplanar up to a millionth of their length are then exchanged
 \param tetrahedralizer tetrahedralizer that fills the box
 \param np a `Construction_options<3>`, or named parameters with the names of its members
 
-
 \throws Invalid_surface_error if a surface is not as described above, or reaches the box
 \throws Tetrahedralization_error if the tetrahedralizer fails
 \throws Error if the box is not finite, or its subdivision is out of range

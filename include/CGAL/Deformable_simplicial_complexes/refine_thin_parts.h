@@ -112,10 +112,11 @@ Thin_part_report refine_thin_parts(Complex& complex,
   const Progress_phase phase("resolving thin parts");
   Thin_part_report report;
   const std::size_t before = complex.interface_facets().size();
-  // Near the bound, rounds split fewer and fewer edges: one with a smaller part of all is the last.
-  static constexpr double part_that_pays = .02;
+  // Near the bound, each round splits fewer edges. The last round is the first one that adds less
+  // than this fraction of all splits.
+  static constexpr double smallest_fraction = .02;
   std::size_t splits = 0;
-  for (bool pays = true; pays;) {
+  for (bool is_worthwhile = true; is_worthwhile;) {
     const std::size_t most = options.most_new_facets -
                              (std::min<std::size_t>)(report.new_facets, options.most_new_facets);
     const auto coarse = internal::coarse_facets(complex, options.edge_per_thickness, most);
@@ -125,8 +126,8 @@ Thin_part_report refine_thin_parts(Complex& complex,
     const std::size_t done = internal::bisect(complex, coarse.facets, most);
     splits += done;
     report.new_facets = complex.interface_facets().size() - before;
-    pays = done > 0 &&
-           (coarse.parts <= double(most) || double(done) >= part_that_pays * double(splits));
+    is_worthwhile = done > 0 && (coarse.parts <= double(most) ||
+                                 double(done) >= smallest_fraction * double(splits));
   }
   if (report.new_facets > 0)
     complex.measure_interface_edges();

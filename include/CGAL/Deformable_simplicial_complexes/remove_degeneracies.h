@@ -32,7 +32,8 @@ namespace CGAL::Deformable_simplicial_complexes {
 \ingroup PkgDeformableSimplicialComplexesRef
 
 Options of `remove_degeneracies()`. The named parameters of that function have the same names. The
-numbers are those of the paper.
+numbers are those of the paper by Misztal and B&aelig;rentzen, see \ref dsc_mb "[1]" in the user
+manual.
 
 \tparam Complex a deformable simplicial complex
 */
@@ -127,7 +128,6 @@ A pass over the cells, then n log n in the number of changed cells.
 \param np named parameters with the names of the members of `Degeneracy_options`. Function objects
        and a visitor, a model of `DeformationVisitor`, are given by value or by
        `std::reference_wrapper`.
-
 
 \return the numbers of changes
 \throws Error if a parameter is out of its range; the complex is then unchanged

@@ -94,7 +94,6 @@ plus the square of the number of edges of holes, plus the wrap.
 \param np named parameters with the names of the members of `Surface_repair_options_3`:
        `largest_hole`, `wrap_alpha` and `wrap_offset`
 
-
 \return the numbers of changes, and the distances between the input and the result
 \throws Invalid_surface_error if coordinates are not finite, indices are wrong, there are no
         triangles, or the surface cannot be repaired; if the reason is `open`, a hole may be too

@@ -131,7 +131,6 @@ the interface, plus the deformations.
 \param np named parameters: those of `deform_interface()`, and those with the names of the other
        members of `Volume_restoration_options`
 
-
 \return the deformations, and whether all volumes are correct within the tolerance. If they are not,
         the interface could not reach its destinations, a visitor ended the deformation, or there
         were too few iterations.

@@ -485,7 +485,6 @@ public:
   \param np named parameters: those of `deform_interface()`, except `flow` and `visitor`, and those
          with the names of the other members of `Fluid_step_options`
 
-
   \return the report of the step
   \throws Error if a parameter is out of its range, if `dt` is not positive, not finite, or too
           short to change the time, if a viscosity is negative or not finite, if sources or

@@ -170,7 +170,8 @@ the mesh is adapted at the beginning of the step:
 
 The defaults of some parameters differ from those of `advect_interface()`. Cells may become flatter,
 and facets of the interface may become longer, because the flow may bring the interface back. A flow
-that contracts the interface does not bring it back, and has the defaults of `advect_interface()`.
+that contracts the interface does not bring it back. Its defaults of `quality_threshold`,
+`minimum_angle` and `minimum_facet_angle` are those of `advect_interface()`.
 
 \param dsc the complex
 \param velocity as for `advect_interface()`. If the interface is worn, the step is integrated once
@@ -183,7 +184,6 @@ that contracts the interface does not bring it back, and has the defaults of `ad
 \param np named parameters: those of `advect_interface()`, and those with the names of the other
        members of `Adaptive_advection_options`, with the default values of
        `defaults::Adaptive_advection`. The default of `scheme` is `Integration_scheme::rk4`.
-
 
 \return the report of `advect_interface()`. Its numbers of operations include the adaptation.
 \throws Error if a parameter is out of its range, or if there is an interface and

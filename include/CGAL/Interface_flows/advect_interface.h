@@ -355,7 +355,6 @@ vertices near the interface also move with it, unless the parameter `flow` is gi
 \param np named parameters: those of `deform_interface()`, and those with the names of the other
        members of `Advection_options`. The default of `domain_rule` is `Domain_rule::refuse`.
 
-
 \return the report of `deform_interface()`. The report of a divided time step contains the sums over
         its parts.
 \throws Invalid_destination_error if a velocity is not finite, if the interface would leave the

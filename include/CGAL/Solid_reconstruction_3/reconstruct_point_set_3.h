@@ -129,12 +129,12 @@ neighbors of each point.
 
 \param points the points, in any order
 \param np named parameters with the names of the members of `Reconstruction_options_3`, where
-       `observer` is a model of `ReconstructionObserver_3`, by value or `std::reference_wrapper`,
-and `report` a `std::reference_wrapper`. Also `point_map` and `normal_map`, models of
-       `ReadablePropertyMap` whose value types have `x()`, `y()` and `z()`: the position of a point,
-       by default by `Identity_property_map`, and the normal at a point, of any length and sign. By
-       default, and where it is 0 or not finite, it is estimated from the 16 nearest points.
-
+       `observer` is a model of `ReconstructionObserver_3`, by value or
+       `std::reference_wrapper`, and `report` a `std::reference_wrapper`. Also `point_map` and
+       `normal_map`, models of `ReadablePropertyMap` whose value types have `x()`, `y()` and `z()`:
+       the position of a point, by default by `Identity_property_map`, and the normal at a point, of
+       any length and sign. By default, and where it is 0 or not finite, it is estimated from the 16
+       nearest points.
 
 \return the complex. It has label 1 inside the solid, and label 0 between the solid and a box around
         it.

@@ -42,8 +42,8 @@ public:
   using Vector = typename Complex::Approximate_vector;
 
   // If there are destinations, volumes are those with the vertices at their destinations. What the
-  // motion brings together may then be joined. If volumes are kept, the bound for all operations
-  // together holds for single ones, too: in a coarse mesh, they may otherwise move more.
+  // motion brings together may then be joined. If `keeps_volumes`, a single operation also
+  // obeys the bound for all operations together. In a coarse mesh, it could otherwise exceed it.
   explicit Interface_tolerance(const Complex& complex,
                                const Destinations<Complex>* destinations = nullptr,
                                bool keeps_volumes = false)

@@ -175,30 +175,24 @@ public:
       }
     }
     const std::vector<Cell_handle> cells = star_union(m_complex, vertices, m_for_each_index);
-    m_in_the_way.clear();
-    const auto in_the_way =
-        move_simultaneously(m_complex, vertices, targets, cells, m_for_each_index, [&] {
-          return std::all_of(cells.begin(), cells.end(), [&](Cell_handle c) {
-            for (int i = 0; i < Complex::corners; ++i)
-              if (c->neighbor(i)->label() < c->label() && !m_rigid_components.keeps_facet(c, i))
-                return false;
-            return true;
-          });
-        });
-    for (Cell_handle c : in_the_way)
-      m_in_the_way.push(c);
+    m_obstructing.clear();
+    for (Cell_handle c : move_simultaneously(
+             m_complex, vertices, targets, cells, m_for_each_index,
+             [&](const std::vector<Cell_handle>& bad) { return is_rigid(cells, bad); }))
+      m_obstructing.push(c);
+    m_obstructing.sort();
     for (Cell_handle c : cells)
       touch(c);
     update_destinations();
   }
 
-  // Moves the remaining vertices one at a time (Algorithm 2), except where all have been moved by
-  // the same part of a rigid motion. A vertex of a cell flat enough to be relabeled moves only if
-  // it reaches its destination, since a partial move would gain nothing.
+  // Moves the remaining vertices one at a time (Algorithm 2). Does nothing if all vertices have
+  // moved by the same fraction of a rigid motion. A vertex of a cell flat enough to be relabeled
+  // moves only if it reaches its destination, since a partial move would gain nothing.
   void move_one_by_one() {
     // fraction of the distance to a flat cell that is left, so that the cell can still be improved
     static constexpr double margin = .25;
-    if (!m_in_the_way.empty())
+    if (!m_obstructing.empty())
       return;
     std::vector<Vertex_handle> vertices = unfinished();
     if (m_options.collision_order)
@@ -250,10 +244,10 @@ public:
     m_trapped_cells.remove_vanishing_components(handles(cells));
     find_events(pass);
     update_destinations();
-    for (const auto& item : m_in_the_way)
-      if (m_complex.is_alive(item.cell, item.time_stamp) &&
+    for (const auto& item : m_obstructing)
+      if (!is_complete() && m_complex.is_alive(item.cell, item.time_stamp) &&
           m_rigid_components.moves_rigidly(item.cell))
-        m_mesh.make_way(item.cell, m_touched);
+        m_mesh.open_obstructing_cell(item.cell, m_touched);
     for (const auto& item : cells) {
       Progress_scope::check();
       if (m_complex.is_alive(item.cell, item.time_stamp))
@@ -361,6 +355,21 @@ private:
       m_trapped_cells.relabel(handles(cells), threshold, m_options.relabeling_threshold);
   }
 
+  // Returns whether the motion keeps the facets of the interface among cells, and no parts of the
+  // interface that move differently meet in the bad ones.
+  bool is_rigid(const std::vector<Cell_handle>& cells, const std::vector<Cell_handle>& bad) const {
+    return std::none_of(bad.begin(), bad.end(),
+                        [&](Cell_handle c) { return m_rigid_components.is_distorted(c); }) &&
+           std::all_of(cells.begin(), cells.end(), [&](Cell_handle c) {
+             for (int i = 0; i < Complex::corners; ++i)
+               if (const Cell_handle n = c->neighbor(i); n->label() < c->label() &&
+                                                         !m_complex.is_infinite(n) &&
+                                                         !m_rigid_components.keeps_facet(c, i))
+                 return false;
+             return true;
+           });
+  }
+
   // Returns the number of layers of free vertices around a vertex that follow its displacement. A
   // longer displacement needs more layers, because more space must give way.
   unsigned number_of_layers(Vertex_handle v, double displacement) const {
@@ -413,7 +422,7 @@ private:
   double m_last_distance = std::numeric_limits<double>::infinity();
   unsigned m_idle_passes = 0;
   bool m_may_remove_facets = true;
-  Work_list<Cell_handle> m_in_the_way; // of a rigid motion, of which only a part was possible
+  Work_list<Cell_handle> m_obstructing; // cells that keep a rigid motion from being completed
   std::size_t m_vanished = 0, m_merged = 0, m_stopped_at_boundary = 0;
 };
 

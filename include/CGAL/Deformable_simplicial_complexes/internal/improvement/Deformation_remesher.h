@@ -67,7 +67,9 @@ public:
   void begin_pass(unsigned pass) { m_improver.begin_pass(pass); }
   bool is_bad(Cell_handle c) const { return m_improver.is_bad(c); }
 
-  void make_way(Cell_handle c, Cells& touched) { m_improver.make_way(c, touched); }
+  void open_obstructing_cell(Cell_handle c, Cells& touched) {
+    m_improver.open_obstructing_cell(c, touched);
+  }
 
   void remove_obstacle(Cell_handle c, bool may_remove_facets, Cells& touched) {
     if (may_remove_facets && m_improver.remove_short_edge(c, touched))
@@ -200,7 +202,9 @@ public:
 
   bool is_bad(Cell_handle c) const { return m_improver.is_bad(c); }
 
-  void make_way(Cell_handle c, Cells& touched) { m_improver.make_way(c, touched); }
+  void open_obstructing_cell(Cell_handle c, Cells& touched) {
+    m_improver.open_obstructing_cell(c, touched);
+  }
 
   void remove_obstacle(Cell_handle c, bool may_remove_facets, Cells& touched) {
     static constexpr double cosine = .94; // the cosine of 20 degrees
@@ -263,8 +267,11 @@ private:
     const double after = cosine_with(final);
     if (!(after > m_degenerate_cosine))
       return false;
-    const double before =
-        cosine_with([&](Vertex_handle w) { return m_destinations.position_before(w); });
+    const bool is_old =
+        std::all_of(v.begin(), v.end(), [&](Vertex_handle w) { return m_destinations.had(w); });
+    const double before = cosine_with([&](Vertex_handle w) {
+      return is_old ? m_destinations.position_before(w) : m_complex.position(w);
+    });
     return std::sqrt(1 - after * after) < reduction_of_angles * std::sqrt(1 - before * before);
   }
 
@@ -291,7 +298,7 @@ private:
 The remeshing of a deformation, composed of dimension-specific operations:
 - `begin_pass(pass)`: prepares a pass; some vertices have not reached their destinations
 - `is_bad(c)`: returns whether a cell should be improved
-- `make_way(c, touched)`: changes a cell that the interface would sweep over
+- `open_obstructing_cell(c, touched)`: changes a cell that keeps the interface from moving rigidly
 - `remove_obstacle(c, may_remove_facets, touched)`: removes a cell that keeps a vertex from its
   destination
 - `remove_degenerating_facets(touched)`: removes interface facets that the pass made degenerate

@@ -214,15 +214,15 @@ public:
     return false;
   }
 
-  // Changes a cell that the interface would sweep over: splits an edge between free vertices,
-  // collapses the only free vertex into the interface, or splits an edge between both.
-  bool make_way(Cell_handle c, Cells& touched) {
+  // Changes a cell that keeps the interface from moving rigidly: splits an edge between free
+  // vertices, collapses the only free vertex into the interface, or splits an edge between both.
+  bool open_obstructing_cell(Cell_handle c, Cells& touched) {
     return split_edge_with(c, 2, touched) || remove_trapped_vertex(c, touched) ||
            split_edge_with(c, 1, touched);
   }
 
 protected:
-  // Splits an edge of a cell of whose ends a number is free.
+  // Splits an edge of a cell with the given number of free ends. Returns whether an edge was split.
   bool split_edge_with(Cell_handle c, int number_of_free_ends, Cells& touched) {
     for (int i = 0; i < Complex::corners; ++i)
       for (int j = i + 1; j < Complex::corners; ++j)

@@ -142,7 +142,7 @@ public:
   }
 
   // Moves the vertices to the proposed points.
-  // \pre inverted_cells() and degraded_cells() are empty
+  // \pre inverted_cells() is empty, and degraded_cells() was called since the last change
   void commit() {
     m_complex.set_points(m_vertices, m_points, m_cells, m_measures, m_qualities, m_for_each_index);
   }

@@ -52,17 +52,16 @@ public:
 
   // Returns whether the motion keeps the mutual distances of the interface vertices of a cell, of
   // which there are at least two.
-  bool moves_rigidly(Cell_handle c) const {
-    const auto final = [this](Vertex_handle v) { return m_destinations.final_position(v); };
-    return number_of_rigid_vertices(c, final) > 1;
-  }
+  bool moves_rigidly(Cell_handle c) const { return number_of_rigid_vertices(c, at_end()) > 1; }
+
+  // Returns whether the motion changes the distance of two interface vertices of a cell.
+  bool is_distorted(Cell_handle c) const { return number_of_rigid_vertices(c, at_end()) < 0; }
 
   // Returns whether the motion keeps the lengths of the edges of a facet.
   bool keeps_facet(Cell_handle c, int i) const {
-    const auto final = [this](Vertex_handle v) { return m_destinations.final_position(v); };
     for (int j = 0; j < Complex::corners; ++j)
       for (int k = 0; k < j; ++k)
-        if (j != i && k != i && !are_as_far(c->vertex(j), c->vertex(k), final))
+        if (j != i && k != i && !are_as_far(c->vertex(j), c->vertex(k), at_end()))
           return false;
     return true;
   }
@@ -80,9 +79,12 @@ public:
   }
 
 private:
-  // A function that returns the current position of a vertex.
+  // Return functions that return the current and the final position of a vertex.
   auto now() const {
     return [this](Vertex_handle v) { return m_complex.position(v); };
+  }
+  auto at_end() const {
+    return [this](Vertex_handle v) { return m_destinations.final_position(v); };
   }
 
   // Returns the number of vertices of a cell on the interface if `position_of` keeps their mutual

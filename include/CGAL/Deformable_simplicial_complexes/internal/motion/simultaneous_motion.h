@@ -221,9 +221,10 @@ template <class Complex> bool shorten(Proposed_motion<Complex>& motion, bool may
 /*
 Moves vertices simultaneously towards their targets, as far as no cell is inverted or falls below
 the quality floor. Where a cell would be inverted, its free vertices are relocated. If this does not
-help, the displacements of its moving vertices are reduced, or of all vertices alike, if
-`is_rigid()` returns true. `cells` are the finite cells around the vertices, each once. Returns the
-cells that made it necessary to reduce all displacements alike.
+help, the displacements of its moving vertices are reduced. If `is_rigid(bad_cells)` returns true,
+the displacements of all vertices are reduced alike. Cells may then fall below the quality floor if
+no fraction avoids it. `cells` are the finite cells around the vertices, each once. Returns the
+cells that made it necessary to treat all displacements alike.
 
 All cells stay positively oriented and the boundary of the domain stays in place. Thus the map from
 the old to the new complex is a homeomorphism.
@@ -236,18 +237,18 @@ move_simultaneously(Complex& complex, const std::vector<typename Complex::Vertex
                     const For_each_index& for_each_index, const Is_rigid& is_rigid) {
   Proposed_motion<Complex> motion(complex, vertices, targets, cells, for_each_index);
   auto bad = untangle(motion);
-  std::vector<typename Complex::Cell_handle> in_the_way;
-  if (!bad.empty() && is_rigid() && (shorten(motion, false) || shorten(motion, true)))
-    in_the_way.swap(bad);
+  std::vector<typename Complex::Cell_handle> obstructing;
+  if (!bad.empty() && is_rigid(bad) && (shorten(motion, false) || shorten(motion, true)))
+    obstructing.swap(bad);
   for (;;) {
     Displacement_reduction<Complex>(motion).run(std::move(bad));
     bad = motion.degraded_cells(); // also measures the qualities of changed cells
-    if (bad.empty() || !in_the_way.empty())
+    if (bad.empty() || !obstructing.empty())
       break;
     bad = untangle(motion, std::move(bad));
   }
   motion.commit();
-  return in_the_way;
+  return obstructing;
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes::internal
