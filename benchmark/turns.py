@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Compares rotations by `dsc` in one step with exact ones.
 
-Usage: benchmark/turns.py DSC [--number N] [--seed N] [FILE...]
+Usage: benchmark/turns.py DSC [FILE...] [--number N] [--seed N]
 
 Turns the surfaces of the files and N random solids about random axes by random angles, and a ball by a
 velocity field. Prints a line for each kind. The vertices between the labels 0 and 1 are compared with
