@@ -174,12 +174,9 @@ public:
       return u->is_interface() || m_complex.is_boundary(u);
     };
     if (!is_tied(v) || !is_tied(w) || Own::is_interface_edge(m_complex, c, a, b) ||
-        !is_long(v, w, longest) || !propose_edge_split(m_complex, c, a, b, .5, m_cavity) ||
-        (m_cavity.vertices().back().boundary_class & Boundary_class::fixed) != 0)
+        !is_long(v, w, longest))
       return false;
-    commit_split(m_complex, m_cavity, v, w, m_visitor, m_report);
-    touch_created(touched);
-    return true;
+    return split_edge(c, a, b, touched);
   }
 
   // Inserts a vertex into a cell. Surrounding cells that this improves are replaced, too.
@@ -226,15 +223,21 @@ protected:
   bool split_edge_with(Cell_handle c, int number_of_free_ends, Cells& touched) {
     for (int i = 0; i < Complex::corners; ++i)
       for (int j = i + 1; j < Complex::corners; ++j)
-        if (const Vertex_handle v = c->vertex(i), w = c->vertex(j);
-            !v->is_interface() + !w->is_interface() == number_of_free_ends &&
-            propose_edge_split(m_complex, c, i, j, .5, m_cavity) &&
-            (m_cavity.vertices().back().boundary_class & Boundary_class::fixed) == 0) {
-          commit_split(m_complex, m_cavity, v, w, m_visitor, m_report);
-          touch_created(touched);
+        if (!c->vertex(i)->is_interface() + !c->vertex(j)->is_interface() == number_of_free_ends &&
+            split_edge(c, i, j, touched))
           return true;
-        }
     return false;
+  }
+
+  // Splits an edge in the middle, unless the new vertex could not move. Returns whether it did.
+  bool split_edge(Cell_handle c, int i, int j, Cells& touched) {
+    const Vertex_handle v = c->vertex(i), w = c->vertex(j);
+    if (!propose_edge_split(m_complex, c, i, j, .5, m_cavity) ||
+        (m_cavity.vertices().back().boundary_class & Boundary_class::fixed) != 0)
+      return false;
+    commit_split(m_complex, m_cavity, v, w, m_visitor, m_report);
+    touch_created(touched);
+    return true;
   }
 
   // A cell that could not be reconnected, and its quality.
