@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <limits>
 #include <sstream>
+#include <stdexcept>
 #include <utility>
 
 namespace dsc {
@@ -144,8 +145,12 @@ void Labelled_tetrahedra::leave_out_entities() {
 Labelled_tetrahedra read_tetrahedra(const std::string& path, const std::string& label_array) {
   Labelled_tetrahedra mesh;
   if (extension(path) == "vtu") {
-    CGAL::IO::read_VTU(path, mesh.points, mesh.tetrahedra, mesh.labels, label_array, &mesh.arrays,
-                       &mesh.unused);
+    try {
+      CGAL::IO::read_VTU(path, mesh.points, mesh.tetrahedra, mesh.labels, label_array, &mesh.arrays,
+                         &mesh.unused);
+    } catch (const CGAL::Deformable_simplicial_complexes::Label_array_error& error) {
+      throw std::runtime_error(error.what() + std::string(" (--labels NAME)"));
+    }
   } else {
     CGAL::IO::read_MEDIT(path, mesh.points, mesh.tetrahedra, mesh.labels, &mesh.entities,
                          &mesh.unused);

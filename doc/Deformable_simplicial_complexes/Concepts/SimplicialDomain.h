@@ -2,9 +2,10 @@
 \ingroup PkgDeformableSimplicialComplexesConcepts
 \cgalConcept
 
-The global shape of the space that a complex fills. A domain defines the outside, the positions of the vertices of a
-cell as seen from the cell, and the motion along the boundary. All functions that move or measure use the domain and do
-not compare raw coordinates. So they also work if space is periodic.
+The global shape of the space that a complex fills. A domain defines the outside, the positions of
+the vertices of a cell as seen from the cell, and the motion along the boundary. All functions that
+move or measure use the domain and do not compare raw coordinates. So they also work if space is
+periodic.
 
 All functions are `const` and are called often. `Complex` is an instance of
 `CGAL::Deformable_simplicial_complexes::Labelled_complex`.
@@ -20,15 +21,19 @@ All functions are `const` and are called often. `Complex` is an instance of
 class SimplicialDomain
 {
 public:
-  /// Whether there are an infinite vertex and a boundary. If `false`, the domain must provide `measure()`;
-  /// otherwise, it must provide `classify_boundary()` and `keeps_side()`.
+  /// Whether there are an infinite vertex and a boundary. If `false`, the domain must provide
+  /// `measure()`; otherwise, it must provide `classify_boundary()` and `keeps_side()`.
   static constexpr bool has_outside;
 
-  /// Whether the domain is a part of a larger complex: any set of cells, whose boundary can have any shape.
-  static constexpr bool is_part;
+  /// Whether there is a boundary, and it is a sphere.
+  static constexpr bool is_ball;
 
-  /// Returns whether a vertex lies outside the domain. Such a vertex has no position, and its cells are
-  /// infinite.
+  /// Returns whether the edges at a vertex stay, and its cells keep their labels. Other cells may
+  /// change freely.
+  template <class Vertex> static constexpr bool is_constrained(const Vertex& v);
+
+  /// Returns whether a vertex lies outside the domain. Such a vertex has no position, and its cells
+  /// are infinite.
   template <class Complex>
   bool is_outside(const Complex& complex, typename Complex::Vertex_handle v) const;
 
@@ -42,13 +47,13 @@ public:
   /// Returns the image of `q` that is nearest to `p`.
   template <class Point> Point near(const Point& p, const Point& q) const;
 
-  /// Returns `f(corner(0), ..., corner(n - 1))`, where the corners of a cell are replaced by images that form a
-  /// simplex. Corners are points with coordinates of type `double`.
+  /// Returns `f(corner(0), ..., corner(n - 1))`, where the corners of a cell are replaced by images
+  /// that form a simplex. Corners are points with coordinates of type `double`.
   template <class Complex, class Function, class Corner>
   auto apply(const Function& f, const Corner& corner) const;
 
-  /// Returns the exact orientation of a cell with these corners of type `Complex::Point`. Returns `ZERO` if
-  /// the domain does not permit the cell.
+  /// Returns the exact orientation of a cell with these corners of type `Complex::Point`. Returns
+  /// `ZERO` if the domain does not permit the cell.
   template <class Complex, class Corner>
   Orientation orientation(const Complex& complex, const Corner& corner) const;
 
@@ -70,7 +75,8 @@ public:
   /// Sets the boundary classes of the vertices on the boundary.
   template <class Complex> void classify_boundary(const Complex& complex) const;
 
-  /// Returns whether a facet of the boundary stays in its side under all permitted motions of its vertices.
+  /// Returns whether a facet of the boundary stays in its side under all permitted motions of its
+  /// vertices.
   template <class Complex>
   bool keeps_side(const Complex& complex, const typename Complex::Facet& f) const;
 };

@@ -44,8 +44,13 @@ class Ball_domain
 public:
   /// Tells that there is a vertex outside.
   static constexpr bool has_outside = true;
-  /// Tells that the domain is not a part of a larger complex.
-  static constexpr bool is_part = false;
+  /// Tells that the boundary is a sphere.
+  static constexpr bool is_ball = true;
+
+  /// Tells that operations may change all edges and labels at a vertex.
+  template <class Vertex> static constexpr bool is_constrained(const Vertex& /*v*/) {
+    return false;
+  }
 
   /// Returns whether a vertex is the infinite vertex.
   template <class Complex>

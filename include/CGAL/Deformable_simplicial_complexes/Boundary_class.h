@@ -21,7 +21,7 @@ namespace CGAL::Deformable_simplicial_complexes {
 The sides of the domain that a vertex lies on, as bits. In a box, the bits 0 to 5 are the sides x
 minimum, x maximum, y minimum, and so on. A vertex on a face has one bit, a vertex on an edge two,
 and a corner three. The vertex moves within all its sides. If the domain is not a box, all vertices
-on its boundary are `fixed`. A vertex in the interior has no bit.
+on its boundary are `fixed`. A vertex in the interior has no bit. Bit 7 is free for domains.
 */
 struct Boundary_class
 {
@@ -29,9 +29,6 @@ struct Boundary_class
   static constexpr Bits inside = 0; ///< on no side
   /// on the boundary of a domain that is not a box; the vertex may not move
   static constexpr Bits fixed = 64;
-  /// on the boundary of a part of a larger complex, see `Part_domain`. Cells around the vertex are
-  /// missing; the vertex may not move, and the cells that are there keep their labels
-  static constexpr Bits cut = 128;
 
   /// Returns whether motion along an axis (0, 1, 2) leaves the sides.
   static bool fixes(Bits sides, int axis) {
@@ -45,10 +42,6 @@ struct Boundary_class
       ++axis;
     return axis == dimension;
   }
-
-  /// Returns whether cells around the vertex are missing, because the complex is a part of a larger
-  /// complex.
-  static bool is_cut(Bits sides) { return (sides & cut) != 0; }
 
   /// Returns whether the set `sides` contains all sides of the set `others`.
   static bool contains(Bits sides, Bits others) { return (sides & others) == others; }

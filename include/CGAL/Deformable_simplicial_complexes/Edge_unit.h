@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/local_edge_length.h>
 
 #include <cmath>
 #include <functional>
@@ -62,21 +62,6 @@ private:
   double m_constant;
   Sizing_field m_field;
 };
-
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Throws an exception if a complex has an interface, but no mean edge of the initial interface to be
-the unit of lengths. This happens if the complex was built without an interface. The time is
-constant if there is such a mean edge.
-
-\throws Error if there are vertices on the interface and `complex.mean_interface_edge()` is 0
-*/
-template <class Complex> void require_interface_edge(const Complex& complex) {
-  if (!(complex.mean_interface_edge() > 0) && !complex.interface_vertices().empty())
-    throw Error("the complex was built without an interface and has no unit of length: call "
-                "measure_interface_edges()");
-}
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef

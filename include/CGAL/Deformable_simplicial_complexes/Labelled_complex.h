@@ -33,6 +33,10 @@
 
 namespace CGAL::Deformable_simplicial_complexes {
 
+namespace internal {
+template <class Complex> class Complex_builder;
+}
+
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
@@ -159,22 +163,6 @@ public:
   ///         then unchanged
   void restore(const State& state);
 
-  /*!
-  Replaces the complex by a part of another complex: some of its cells. The domain must be a
-  `Part_domain`. Time stamps follow the order of vertices and cells. n log n in the number of cells.
-
-  \param part points, boundary classes and spacings of the vertices, where `Boundary_class::cut`
-         marks the vertices around which cells are missing; vertices, labels, noted qualities and
-         failures of the finite cells, where `i + 1` is the vertex `i`; lengths and normalization of
-         the other complex. Other members are not used.
-  \return the vertices, in their order
-  \throws Invalid_cells_error if more than two cells share a facet, or two cells overlap; the complex
-          is then unchanged
-  \pre Each vertex has a cell. The cells are positively oriented. The cells around a vertex are
-       connected through facets.
-  */
-  std::vector<Vertex_handle> assign_part(const State& part);
-
   /// @}
   /// \name Access
   /// @{
@@ -214,6 +202,19 @@ public:
   bool is_infinite(Vertex_handle v) const { return m_domain.is_outside(*this, v); }
   /// Returns whether the infinite vertex is one of the vertices of c.
   bool is_infinite(Cell_handle c) const { return m_domain.is_outside(*this, c); }
+  /// Returns whether a corner of a cell is constrained by the domain, so that the cell keeps its
+  /// label.
+  static bool is_constrained(Cell_handle c) {
+    for (int i = 0; i < corners; ++i)
+      if (Domain::is_constrained(*c->vertex(i)))
+        return true;
+    return false;
+  }
+  /// Returns whether an end of the edge between two corners of a cell is constrained by the domain,
+  /// so that the edge stays.
+  static bool has_constrained_end(Cell_handle c, int i, int j) {
+    return Domain::is_constrained(*c->vertex(i)) || Domain::is_constrained(*c->vertex(j));
+  }
   /// Returns the range of all finite vertices, in the order of storage. Its elements convert to
   /// handles.
   auto finite_vertices() const { return m_triangulation.finite_vertex_handles(); }
@@ -513,6 +514,7 @@ protected:
   ~Labelled_complex() = default;
 
 private:
+  friend class internal::Complex_builder<Derived>;
   using Item_numbers = internal::Item_numbers<Vertex_handle, Cell_handle>;
 
   using Cell_vertices = std::array<size_type, corners>; // indices of the vertices of a cell

@@ -12,6 +12,7 @@
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Ball_domain.h>
+#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 
 namespace CGAL::Deformable_simplicial_complexes {
 
@@ -20,18 +21,24 @@ namespace CGAL::Deformable_simplicial_complexes {
 
 Domain of a complex that is a part of a larger complex: any set of its cells. The boundary of the
 part may have several components and any genus, and may touch itself along edges. Vertices on the
-cut have the class `Boundary_class::cut`; they do not move, and cells at the cut keep their labels.
-Operations inside the part thus leave the larger complex valid if the part is put back.
-
-`Labelled_complex::assign_part()` builds such a complex.
+cut, around which cells are missing, have the class `cut`. They do not move, their edges stay, and
+their cells keep their labels. Operations inside the part thus leave the larger complex valid if the
+part is put back.
 
 \cgalModels `SimplicialDomain`
 */
 class Part_domain : public Ball_domain
 {
 public:
+  /// Boundary class of vertices on the cut.
+  static constexpr Boundary_class::Bits cut = 128;
   /// Tells that the domain can have any shape.
-  static constexpr bool is_part = true;
+  static constexpr bool is_ball = false;
+
+  /// Returns whether a vertex is on the cut.
+  template <class Vertex> static bool is_constrained(const Vertex& v) {
+    return (v.boundary_class() & cut) != 0;
+  }
 
   /// Returns the domain, for any state.
   template <int d> static Part_domain of(const State<d>& /*state*/) { return Part_domain(); }

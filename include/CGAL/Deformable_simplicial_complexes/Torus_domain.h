@@ -46,8 +46,13 @@ template <int d> class Torus_domain
 public:
   /// Tells that there is no vertex outside.
   static constexpr bool has_outside = false;
-  /// Tells that the domain is not a part of a larger complex.
-  static constexpr bool is_part = false;
+  /// Tells that the boundary is not a sphere.
+  static constexpr bool is_ball = false;
+
+  /// Tells that operations may change all edges and labels at a vertex.
+  template <class Vertex> static constexpr bool is_constrained(const Vertex& /*v*/) {
+    return false;
+  }
 
   /// Constructs a torus with the given periods.
   /// \param periods positive lengths of similar size; they are rounded to multiples of the unit of

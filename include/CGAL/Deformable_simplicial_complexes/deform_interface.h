@@ -18,6 +18,7 @@
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
 #include <CGAL/Deformable_simplicial_complexes/topology_control.h>
+#include <CGAL/Deformable_simplicial_complexes/visitor_parameter.h>
 
 #include <vector>
 

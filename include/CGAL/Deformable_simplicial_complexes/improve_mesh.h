@@ -16,6 +16,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/remeshing/improve_whole_mesh.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
+#include <CGAL/Deformable_simplicial_complexes/visitor_parameter.h>
 
 namespace CGAL::Deformable_simplicial_complexes {
 

@@ -23,6 +23,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
+#include <CGAL/Deformable_simplicial_complexes/visitor_parameter.h>
 
 #include <utility>
 

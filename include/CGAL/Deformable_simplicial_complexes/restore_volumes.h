@@ -17,6 +17,7 @@
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
+#include <CGAL/Deformable_simplicial_complexes/visitor_parameter.h>
 
 #include <cmath>
 #include <cstddef>

@@ -19,6 +19,7 @@
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
 #include <CGAL/Deformable_simplicial_complexes/restore_volumes.h>
+#include <CGAL/Deformable_simplicial_complexes/visitor_parameter.h>
 #include <CGAL/Interface_flows/Integration_scheme.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_flows/internal/paths/interface_paths.h>

@@ -19,6 +19,7 @@
 #include <CGAL/Deformable_simplicial_complexes/grow_domain.h>
 #include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/require_finite.h>
+#include <CGAL/Deformable_simplicial_complexes/visitor_parameter.h>
 #include <CGAL/Interface_flows/Integration_scheme.h>
 #include <CGAL/Interface_flows/internal/corners/Passed_edges.h>
 #include <CGAL/Interface_flows/internal/paths/interface_paths.h>

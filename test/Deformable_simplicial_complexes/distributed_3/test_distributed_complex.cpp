@@ -886,7 +886,7 @@ TEST(Part_of_a_complex, May_touch_itself) {
       state.points.push_back({p.x(), p.y(), p.z()});
       state.spacings.push_back(1);
       state.boundary_classes.push_back(
-          is_cut(old[original]) ? DSC::Boundary_class::fixed | DSC::Boundary_class::cut : 0);
+          is_cut(old[original]) ? DSC::Boundary_class::fixed | DSC::Part_domain::cut : 0);
     }
     for (std::size_t c = 0; c < indices.size(); ++c) {
       state.cells.emplace_back();
@@ -898,7 +898,7 @@ TEST(Part_of_a_complex, May_touch_itself) {
     }
     state.mean_interface_edge = 1;
     Part part;
-    part.assign_part(state);
+    DSC::internal::assign_part(part, state);
     EXPECT_TRUE(part.is_valid(true));
     EXPECT_EQ(part.number_of_cells(), chosen.size());
     return originals.size() - n; // number of copies

@@ -320,7 +320,7 @@ TEST(Read_vtu, labels_are_not_guessed) {
   const std::string text = unnamed_labels().text(sizes);
   for (const char* part : {"'material' (Int32, integers from 4 to 9)",
                            "'p' (Float64, not labels, values from -2 to 0.5)",
-                           "'f' (Float64, integers from 7 to 8)", "--labels NAME", "'none'"})
+                           "'f' (Float64, integers from 7 to 8)", "'none'"})
     expect_refusal(text, part);
   const Temporary_folder folder;
   const std::string path = folder / "a.vtu";

@@ -40,8 +40,6 @@ template <int d> std::string checkpoint_magic() {
   return "\211DSC" + std::to_string(d) + "\r\n\032";
 }
 constexpr std::size_t checkpoint_magic_size = 8;
-// the first bytes of a checkpoint of a complex on several ranks, in any dimension
-constexpr std::string_view magic_of_several_ranks = "\211DSCR";
 constexpr std::uint32_t checkpoint_version = 5;
 constexpr std::size_t checkpoint_header_size = 24;
 
@@ -214,8 +212,6 @@ Checkpoint<d> checkpoint_from_bytes(const std::string& bytes, const std::string&
       throw File_error(path + " " + what, path);
   };
 
-  require(bytes.compare(0, magic_of_several_ranks.size(), magic_of_several_ranks) != 0,
-          "was written by several processes: resume it with mpirun, such as mpirun -n 1 dsc");
   require(bytes.compare(0, checkpoint_magic_size, checkpoint_magic<d>()) == 0,
           "is not a checkpoint of a deformable simplicial complex in " + std::to_string(d) +
               " dimensions: choose another file");

@@ -25,10 +25,7 @@ namespace CGAL::Deformable_simplicial_complexes::internal {
 // The algorithms that record failures, each with a flag of its own.
 enum Attempt : std::uint8_t {
   to_improve_quality = 1,
-  to_remove_small_angles = 2,
-  // on several ranks only:
-  to_control_detail = 4,
-  to_adapt_interface = 8
+  to_remove_small_angles = 2 // greater bits are free for other algorithms
 };
 
 template <class Cell_handle> bool is_exhausted(Cell_handle c, Attempt attempt) {

@@ -126,56 +126,33 @@ template <class Space> void prepare_for_cells(typename Space::Triangulation& tri
   triangulation.tds().set_dimension(Space::dimension);
 }
 
-// Makes the infinite cells of a part adjacent across the ridges of its boundary: edges in 3D,
-// vertices in 2D. Two infinite cells at a ridge are adjacent if finite cells lie between them.
+// Creates cells between given vertices, without their adjacency. `vertices[0]` is the infinite
+// vertex.
 template <class Space>
-void join_infinite_cells(typename Space::Triangulation_data_structure& tds,
-                         typename Space::Vertex_handle infinite,
-                         const std::vector<typename Space::Cell_handle>& cells) {
-  using Cell_handle = typename Space::Cell_handle;
-  for (Cell_handle c : cells) {
-    int outside = 0;
-    const bool is_infinite = c->has_vertex(infinite, outside);
-    for (int i = 0; is_infinite && i <= Space::dimension; ++i) {
-      if (i == outside)
-        continue;
-      Cell_handle previous = c, next = c->neighbor(outside);
-      auto left = c->vertex(i); // vertex of the facet through which the turn entered `next`
-      while (!next->has_vertex(infinite)) {
-        const auto apex = next->vertex(next->index(previous));
-        previous = next;
-        next = next->neighbor(next->index(left));
-        left = apex;
-      }
-      tds.set_adjacency(c, i, next, next->index(left));
-    }
-  }
-}
-
-// Creates cells between given vertices in an empty data structure, and sets their adjacency.
-// `vertices[0]` is the existing infinite vertex. Throws `Invalid_cells_error` unless each facet has
-// exactly two cells, one on each side. Facets of infinite cells of a part may have more cells.
-template <class Space>
-std::vector<typename Space::Cell_handle>
-create_cells(typename Space::Triangulation_data_structure& tds,
-             Item_numbers<typename Space::Vertex_handle, typename Space::Cell_handle>& numbers,
-             const std::vector<typename Space::Vertex_handle>& vertices,
-             const std::vector<Cell_vertices<Space::dimension>>& cells, bool is_part = false) {
-  static constexpr int corners = Space::dimension + 1;
+std::vector<typename Space::Cell_handle> create_unsewn_cells(
+    typename Space::Triangulation_data_structure& tds,
+    Item_numbers<typename Space::Vertex_handle, typename Space::Cell_handle>& numbers,
+    const std::vector<typename Space::Vertex_handle>& vertices,
+    const std::vector<Cell_vertices<Space::dimension>>& cells) {
   std::vector<typename Space::Cell_handle> handles;
   handles.reserve(cells.size());
   for (const auto& c : cells) {
     Progress_scope::check();
     handles.push_back(numbers.add_cell(Space::create_cell(tds)));
-    for (int i = 0; i < corners; ++i) {
+    for (int i = 0; i <= Space::dimension; ++i) {
       handles.back()->set_vertex(i, vertices[c[i]]);
       vertices[c[i]]->set_cell(handles.back());
     }
   }
-  const auto facets = sorted_facets(cells);
-  std::size_t first = 0;
-  while (is_part && first < facets.size() && facets[first].vertices[0] == 0)
-    ++first;
+  return handles;
+}
+
+// Sets the adjacency of cells at their facets, from the sorted facet `first` on. Throws
+// `Invalid_cells_error` unless each facet has exactly two cells, one on each side.
+template <class Space, class Facets>
+void sew_facets(typename Space::Triangulation_data_structure& tds,
+                const std::vector<typename Space::Cell_handle>& handles, const Facets& facets,
+                std::size_t first = 0) {
   for (std::size_t i = first; i < facets.size(); i += 2) {
     Progress_scope::check();
     if (i + 1 == facets.size() || !facets[i].fits(facets[i + 1]) ||
@@ -187,8 +164,19 @@ create_cells(typename Space::Triangulation_data_structure& tds,
     tds.set_adjacency(handles[facets[i].cell], facets[i].index, handles[facets[i + 1].cell],
                       facets[i + 1].index);
   }
-  if (is_part)
-    join_infinite_cells<Space>(tds, vertices[0], handles);
+}
+
+// Creates cells between given vertices in an empty data structure, and sets their adjacency.
+// `vertices[0]` is the existing infinite vertex. Throws `Invalid_cells_error` unless each facet has
+// exactly two cells, one on each side.
+template <class Space>
+std::vector<typename Space::Cell_handle>
+create_cells(typename Space::Triangulation_data_structure& tds,
+             Item_numbers<typename Space::Vertex_handle, typename Space::Cell_handle>& numbers,
+             const std::vector<typename Space::Vertex_handle>& vertices,
+             const std::vector<Cell_vertices<Space::dimension>>& cells) {
+  auto handles = create_unsewn_cells<Space>(tds, numbers, vertices, cells);
+  sew_facets<Space>(tds, handles, sorted_facets(cells));
   return handles;
 }
 

@@ -331,29 +331,6 @@ void CGAL_DSC_CLASS::rebuild(const State& state) {
 }
 
 CGAL_DSC_TEMPLATE
-auto CGAL_DSC_CLASS::assign_part(const State& part) -> std::vector<Vertex_handle> {
-  CGAL_precondition(Domain::is_part);
-  Labelled_complex result(geom_traits(), m_quality_measure, m_domain);
-  result.m_normalization = {vector_of<Labelled_complex>(part.normalization_translation),
-                            part.normalization_scale};
-  result.m_mean_interface_edge = part.mean_interface_edge;
-  result.m_minimum_interface_edge = part.minimum_interface_edge;
-  const auto vertices = result.create_vertices(part);
-  auto indices = indices_of(part);
-  internal::append_infinite_cells(indices);
-  const auto cells = internal::create_cells<Space>(result.m_triangulation.tds(), result.m_numbers,
-                                                   vertices, indices, true);
-  for (size_type i = 0; i < part.cells.size(); ++i) {
-    cells[i]->set_label(part.cell_labels[i]);
-    cells[i]->set_failures(part.failures[i]);
-    cells[i]->set_noted_quality(part.noted_qualities[i]);
-  }
-  result.initialize_caches();
-  swap(result);
-  return {vertices.begin() + 1, vertices.end()};
-}
-
-CGAL_DSC_TEMPLATE
 auto CGAL_DSC_CLASS::indices_of(const State& state) -> std::vector<Cell_vertices> {
   std::vector<Cell_vertices> result(state.cells.size());
   for (size_type c = 0; c < result.size(); ++c)
@@ -569,11 +546,10 @@ bool CGAL_DSC_CLASS::is_valid(bool verbose) const {
   return true;
 }
 
-// Returns whether the adjacency of vertices and cells is consistent. A part of a complex can have
-// any topology.
+// Returns whether the adjacency of vertices and cells is consistent.
 CGAL_DSC_TEMPLATE
 bool CGAL_DSC_CLASS::is_sewn(bool verbose) const {
-  if (Domain::has_outside && !Domain::is_part)
+  if (Domain::is_ball)
     return Space::is_sewn(m_triangulation.tds(), verbose);
   // The validity test of CGAL requires that some cell has the infinite vertex.
   for (Vertex_handle v : finite_vertices())

@@ -12,10 +12,10 @@
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
-#include <CGAL/Deformable_simplicial_complexes/Edge_unit.h>
 #include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/deformation/Interface_deformer.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/interface/local_edge_length.h>
 
 #include <vector>
 
@@ -72,21 +72,6 @@ deform(Complex& dsc, const std::vector<typename Complex::Vertex_handle>& vertice
   const For_each_index for_each_index(options.number_of_threads);
   Interface_deformer<Complex> deformer(dsc, visitor, options, for_each_index);
   deformer.set_destinations(vertices, destinations);
-  return do_passes(deformer, visitor, options.maximum_number_of_passes);
-}
-
-// Continues a motion on a part of a complex, in which vertices have moved together: moves the
-// remaining vertices, and improves the given cells. Returns the report.
-template <class Complex>
-Deformation_report<Complex>
-resume_deformation(Complex& part, const std::vector<Moved_vertex<Complex>>& vertices,
-                   const std::vector<typename Complex::Cell_handle>& cells,
-                   const Deformation_options<Complex>& options) {
-  Any_visitor<Complex> no_visitor;
-  Any_visitor<Complex>& visitor = options.visitor ? *options.visitor : no_visitor;
-  const For_each_index for_each_index(options.number_of_threads);
-  Interface_deformer<Complex> deformer(part, visitor, options, for_each_index);
-  deformer.resume(vertices, cells);
   return do_passes(deformer, visitor, options.maximum_number_of_passes);
 }
 

@@ -9,10 +9,12 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DISTRIBUTED_MOTION_DISTRIBUTED_DEFORMER_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DISTRIBUTED_MOTION_DISTRIBUTED_DEFORMER_H
 
+#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Distributed_report.h>
+#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Failure_memory.h>
@@ -213,7 +215,13 @@ private:
         moved.push_back({v.handle, point_at<Part>(v.data.before),
                          point_at<Part>(v.data.destination),
                          v.data.is_open && v.is_core && patch.part.is_interface(v.handle)});
-    Deformation_report<Part> report = resume_deformation(patch.part, moved, patch.core, m_options);
+    Any_visitor<Part> no_visitor;
+    Any_visitor<Part>& visitor = m_options.visitor ? *m_options.visitor : no_visitor;
+    const For_each_index for_each_index(m_options.number_of_threads);
+    Interface_deformer<Part> deformer(patch.part, visitor, m_options, for_each_index);
+    deformer.resume(moved, patch.core);
+    Deformation_report<Part> report =
+        do_passes(deformer, visitor, m_options.maximum_number_of_passes);
     patch.counts += report;
     patch.counts.relocated += std::int64_t(report.relocated);
     patch.counts.relabeled += std::int64_t(report.relabeled);

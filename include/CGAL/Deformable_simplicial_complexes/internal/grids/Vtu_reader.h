@@ -112,6 +112,8 @@ public:
     return result;
   }
 
+  const std::string& path() const { return m_path; }
+
   [[noreturn]] void fail(const std::string& what) const {
     throw File_error(m_path + ": " + what, m_path);
   }

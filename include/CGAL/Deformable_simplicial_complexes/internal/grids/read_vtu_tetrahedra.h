@@ -27,6 +27,21 @@
 #include <utility>
 #include <vector>
 
+namespace CGAL::Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Exception thrown if the array that holds the labels of a file must be chosen by its name.
+*/
+class Label_array_error : public File_error
+{
+public:
+  using File_error::File_error;
+};
+
+} // namespace CGAL::Deformable_simplicial_complexes
+
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A cell type of VTK.
@@ -155,7 +170,7 @@ public:
     if (!name.empty()) {
       const std::size_t chosen = index_of(name);
       if (chosen == none)
-        m_reader.fail("there is no cell array " + in_quotes(name) + "; " + description());
+        refuse("there is no cell array " + in_quotes(name));
       return chosen;
     }
     std::size_t result = none;
@@ -168,7 +183,7 @@ public:
                    in_quotes(m_arrays[result].name) + ')');
     }
     if (result == none && std::any_of(m_arrays.begin(), m_arrays.end(), may_be_labels))
-      m_reader.fail("no cell array has a known name for labels; " + description());
+      refuse("no cell array has a known name for labels");
     return result;
   }
 
@@ -179,9 +194,8 @@ public:
       return std::vector<int>(cells.size(), 1);
     const Mesh_array& array = m_arrays[chosen];
     if (array.components != 1)
-      m_reader.fail("the cell array " + in_quotes(array.name) + " has " +
-                    std::to_string(array.components) +
-                    " numbers for each cell and cannot hold labels; " + description());
+      refuse("the cell array " + in_quotes(array.name) + " has " +
+             std::to_string(array.components) + " numbers for each cell and cannot hold labels");
     std::vector<int> result;
     result.reserve(cells.size());
     for (const double value : array.values) {
@@ -213,6 +227,10 @@ private:
     return it == m_arrays.end() ? none : static_cast<std::size_t>(it - m_arrays.begin());
   }
 
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw Label_array_error(m_reader.path() + ": " + what + "; " + description(), m_reader.path());
+  }
+
   // Returns a description of all arrays, and advice how to choose one.
   std::string description() const {
     std::ostringstream text;
@@ -229,8 +247,8 @@ private:
       }
       text << ')';
     }
-    return text.str() + "; choose the array of labels by its name (in dsc: --labels NAME), or "
-                        "'none' for label 1 everywhere";
+    return text.str() +
+           "; choose the array of labels by its name, or 'none' for label 1 everywhere";
   }
 
   const Vtu_reader& m_reader;

@@ -9,12 +9,30 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_LOCAL_EDGE_LENGTH_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_LOCAL_EDGE_LENGTH_H
 
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/star_union.h>
 
 #include <cstddef>
 #include <vector>
 
-namespace CGAL::Deformable_simplicial_complexes::internal {
+namespace CGAL::Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Throws an exception if a complex has an interface, but no mean edge of the initial interface to be
+the unit of lengths. This happens if the complex was built without an interface. The time is
+constant if there is such a mean edge.
+
+\throws Error if there are vertices on the interface and `complex.mean_interface_edge()` is 0
+*/
+template <class Complex> void require_interface_edge(const Complex& complex) {
+  if (!(complex.mean_interface_edge() > 0) && !complex.interface_vertices().empty())
+    throw Error("the complex was built without an interface and has no unit of length: call "
+                "measure_interface_edges()");
+}
+
+namespace internal {
 
 // Returns the local edge length, the unit of length thresholds at a vertex. It is the spacing of
 // the vertex, which follows the target edge lengths of the user but not the stretching or shrinking
@@ -39,6 +57,7 @@ double local_edge_length(const Complex& complex,
   return number > 0 ? sum / double(number) : 0;
 }
 
-} // namespace CGAL::Deformable_simplicial_complexes::internal
+} // namespace internal
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_LOCAL_EDGE_LENGTH_H

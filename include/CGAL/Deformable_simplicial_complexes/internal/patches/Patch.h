@@ -21,6 +21,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Topology_event.h>
 #include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/coordinates.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/patches/assign_part.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/patches/separate_touching_cells.h>
 
 #include <algorithm>
@@ -265,7 +266,7 @@ private:
       state.boundary_classes.push_back(
           v.is_inner
               ? v.data.boundary_class
-              : std::uint8_t(v.data.boundary_class | Boundary_class::cut | Boundary_class::fixed));
+              : std::uint8_t(v.data.boundary_class | Part_domain::cut | Boundary_class::fixed));
     }
     for (std::size_t c = 0; c < cells.size(); ++c) {
       const Piece_cell_data& data = m_cells_before[c].data;
@@ -278,7 +279,7 @@ private:
     }
     state.mean_interface_edge = mesh.mean_interface_edge;
     state.minimum_interface_edge = mesh.minimum_interface_edge;
-    const std::vector<typename Part::Vertex_handle> vertices = part.assign_part(state);
+    const std::vector<typename Part::Vertex_handle> vertices = internal::assign_part(part, state);
     for (auto v : vertices)
       m_time_stamps.push_back(v->time_stamp());
     return vertices;
@@ -351,9 +352,7 @@ private:
     }
   }
 
-  static bool is_cut(typename Part::Vertex_handle v) {
-    return Boundary_class::is_cut(v->boundary_class());
-  }
+  static bool is_cut(typename Part::Vertex_handle v) { return Part_domain::is_constrained(*v); }
 
   Vertex& after(Global_id id) {
     return *std::lower_bound(m_after.begin(), m_after.end(), id,

@@ -18,7 +18,6 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/ranks/Distributed_mesh.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/ranks/Piece.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/traversal/cut.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -47,7 +46,7 @@ public:
       if (m_patch.part.is_alive(item.cell, item.time_stamp))
         f(item.cell);
     for (Cell_handle c : m_patch.part.finite_cells())
-      if (c->time_stamp() > m_last && !is_at_cut<typename Treated_patch<Complex>::Part>(c))
+      if (c->time_stamp() > m_last && !m_patch.part.is_constrained(c))
         f(c);
   }
 
@@ -56,6 +55,10 @@ private:
   Work_list<Cell_handle> m_core;
   std::size_t m_last = 0; // time stamp before the treatment
 };
+
+// Attempts that cells remember besides those of one complex.
+inline constexpr Attempt to_control_detail = Attempt(4);
+inline constexpr Attempt to_adapt_interface = Attempt(8);
 
 // Changes the edges of cells in patches, without a motion. Calls mark_cells(), which sets
 // `is_active` of the cells with an edge to be changed, and treats these cells in patches, apart

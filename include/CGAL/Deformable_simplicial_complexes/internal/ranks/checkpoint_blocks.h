@@ -9,6 +9,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_RANKS_CHECKPOINT_BLOCKS_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_RANKS_CHECKPOINT_BLOCKS_H
 
+#include <CGAL/Deformable_simplicial_complexes/IO/is_distributed_checkpoint.h>
 #include <CGAL/Deformable_simplicial_complexes/IO/replace_file.h>
 #include <CGAL/Deformable_simplicial_complexes/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
@@ -20,6 +21,7 @@
 
 #include <boost/crc.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -34,7 +36,12 @@ namespace CGAL::Deformable_simplicial_complexes::internal {
 // the vertices and cells of each rank. A block is its size, its checksum and its bytes.
 
 template <int d> std::array<char, 8> magic_of_blocks() {
-  return {'\211', 'D', 'S', 'C', 'R', char('0' + d), '\r', '\n'};
+  std::array<char, 8> result = {{}};
+  std::copy(magic_of_several_ranks.begin(), magic_of_several_ranks.end(), result.begin());
+  result[5] = char('0' + d);
+  result[6] = '\r';
+  result[7] = '\n';
+  return result;
 }
 constexpr std::uint32_t version_of_blocks = 2;
 

@@ -21,7 +21,6 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_operations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Failed_collapses.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/traversal/cut.h>
 
 #include <algorithm>
 #include <utility>
@@ -74,7 +73,7 @@ private:
     double longest = 1;
     for (int i = 0; i < Complex::corners; ++i)
       for (int j = i + 1; j < Complex::corners; ++j) {
-        if (has_cut_end(c, i, j))
+        if (m_complex.has_constrained_end(c, i, j))
           continue;
         const double length = length_by_split_threshold(c, i, j);
         if (length > longest) {
@@ -93,7 +92,8 @@ private:
   bool collapse(Cell_handle c) {
     for (int i = 0; i < Complex::corners; ++i)
       for (int j = i + 1; j < Complex::corners; ++j)
-        if (!has_cut_end(c, i, j) && is_short(c, i, j) && (collapse(c, i, j) || collapse(c, j, i)))
+        if (!m_complex.has_constrained_end(c, i, j) && is_short(c, i, j) &&
+            (collapse(c, i, j) || collapse(c, j, i)))
           return true;
     return false;
   }

@@ -23,7 +23,6 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/interface_curve_2.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Interface_remesher.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/traversal/cut.h>
 #include <CGAL/Deformable_simplicial_complexes/junction_split_2.h>
 #include <CGAL/Deformable_simplicial_complexes/null_space_smoothing_3.h>
 
@@ -130,7 +129,7 @@ private:
   }
 
   std::optional<Changed_facets> propose_flip(Cell_handle c, int i, int j) {
-    if (has_cut_end(c, i, j))
+    if (this->m_complex.has_constrained_end(c, i, j))
       return std::nullopt;
     const Interface_edge_3<Complex> edge(this->m_complex, c, i, j);
     if (!edge.is_in_sheet() || edge.bend() > Base::radians(this->m_options.feature_angle))

@@ -24,7 +24,6 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_fan.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Failed_collapses.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/traversal/cut.h>
 
 #include <CGAL/number_utils.h>
 
@@ -138,7 +137,7 @@ protected:
   std::optional<Changed_facets> propose_collapse(Cell_handle c, int i, int j) {
     static constexpr double good = .5;   // quality of facets
     static constexpr double worst = .05; // least quality of a cell created by a collapse
-    if (has_cut_end(c, i, j))
+    if (m_complex.has_constrained_end(c, i, j))
       return std::nullopt;
     const Fan fan = this->fan(c->vertex(i));
     if (!fan.is_disk() || !fan.keeps_features(radians(m_options.feature_angle), c->vertex(j)))
@@ -173,10 +172,10 @@ private:
     return Fan(m_complex, v, m_star);
   }
 
-  // Returns whether the edge belongs to an interface facet of the cell, and all cells around its
-  // ends are known.
+  // Returns whether the edge belongs to an interface facet of the cell, and its ends are not
+  // constrained.
   bool can_change(Cell_handle c, int i, int j) const {
-    if (has_cut_end(c, i, j))
+    if (m_complex.has_constrained_end(c, i, j))
       return false;
     for (int k = 0; k <= Complex::dimension; ++k)
       if (k != i && k != j && m_complex.is_interface(typename Complex::Facet(c, k)))

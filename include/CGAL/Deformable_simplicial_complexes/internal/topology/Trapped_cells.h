@@ -19,7 +19,6 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Rigid_components.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Manifold_relabeling.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Topology_log.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/traversal/cut.h>
 #include <CGAL/Deformable_simplicial_complexes/relabeling.h>
 #include <CGAL/Deformable_simplicial_complexes/topology_of_relabeling.h>
 
@@ -99,8 +98,9 @@ public:
   // after a call of relabel(). Returns whether the cell was relabeled.
   bool relabel_if_topology_stays(Cell_handle c, Label label) {
     std::vector<Cell_handle> cells(1, c);
-    if (is_done(c) || is_at_cut<Complex>(c) || !relabeling_keeps_topology(m_complex, c, label) ||
-        !complete(cells, label) || cells.size() > 1)
+    if (is_done(c) || m_complex.is_constrained(c) ||
+        !relabeling_keeps_topology(m_complex, c, label) || !complete(cells, label) ||
+        cells.size() > 1)
       return false;
     relabel(cells, label);
     return true;
@@ -118,7 +118,8 @@ private:
       if (is_small_component(c, component, large) && is_to_go(component)) {
         const Label label = surrounding_label(component);
         if (label == c->label() || !complete(component, label) ||
-            std::any_of(component.begin(), component.end(), is_at_cut<Complex>) ||
+            std::any_of(component.begin(), component.end(),
+                        [&](Cell_handle d) { return m_complex.is_constrained(d); }) ||
             !may_change_topology(c, label))
           continue;
         record(component, label);
@@ -144,7 +145,7 @@ private:
         is_near =
             is_near && Complex::Space::length(m_complex.displacement(center, c->vertex(k))) < edge;
       is_small = (component.size() <= few || is_near) && large.count(c->time_stamp()) == 0 &&
-                 !is_at_cut<Complex>(c);
+                 !m_complex.is_constrained(c);
       for (int k = 0; k < Complex::corners; ++k) {
         const Cell_handle n = c->neighbor(k);
         if (!m_complex.is_infinite(n) && n->label() == c->label() &&
@@ -210,7 +211,7 @@ private:
   bool propose(Cell_handle c, double threshold, bool may_be_small, std::vector<Cell_handle>& cells,
                Label& label) {
     m_tolerance.forget();
-    if (is_done(c) || is_at_cut<Complex>(c) ||
+    if (is_done(c) || m_complex.is_constrained(c) ||
         !propose_relabeling(m_complex, c, threshold, label, m_energy) ||
         m_rigid_components.moves_rigidly(c) ||
         !(m_contacts.closes(c, m_final_threshold) || (may_be_small && is_small(c, label))))
@@ -218,7 +219,7 @@ private:
     cells.assign(1, c);
     return complete(cells, label) && volume(cells) - volume({c}) < small_volume({c}) &&
            std::none_of(cells.begin(), cells.end(),
-                        [&](Cell_handle d) { return is_done(d) || is_at_cut<Complex>(d); });
+                        [&](Cell_handle d) { return is_done(d) || m_complex.is_constrained(d); });
   }
 
   // Returns whether a cell passes a small part of the volume around it to a label.
