@@ -8,7 +8,7 @@ move or measure use the domain and do not compare raw coordinates. So they also 
 periodic.
 
 All functions are `const` and are called often. `Complex` is an instance of
-`CGAL::Deformable_simplicial_complexes::Labelled_complex`.
+`CGAL::Deformable_simplicial_complexes::Labeled_complex`.
 
 \cgalRefines `DefaultConstructible`, `CopyConstructible`, `Assignable`
 
