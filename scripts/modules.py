@@ -9,12 +9,14 @@ Usage: scripts/modules.py check               prints each include that breaks a 
        scripts/modules.py draw OUTPUT.svg     draws packages, modules and the includes between them
 
 The rules:
-- The kernel includes no header of another package. Another package includes the kernel only, and the
-  packages that PACKAGES names for it.
-- No package includes a header from the folder internal/ of another package.
+- A package includes only itself and the packages that PACKAGES names for it.
+- A header in a folder internal/ belongs to its package. Other packages, the program, the Python module
+  and the benchmarks include it only if SEAM names it.
 - A module includes only itself and modules above it in the list of its package.
-- A facade is a public header that reads named parameters, except headers of options. An internal header of the kernel includes no
-  facade, unless its module comes after LAST_MODULE_BELOW_FACADES.
+- The kernel consists of three parts: complex, operations, deformation. PART_OF_MODULE and
+  PART_OF_HEADER name the part of each header. A part includes only itself and parts above it.
+- A facade is a public header that reads named parameters, except headers of options and visitors. An internal
+  header of the kernel includes no facade.
 - Each internal header belongs to a module. A module has at most MAXIMUM_LINES lines.
 - Each path in backquotes in CONTRIBUTING.md exists, unless it has a placeholder.
 """
@@ -27,58 +29,88 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 INCLUDE = ROOT / "include" / "CGAL"
 CONTRIBUTING = ROOT / "CONTRIBUTING.md"
 MAXIMUM_LINES = 2000  # upper bound for the lines of a module
-LAST_MODULE_BELOW_FACADES = "deformation"
 ROUNDED_TO = 100  # precision of line counts in tables, so that small changes do not alter the tables
 KERNEL = "Deformable_simplicial_complexes"
-# Each package with the packages that it uses besides the kernel
+SUPPORT = "Mesh_support"
+# The packages in order, each with the packages that it uses
 PACKAGES = {
-    KERNEL: (),
-    "Interface_flows": (),
-    "Solid_reconstruction_3": (),
-    "Cut_loci_2": (),
-    "Incompressible_fluids_3": (),
-    "Image_segmentation": (),
+    SUPPORT: (),
+    KERNEL: (SUPPORT,),
+    "Interface_remeshing": (SUPPORT, KERNEL),
+    "Triangle_soup_repair": (SUPPORT,),
+    "Complex_construction": (SUPPORT, KERNEL, "Interface_remeshing", "Triangle_soup_repair"),
+    "Mesh_files": (SUPPORT, KERNEL, "Interface_remeshing", "Triangle_soup_repair", "Complex_construction"),
+    "Interface_flows": (SUPPORT, KERNEL, "Interface_remeshing", "Complex_construction"),
+    "Distributed_complexes": (SUPPORT, KERNEL, "Interface_remeshing", "Mesh_files", "Interface_flows"),
+    "Solid_reconstruction_3": (SUPPORT, KERNEL, "Interface_remeshing", "Complex_construction"),
+    "Cut_loci_2": (SUPPORT, KERNEL, "Interface_remeshing", "Complex_construction", "Mesh_files"),
+    "Incompressible_fluids_3": (SUPPORT, KERNEL, "Interface_remeshing"),
+    "Image_segmentation": (SUPPORT, KERNEL, "Interface_remeshing", "Complex_construction"),
 }
 # The headers directly in include/CGAL that do not belong to the kernel
 PACKAGE_OF_TOP_HEADER = {
+    "Tetgen_tetrahedralizer_3.h": "Complex_construction",
     "Incompressible_fluid_2.h": "Incompressible_fluids_3",
     "Incompressible_fluid_3.h": "Incompressible_fluids_3",
 }
 # The modules of each package in the order of the data flow: a module includes those above it.
 MODULES = {
+    SUPPORT: {
+        "cgal": "differences between versions of CGAL",
+        "sets": "disjoint sets",
+        "numbers": "extents, rows of sparse matrices, conjugate gradients",
+        "threads": "tables of a thread, checks of progress, times, sorting that can be stopped",
+    },
     KERNEL: {
-        "bookkeeping": "components, measures of labels, failed operations, marks and numbers of a thread",
+        "bookkeeping": "numbers of items, measures of labels, failed operations, marks of a thread",
+        "components": "connected components of labels",
         "complex": "storage, numbering, exact changes",
-        "traversal": "work lists, vertex numbering, rows of sparse matrices",
-        "geometry": "facet normals, overlaps, qualities of triangles",
-        "interface": "edges and fans of the interface, curvature, midpoints on smooth surfaces",
-        "operations": "triangulations of rings and of multi-face cavities, optimal positions",
-        "motion": "simultaneous motion, untangling, extension of the displacement, collisions",
-        "balance": "contacts, swept volumes, bounds on the volumes that operations move",
+        "traversal": "work lists, corners of cells, local lengths",
+        "operations": "triangulations of rings, optimal positions, qualities of triangles",
+        "interface": "edges and fans of the interface, changes of its facets",
+        "balance": "destinations, contacts, bounds on the volumes that operations move",
+        "improvement": "mesh operations of each dimension, mesh improvement",
+        "motion": "simultaneous motion, extension of the displacement, collisions, swept volumes",
         "topology": "links and their labels, relabeling, the log of topology events",
-        "improvement": "mesh operations of each dimension, removal of small angles, mesh improvement",
-        "remeshing": "remeshing of the interface, detail control, patches",
-        "deformation": "the deformation algorithm",
+        "deformation": "the deformation algorithm, removal of small angles",
+    },
+    "Interface_remeshing": {
+        "interface": "curvature, bends, midpoints on smooth surfaces",
+        "remeshing": "remeshing of the interface, detail control",
+        "patches": "aggressive improvement of patches of cells",
+        "extraction": "triangles of the interface, subdivision",
+        "values": "redistribution of values on cells",
+    },
+    "Triangle_soup_repair": {
         "soups": "triangle soups: intersections, splits, regions",
-        "checks": "checks of input surfaces and cells, with the errors that they throw",
+        "checks": "checks of input surfaces, with the errors that they throw",
+        "repair": "repair of surfaces that do not bound solids",
+    },
+    "Complex_construction": {
+        "thin_parts": "thicknesses, improvement of new meshes",
         "building": "boxes, labels of cells, meshes of the domain",
         "fitting": "places where the label given by a function changes, volumes that facets miss",
         "images": "curves between the pixels of an image, triangles between these curves",
-        "repair": "repair of surfaces that do not bound solids",
-        "conversion": "conversion of labelled images and of meshes of Mesh_3",
-        "values": "redistribution of values on cells",
+        "conversion": "conversion of labeled images and of meshes of Mesh_3",
+    },
+    "Mesh_files": {
         "text": "files, words, numbers, XML",
         "grids": "VTK and MEDIT files",
         "curves": "files of planar curves",
-        "IO": "surface files and checkpoints",
+        "surfaces": "surface files",
+        "checkpoints": "checkpoints",
+    },
+    "Distributed_complexes": {
         "ranks": "pieces of complexes on several ranks, messages, components, checkpoints",
         "patches": "patches that are treated in rounds, adaptation of a distributed interface",
-        "distributed_motion": "the deformation algorithm on several ranks",
+        "motion": "the deformation algorithm on several ranks",
+        "curvature": "the system of an implicit step of mean curvature flow on several ranks",
     },
     "Interface_flows": {
         "corners": "corners and edges of fronts: arcs, cylinders, and vertices that corners pass",
         "paths": "paths of interface vertices in velocity fields",
         "curvature": "forces and masses of an interface energy, the system of an implicit step",
+        "grains": "junctions of interfaces",
     },
     "Solid_reconstruction_3": {
         "clouds": "point clouds: neighbors, local planes, sides",
@@ -99,6 +131,52 @@ MODULES = {
         "segmentation": "costs of cells, motion of the interface, levels of refinement",
     },
 }
+# The internal headers that other packages, the program, the Python module and the benchmarks may include
+SEAM = {
+    KERNEL: """
+        balance/Destinations balance/Interface_tolerance bookkeeping/Failure_memory bookkeeping/Label_totals
+        complex/Complex_builder complex/apply_to_corners complex/assemble_triangulation
+        complex/hilbert_order complex/sort_by_time_stamp deformation/deform improvement/Mesh_improver
+        improvement/Mesh_operations interface/Changed_facets interface/Interface_edge_3
+        interface/Interface_fan motion/Harmonic_extension operations/triangle_quality topology/Labeled_star
+        topology/Manifold_relabeling topology/label_changes traversal/Domain_box bookkeeping/Marks
+        traversal/Work_list traversal/cell_corners traversal/local_edge_length""",
+    "Interface_remeshing": """
+        extraction/Extracted_facets extraction/Vertex_numbering interface/Curvature_lengths
+        remeshing/Detail_controller remeshing/Interface_improver""",
+    "Triangle_soup_repair": """
+        checks/check_surfaces_3 checks/refuse_surface soups/Soup_bisector_3 soups/Triangle_soup_3
+        soups/soup_intersections_3""",
+    "Mesh_files": """
+        grids/Vtu_document grids/Vtu_reader grids/write_vtu text/Xml_element text/files text/number_of_word
+        text/open_input""",
+    "Interface_flows": """
+        curvature/Interface_forces paths/interface_paths paths/velocity_properties""",
+}
+# The parts of the kernel in order, with their modules and public headers
+PARTS = ("complex", "operations", "deformation")
+PART_OF_MODULE = {
+    "bookkeeping": "complex", "components": "complex", "complex": "complex", "traversal": "complex",
+    "interface": "operations", "operations": "operations", "balance": "operations", "improvement": "operations",
+    "motion": "deformation", "topology": "deformation", "deformation": "deformation",
+}
+PUBLIC_OF_PART = {
+    "complex": """
+        Ball_domain Boundary_class Cavity Component_event Deformable_simplicial_complex_2
+        Deformable_simplicial_complex_3 Deformable_simplicial_complex_cell_base_3
+        Deformable_simplicial_complex_face_base_2 Deformable_simplicial_complex_traits_2
+        Deformable_simplicial_complex_traits_3 Deformable_simplicial_complex_vertex_base_2
+        Deformable_simplicial_complex_vertex_base_3 Interface_snapshot Labeled_complex Linear_element State
+        Torus_domain Simplex_data Vertex_numbers exceptions quality_measures star_union""",
+    "operations": """
+        Any_visitor Improvement_report Interface_energy commit_proposal
+        degeneracy_removal edge_collapse edge_flip_2 edge_removal_3 edge_split
+        multi_face_removal_3 relabeling 
+        vertex_insertion vertex_smoothing """,
+    "deformation": """
+        Deformation_options Deformation_report deform_interface
+        neighbor_exchange_2 topology_control""",
+}
 
 
 class Header:
@@ -107,7 +185,8 @@ class Header:
     def __init__(self, path):
         parts = path.relative_to(INCLUDE).parts
         self.name = "/".join(parts)
-        if parts[0] == "license":  # license/PACKAGE.h
+        self.is_license = parts[0] == "license"  # license/PACKAGE.h
+        if self.is_license:
             self.package = path.stem
         else:
             self.package = (parts[0] if len(parts) > 1 else
@@ -115,16 +194,47 @@ class Header:
         self.is_internal = "internal" in parts
         after = parts[parts.index("internal") + 1:] if self.is_internal else ()
         self.module = after[0] if len(after) > 1 else None
+        self.is_open = not self.is_internal or self.package == SUPPORT or "/".join(after)[:-2] in SEAM.get(
+            self.package, "").split()
         text = path.read_text()
         self.lines = text.count("\n")
-        self.includes = re.findall(r'^\s*#\s*include\s*[<"]CGAL/([^>"]+)[>"]', text, re.M)
+        self.includes = includes_of(text)
         self.is_facade = (not self.is_internal and
-                          f"{KERNEL}/parameter_values.h" in self.includes and
-                          not self.name.endswith(("_options.h", "Interface_adaptation.h")))
+                          f"{SUPPORT}/parameter_values.h" in self.includes and
+                          not self.name.endswith(("_options.h", "Interface_adaptation.h", "Any_visitor.h")))
+
+    def part(self):
+        """Returns the part of a header of the kernel; None if it has none."""
+        if self.is_internal:
+            return PART_OF_MODULE.get(self.module)
+        name = self.name.rsplit("/", 1)[-1][:-2]
+        return next((part for part in PARTS if name in PUBLIC_OF_PART[part].split()), None)
+
+
+def includes_of(text):
+    return re.findall(r'^\s*#\s*include\s*[<"]CGAL/([^>"]+)[>"]', text, re.M)
 
 
 def read_headers():
     return {h.name: h for h in (Header(p) for p in sorted(INCLUDE.rglob("*.h")))}
+
+
+def broken_by(h, other):
+    """Yields a line for each rule that the include of another header breaks."""
+    if other.package != h.package:
+        if other.package not in PACKAGES[h.package]:
+            yield f"{h.name} includes {other.name} of a package that it must not use"
+        if not other.is_open:
+            yield f"{h.name} includes {other.name}, which is internal to its package"
+    elif h.package == KERNEL and not h.is_license and not other.is_license:
+        if other.part() and PARTS.index(other.part()) > PARTS.index(h.part()):
+            yield f"{h.name}, part {h.part()}, includes {other.name}, part {other.part()}"
+    if other.package == h.package and h.is_internal and other.is_internal:
+        modules = list(MODULES[h.package])
+        if other.module in modules and modules.index(other.module) > modules.index(h.module):
+            yield f"{h.name} includes {other.name} of a later module"
+    if h.package == KERNEL and h.is_internal and other.is_facade:
+        yield f"{h.name} includes the facade {other.name}"
 
 
 def broken_rules(headers):
@@ -134,28 +244,31 @@ def broken_rules(headers):
         if h.package not in PACKAGES:
             yield f"{h.name} belongs to no known package"
             continue
-        modules = list(MODULES[h.package])
         if h.is_internal:
-            if h.module not in modules:
+            if h.module not in MODULES[h.package]:
                 yield f"{h.name} belongs to no known module"
                 continue
             size[h.package, h.module] = size.get((h.package, h.module), 0) + h.lines
-        for other in (headers[name] for name in h.includes if name in headers):
-            if other.package != h.package:
-                if other.package not in (KERNEL, *PACKAGES[h.package]) or h.package == KERNEL:
-                    yield f"{h.name} includes {other.name} of a package that it must not use"
-                if other.is_internal:
-                    yield f"{h.name} includes {other.name}, which is internal to its package"
-            elif h.is_internal and other.is_internal:
-                if other.module in modules and modules.index(other.module) > modules.index(h.module):
-                    yield f"{h.name} includes {other.name} of a later module"
-            is_below_facades = (h.package == KERNEL and h.is_internal and modules.index(h.module) <=
-                                modules.index(LAST_MODULE_BELOW_FACADES))
-            if is_below_facades and other.is_facade:
-                yield f"{h.name} includes the facade {other.name}"
+        if h.package == KERNEL and not h.is_license and h.part() is None:
+            yield f"{h.name} belongs to no part of the kernel"
+            continue
+        for name in h.includes:
+            if name in headers:
+                yield from broken_by(h, headers[name])
     for (package, module), lines in size.items():
         if lines > MAXIMUM_LINES:
             yield f"the module {module} of {package} has {lines} lines, more than {MAXIMUM_LINES}"
+    for package, names in SEAM.items():
+        for name in names.split():
+            if f"{package}/internal/{name}.h" not in headers:
+                yield f"SEAM names {package}/internal/{name}.h, which does not exist"
+    for folder in ("src", "python", "benchmark", "examples"):
+        for path in sorted((ROOT / folder).rglob("*")):
+            if path.suffix not in (".h", ".cpp") or "compiled" in path.parts:  # the component is a part of the library
+                continue
+            for name in includes_of(path.read_text()):
+                if name in headers and not headers[name].is_open:
+                    yield f"{path.relative_to(ROOT)} includes {name}, which is internal to its package"
 
 
 def missing_paths():
@@ -181,9 +294,13 @@ def tables(headers):
     packages = ["| Package | public headers | lines | internal headers | lines |",
                 "| --- | ---: | ---: | ---: | ---: |"]
     for name in PACKAGES:
-        n, lines = count(lambda h: h.package == name and not h.is_internal)
+        n, lines = count(lambda h: h.package == name and not h.is_internal and not h.is_license)
         m, more = count(lambda h: h.package == name and h.is_internal)
         packages.append(f"| `{name}` | {n} | {lines} | {m} | {more} |")
+        for part in PARTS if name == KERNEL else ():
+            n, lines = count(lambda h: h.package == KERNEL and not h.is_license and not h.is_internal and h.part() == part)
+            m, more = count(lambda h: h.package == KERNEL and h.is_internal and h.part() == part)
+            packages.append(f"| – {part} | {n} | {lines} | {m} | {more} |")
     modules = ["| Module | lines | content |", "| --- | ---: | --- |"]
     for package, of_package in MODULES.items():
         modules.append(f"| **{package}** | | |")

@@ -113,7 +113,7 @@ def surface_actor(grid, label_array):
     return actor
 
 
-def labelled_actor(surface, table, ambient):
+def labeled_actor(surface, table, ambient):
     """Returns a surface with flat shading, in the colours that a table gives to its labels."""
     mapper = vtk.vtkPolyDataMapper()
     mapper.SetInputData(surface)

@@ -74,7 +74,7 @@ def main():
     table.SetTableRange(0, labels[-1])
     for label in range(labels[-1] + 1):  # a table with gaps would be drawn transparent
         table.SetTableValue(label, *color(label), 1)
-    actor = render.labelled_actor(moved_apart(grid, labels, arguments.distance), table, ambient=0.2)
+    actor = render.labeled_actor(moved_apart(grid, labels, arguments.distance), table, ambient=0.2)
     camera = render.camera_on(actor.GetBounds(), arguments.eye, (0, 0, 1), zoom=1.15)
     render.write(render.render(actor, camera), arguments.picture)
 

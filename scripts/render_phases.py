@@ -59,7 +59,7 @@ def main():
         table.SetTableValue(label, *COLORS[label % len(COLORS)], 1)
     surface = phases_behind(grid, arguments.axis, largest)
     up = (0, 0, 1) if arguments.axis != 2 else (0, 1, 0)
-    actor = render.labelled_actor(surface, table, ambient=0.25)
+    actor = render.labeled_actor(surface, table, ambient=0.25)
     camera = render.camera_on(actor.GetBounds(), arguments.eye, up, zoom=1.35)
     render.write(render.render(actor, camera), arguments.picture)
 

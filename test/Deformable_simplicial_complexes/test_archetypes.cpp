@@ -3,19 +3,19 @@
 #include "stamped_values.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/Carried_cell_averages.h>
-#include <CGAL/Deformable_simplicial_complexes/Carried_vertex_values.h>
-#include <CGAL/Deformable_simplicial_complexes/Curvature_sizing_field.h>
-#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor_pair.h>
-#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
-#include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
-#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
-#include <CGAL/Deformable_simplicial_complexes/remove_degeneracies.h>
-#include <CGAL/Deformable_simplicial_complexes/restore_volumes.h>
 #include <CGAL/Interface_flows/Mean_curvature_flow.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_flows/face_offsetting_3.h>
+#include <CGAL/Interface_remeshing/Carried_cell_averages.h>
+#include <CGAL/Interface_remeshing/Carried_vertex_values.h>
+#include <CGAL/Interface_remeshing/Curvature_sizing_field.h>
+#include <CGAL/Interface_remeshing/Deformation_visitor_pair.h>
+#include <CGAL/Interface_remeshing/control_detail.h>
+#include <CGAL/Interface_remeshing/improve_interface.h>
+#include <CGAL/Interface_remeshing/improve_mesh.h>
+#include <CGAL/Interface_remeshing/remove_degeneracies.h>
+#include <CGAL/Interface_remeshing/restore_volumes.h>
 #include <CGAL/Triangulation_data_structure_3.h>
 
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ using Complex =
     CGAL::Deformable_simplicial_complex_3<CGAL::Deformable_simplicial_complex_traits_3<>,
                                           CGAL::Default, Ratio>;
 
-Archetype make_archetype(const small_meshes::Labelled_mesh& mesh) {
+Archetype make_archetype(const small_meshes::Labeled_mesh& mesh) {
   Archetype dsc;
   std::vector<Archetype::Point_3> points;
   for (const auto& p : mesh.points)
@@ -60,7 +60,7 @@ Archetype make_archetype(const small_meshes::Labelled_mesh& mesh) {
   return dsc;
 }
 
-small_meshes::Labelled_mesh ball() { return small_meshes::grid(4, small_meshes::ball); }
+small_meshes::Labeled_mesh ball() { return small_meshes::grid(4, small_meshes::ball); }
 
 // Runs the same operations on the archetype and on the default complex.
 template <class Run> void expect_same(const Run& run) {

@@ -3,7 +3,7 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
+#include <CGAL/Interface_remeshing/improve_mesh.h>
 
 #include <gtest/gtest.h>
 

@@ -4,18 +4,18 @@
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
-#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_removal_3.h>
-#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
 #include <CGAL/Deformable_simplicial_complexes/multi_face_removal_3.h>
-#include <CGAL/Deformable_simplicial_complexes/vertex_optimization_3.h>
+#include <CGAL/Deformable_simplicial_complexes/vertex_smoothing.h>
 #include <CGAL/Interface_flows/Mean_curvature_flow.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_flows/face_offsetting_3.h>
 #include <CGAL/Interface_flows/interface_flows_2.h>
 #include <CGAL/Interface_flows/interface_flows_3.h>
+#include <CGAL/Interface_remeshing/improve_mesh.h>
+#include <CGAL/Mesh_support/For_each_index.h>
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 #include "torus.h"
 
-#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Interface_flows/Mean_curvature_flow.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_flows/interface_flows_2.h>
+#include <CGAL/Interface_remeshing/control_detail.h>
 
 #include <gtest/gtest.h>
 
@@ -361,7 +361,7 @@ TEST(Curve_shortening, brings_a_bubble_of_a_kept_area_to_rest) {
     EXPECT_NEAR(distance_on_unit_torus(dsc.position(v), Point(.5, .5)), radius, .03 * radius);
 }
 
-using Curve = DSC::Labelled_curve_2<Point>;
+using Curve = DSC::Labeled_curve_2<Point>;
 
 Curve circle(double x, double y, double radius, int n, int label) {
   Curve curve;

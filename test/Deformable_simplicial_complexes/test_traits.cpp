@@ -3,7 +3,7 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_traits_3.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
-#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
+#include <CGAL/Interface_remeshing/improve_mesh.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -61,7 +61,7 @@ private:
   dsc::Direct_saddle_point_solver m_solver;
 };
 
-small_meshes::Labelled_mesh cube() { return small_meshes::grid(4, small_meshes::cube); }
+small_meshes::Labeled_mesh cube() { return small_meshes::grid(4, small_meshes::cube); }
 
 dsc::Fluid_properties properties() {
   dsc::Fluid_properties result;

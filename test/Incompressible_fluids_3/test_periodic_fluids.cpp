@@ -1,9 +1,9 @@
 // Incompressible flow on flat tori.
 #include "torus.h"
 
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Incompressible_fluid_2.h>
 #include <CGAL/Incompressible_fluid_3.h>
 
@@ -46,7 +46,7 @@ Complex drop(const Point& center, std::size_t corners, const Radius& radius) {
     polygon.emplace_back(center.x() + radius(a) * std::cos(a),
                          center.y() + radius(a) * std::sin(a));
   }
-  dsc::Labelled_curve_2<Complex::Point_2> curve;
+  dsc::Labeled_curve_2<Complex::Point_2> curve;
   curve.add_polyline(polygon);
   return dsc::make_deformable_simplicial_complex_2<Complex>(Domain(), {curve});
 }

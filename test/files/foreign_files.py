@@ -110,7 +110,7 @@ def write_legacy(path, binary=False, data=None):
 
 
 def write_plane(path):
-    """Writes labelled triangles in the plane."""
+    """Writes labeled triangles in the plane."""
     import vtk
 
     plane = vtk.vtkPlaneSource()

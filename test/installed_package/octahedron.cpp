@@ -1,5 +1,5 @@
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
-using Surface = DSC::Labelled_surface_3<Complex::Point_3>;
+using Surface = DSC::Labeled_surface_3<Complex::Point_3>;
 
 int main() {
   const Surface octahedron = {

@@ -1,12 +1,12 @@
 // Expressions of users, and connected components in samples of a function.
-#include "errors.h"
-#include "expression.h"
-#include "inequalities.h"
-#include "label_components.h"
-#include "lengths_repeat.h"
-#include "nearest_name.h"
-#include "surface_expressions.h"
-#include "velocity_expressions.h"
+#include "input/expression.h"
+#include "input/inequalities.h"
+#include "input/label_components.h"
+#include "input/nearest_name.h"
+#include "input/surface_expressions.h"
+#include "input/velocity_expressions.h"
+#include "motions/lengths_repeat.h"
+#include "programs/errors.h"
 
 #include <gtest/gtest.h>
 

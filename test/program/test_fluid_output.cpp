@@ -1,7 +1,7 @@
 // Output files, probes of points and pictures of fluids by the program, in the plane and in space.
 #include "fluid_program.h"
 
-#include <CGAL/Deformable_simplicial_complexes/internal/grids/Vtu_reader.h>
+#include <CGAL/Mesh_files/internal/grids/Vtu_reader.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Surfaces in motion, and features that all commands share.
 #include "program.h"
 
-#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint.h>
+#include <CGAL/Mesh_files/checkpoint.h>
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <CGAL/Deformable_simplicial_complex_traits_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
-#include <CGAL/Deformable_simplicial_complexes/quality_measures_3.h>
+#include <CGAL/Deformable_simplicial_complexes/quality_measures.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Triangulation_ds_cell_base_3.h>

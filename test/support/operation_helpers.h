@@ -22,7 +22,7 @@ namespace operation_helpers {
 
 using mesh_helpers::Random;
 using small_meshes::Complex;
-using small_meshes::Labelled_mesh;
+using small_meshes::Labeled_mesh;
 using small_meshes::Point;
 using Cavity = Complex::Cavity;
 using Vertex_handle = Complex::Vertex_handle;
@@ -55,7 +55,7 @@ inline std::vector<Point> apices_and_ring(std::size_t n, double disorder, double
   return points;
 }
 
-inline bool is_positive(const Labelled_mesh& mesh) {
+inline bool is_positive(const Labeled_mesh& mesh) {
   return std::all_of(mesh.tetrahedra.begin(), mesh.tetrahedra.end(), [&](const auto& t) {
     return CGAL::orientation(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]],
                              mesh.points[t[3]]) == CGAL::POSITIVE;
@@ -64,8 +64,8 @@ inline bool is_positive(const Labelled_mesh& mesh) {
 
 // A random ring of n tetrahedra around the edge from point 0 up to point 1. The points of the ring
 // follow counterclockwise. If `first_arc` is not zero, two arcs of the ring have different labels.
-inline Labelled_mesh random_ring(std::size_t n, std::size_t first_arc, Random& random) {
-  Labelled_mesh mesh;
+inline Labeled_mesh random_ring(std::size_t n, std::size_t first_arc, Random& random) {
+  Labeled_mesh mesh;
   do {
     const double disorder = random(0, .3), height = random(.1, 1.2);
     mesh = {apices_and_ring(n, disorder, height, random), {}, {}};
@@ -137,7 +137,7 @@ struct Sandwich
     return result;
   }
 
-  Labelled_mesh mesh;
+  Labeled_mesh mesh;
   std::vector<Triangle> triangles;
 };
 

@@ -1,8 +1,8 @@
 #ifndef DEFORMABLE_SIMPLICIAL_COMPLEX_2_TEST_PLANAR_REGIONS_H
 #define DEFORMABLE_SIMPLICIAL_COMPLEX_2_TEST_PLANAR_REGIONS_H
 
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complex_2.h>
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
 
 #include <CGAL/number_utils.h>
 
@@ -50,7 +50,7 @@ inline Polygon divided(const Polygon& corners, double edge) {
 
 // Returns the region inside a polygon, with label 1, and outside of a hole.
 inline Complex region(const Polygon& polygon, const Polygon& hole, const CGAL::Bbox_2& box) {
-  std::vector<dsc::Labelled_curve_2<Complex::Point_2>> curves;
+  std::vector<dsc::Labeled_curve_2<Complex::Point_2>> curves;
   curves.emplace_back().add_polyline(polygon);
   if (!hole.empty()) {
     curves.emplace_back().add_polyline(hole);

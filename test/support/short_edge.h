@@ -5,7 +5,7 @@
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Mesh_support/Error.h>
 
 #include <gtest/gtest.h>
 

@@ -10,13 +10,13 @@
 #include <utility>
 #include <vector>
 
-// Small labelled meshes whose measures are known, and complexes of these meshes.
+// Small labeled meshes whose measures are known, and complexes of these meshes.
 namespace small_meshes {
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Point = Complex::Point_3;
 
-struct Labelled_mesh
+struct Labeled_mesh
 {
   std::vector<Point> points;
   std::vector<std::array<std::size_t, 4>> tetrahedra;
@@ -58,8 +58,8 @@ inline int two_balls(const Point& p) {
 // The box [-1,1]^3 split into n^3 cubes of six tetrahedra each. Each tetrahedron follows one path
 // along the axes from the lowest to the highest corner (Kuhn). The tetrahedra are conforming and
 // positively oriented.
-template <class Label> Labelled_mesh grid(std::size_t n, Label label) {
-  Labelled_mesh mesh;
+template <class Label> Labeled_mesh grid(std::size_t n, Label label) {
+  Labeled_mesh mesh;
   const auto coordinate = [n](std::size_t i) { return 2. * double(i) / double(n) - 1.; };
   const auto index = [n](const std::array<std::size_t, 3>& corner) {
     return (corner[2] * (n + 1) + corner[1]) * (n + 1) + corner[0];
@@ -95,7 +95,7 @@ template <class Label> Labelled_mesh grid(std::size_t n, Label label) {
   return mesh;
 }
 
-inline Complex make_complex(const Labelled_mesh& mesh) {
+inline Complex make_complex(const Labeled_mesh& mesh) {
   Complex dsc;
   dsc.assign(mesh.points, mesh.tetrahedra, mesh.labels);
   return dsc;

@@ -1,7 +1,7 @@
 #ifndef DEFORMABLE_SIMPLICIAL_COMPLEX_3_TEST_VTU_GRID_H
 #define DEFORMABLE_SIMPLICIAL_COMPLEX_3_TEST_VTU_GRID_H
 
-#include <CGAL/Deformable_simplicial_complexes/internal/text/little_endian.h>
+#include <CGAL/Mesh_files/internal/text/little_endian.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -3,8 +3,8 @@
 
 #include "vtu_grid.h"
 
-#include <CGAL/Deformable_simplicial_complexes/internal/text/File_scanner.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/text/little_endian.h>
+#include <CGAL/Mesh_files/internal/text/File_scanner.h>
+#include <CGAL/Mesh_files/internal/text/little_endian.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -2,7 +2,7 @@
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
+#include <CGAL/Interface_remeshing/improve_mesh.h>
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ using mesh_helpers::interface_triangles;
 using mesh_helpers::jittered_grid;
 using small_meshes::Complex;
 using small_meshes::grid;
-using small_meshes::Labelled_mesh;
+using small_meshes::Labeled_mesh;
 using small_meshes::make_complex;
 using small_meshes::Point;
 using Indices = std::vector<std::size_t>;
@@ -67,8 +67,8 @@ int cubes_with_a_common_vertex(const Point& p) {
 }
 
 // Returns the tetrahedra whose barycenters satisfy a condition, with their points.
-template <class Condition> Labelled_mesh part(const Labelled_mesh& mesh, Condition condition) {
-  Labelled_mesh result;
+template <class Condition> Labeled_mesh part(const Labeled_mesh& mesh, Condition condition) {
+  Labeled_mesh result;
   std::vector<std::size_t> rank(mesh.points.size(), mesh.points.size());
   for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
     auto v = mesh.tetrahedra[t];
@@ -89,7 +89,7 @@ template <class Condition> Labelled_mesh part(const Labelled_mesh& mesh, Conditi
 }
 
 // Returns the error message of assign() for a mesh, and checks that the complex is unchanged.
-Invalid_cells_error refusal(const Labelled_mesh& mesh) {
+Invalid_cells_error refusal(const Labeled_mesh& mesh) {
   Complex dsc = make_complex(grid(2, small_meshes::uniform));
   const auto before = dsc.state();
   try {
@@ -107,14 +107,14 @@ Indices sorted(Indices indices) {
   return indices;
 }
 
-Labelled_mesh corner_tetrahedron() {
+Labeled_mesh corner_tetrahedron() {
   return {{Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(0, 0, 1)}, {{0, 1, 2, 3}}, {0}};
 }
 
 // Creation
 
 TEST(Assign, keeps_points_tetrahedra_and_labels) {
-  const Labelled_mesh mesh = grid(4, small_meshes::two_boxes);
+  const Labeled_mesh mesh = grid(4, small_meshes::two_boxes);
   Complex dsc;
   const std::vector<Vertex_handle> handles = dsc.assign(mesh.points, mesh.tetrahedra, mesh.labels);
   ASSERT_EQ(handles.size(), mesh.points.size());
@@ -140,13 +140,13 @@ TEST(Assign, a_single_tetrahedron_is_a_complex) {
 
 TEST(Assign, refuses_arrays_that_do_not_fit) {
   EXPECT_NE(std::string(refusal({}).what()), "");
-  Labelled_mesh mesh = grid(2, small_meshes::uniform);
+  Labeled_mesh mesh = grid(2, small_meshes::uniform);
   mesh.labels.pop_back();
   EXPECT_NE(std::string(refusal(mesh).what()), "");
 }
 
 TEST(Assign, refuses_points_that_do_not_exist_or_are_not_used) {
-  Labelled_mesh mesh = grid(2, small_meshes::uniform);
+  Labeled_mesh mesh = grid(2, small_meshes::uniform);
   mesh.tetrahedra[5][2] = 99;
   EXPECT_EQ(refusal(mesh).tetrahedra(), Indices{5});
   EXPECT_EQ(refusal(mesh).vertices(), Indices{99});
@@ -159,7 +159,7 @@ TEST(Assign, refuses_points_that_do_not_exist_or_are_not_used) {
 }
 
 TEST(Assign, refuses_flat_and_inverted_tetrahedra) {
-  Labelled_mesh mesh = grid(2, small_meshes::uniform);
+  Labeled_mesh mesh = grid(2, small_meshes::uniform);
   std::swap(mesh.tetrahedra[7][0], mesh.tetrahedra[7][1]);
   EXPECT_EQ(refusal(mesh).tetrahedra(), Indices{7});
   mesh = corner_tetrahedron();
@@ -170,7 +170,7 @@ TEST(Assign, refuses_flat_and_inverted_tetrahedra) {
 
 TEST(Assign, refuses_coordinates_that_are_not_finite) {
   for (double x : {std::nan(""), HUGE_VAL}) {
-    Labelled_mesh mesh = corner_tetrahedron();
+    Labeled_mesh mesh = corner_tetrahedron();
     mesh.points[2] = Point(0, x, 0);
     EXPECT_EQ(refusal(mesh).vertices(), Indices{2});
   }
@@ -178,7 +178,7 @@ TEST(Assign, refuses_coordinates_that_are_not_finite) {
 
 TEST(Assign, refuses_what_cannot_be_measured) {
   for (double x : {1e-120, 1e-31, 1e31, 1e120}) {
-    Labelled_mesh mesh = corner_tetrahedron();
+    Labeled_mesh mesh = corner_tetrahedron();
     for (Point& p : mesh.points)
       p = Point(x * p.x(), x * p.y(), x * p.z());
     EXPECT_NE(std::string(refusal(mesh).what()).find("extent"), std::string::npos) << x;
@@ -186,7 +186,7 @@ TEST(Assign, refuses_what_cannot_be_measured) {
 }
 
 TEST(Assign, refuses_three_tetrahedra_at_a_facet) {
-  Labelled_mesh mesh = grid(2, small_meshes::uniform);
+  Labeled_mesh mesh = grid(2, small_meshes::uniform);
   // Returns a tetrahedron next to an inner facet of the tetrahedra 0 and 1, which share their first
   // vertex.
   std::size_t third = mesh.tetrahedra.size();
@@ -214,7 +214,7 @@ TEST(Assign, refuses_three_tetrahedra_at_a_facet) {
 }
 
 TEST(Assign, refuses_domains_that_are_no_ball) {
-  const Labelled_mesh cubes = grid(3, small_meshes::uniform);
+  const Labeled_mesh cubes = grid(3, small_meshes::uniform);
   const auto refuse = [&](auto condition) { return refusal(part(cubes, condition)); };
   const double third = 1. / 3;
   // the two cubes share an edge, a vertex, nothing
@@ -232,7 +232,7 @@ TEST(Assign, refuses_domains_that_are_no_ball) {
 }
 
 TEST(Assign, names_the_edge_or_vertex_where_the_domain_is_pinched) {
-  Labelled_mesh mesh = corner_tetrahedron();
+  Labeled_mesh mesh = corner_tetrahedron();
   mesh.points.insert(mesh.points.end(), {Point(0, -1, 0), Point(0, 0, -1), Point(-1, 0, 0)});
   mesh.tetrahedra.push_back({0, 4, 5, 1}); // shares the edge from 0 to 1
   mesh.labels.push_back(0);
@@ -246,7 +246,7 @@ TEST(Assign, names_the_edge_or_vertex_where_the_domain_is_pinched) {
 }
 
 TEST(Assign, refuses_neighbors_that_overlap) {
-  Labelled_mesh mesh = corner_tetrahedron();
+  Labeled_mesh mesh = corner_tetrahedron();
   mesh.points.push_back(Point(.25, .25, 2)); // on the side of the facet where the tetrahedron lies
   mesh.tetrahedra.push_back({0, 1, 2, 4});
   mesh.labels.push_back(0);
@@ -325,7 +325,7 @@ TEST(Interface, labels_are_any_numbers) {
 // Measures
 
 TEST(Measures, of_unions_of_boxes) {
-  const auto expect = [](const Labelled_mesh& mesh, double volume, double area, int euler,
+  const auto expect = [](const Labeled_mesh& mesh, double volume, double area, int euler,
                          std::size_t components, std::size_t outer_components = 1) {
     const Complex dsc = make_complex(mesh);
     EXPECT_TRUE(dsc.is_valid());
@@ -367,7 +367,7 @@ TEST(Measures, of_several_labels) {
 }
 
 TEST(Measures, of_all_labels_at_once_are_those_of_each) {
-  const auto expect = [](const Labelled_mesh& mesh) {
+  const auto expect = [](const Labeled_mesh& mesh) {
     const Complex dsc = make_complex(mesh);
     std::vector<int> labels;
     for (const auto& measures : dsc.label_interfaces()) {
@@ -410,7 +410,7 @@ TEST(Boundary, sides_of_a_box) {
 }
 
 TEST(Boundary, of_another_domain_is_fixed) {
-  const Labelled_mesh without_corner = part(grid(2, small_meshes::uniform), [](const Point& p) {
+  const Labeled_mesh without_corner = part(grid(2, small_meshes::uniform), [](const Point& p) {
     return p.x() < 0 || p.y() < 0 || p.z() < 0;
   });
   Complex dsc = make_complex(without_corner);

@@ -6,8 +6,8 @@
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_split.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/hilbert_order.h>
+#include <CGAL/Interface_remeshing/improve_mesh.h>
 #include <CGAL/Random.h>
 #include <CGAL/hilbert_sort.h>
 

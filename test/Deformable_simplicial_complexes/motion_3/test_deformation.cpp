@@ -1,12 +1,13 @@
 #include "mesh_helpers.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_flows/interface_flows_3.h>
+#include <CGAL/Interface_remeshing/improve_mesh.h>
+#include <CGAL/Mesh_support/Error.h>
 
 #include <gtest/gtest.h>
 

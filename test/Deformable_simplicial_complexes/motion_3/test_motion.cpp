@@ -32,10 +32,10 @@ Point shifted(const Complex& dsc, Vertex_handle v, const Complex::Approximate_ve
 }
 
 // The box [-1,1]^3 as the star of its center.
-small_meshes::Labelled_mesh box_with_center() {
-  small_meshes::Labelled_mesh mesh = grid(1, small_meshes::uniform);
+small_meshes::Labeled_mesh box_with_center() {
+  small_meshes::Labeled_mesh mesh = grid(1, small_meshes::uniform);
   const Complex box = make_complex(mesh);
-  small_meshes::Labelled_mesh result;
+  small_meshes::Labeled_mesh result;
   result.points.emplace_back(0, 0, 0);
   for (Vertex_handle v : box.vertices())
     result.points.push_back(v->point());

@@ -1,9 +1,9 @@
 #include "mesh_helpers.h"
 
-#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/motion/Conjugate_gradients.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Harmonic_extension.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Row_blocks.h>
+#include <CGAL/Mesh_support/For_each_index.h>
+#include <CGAL/Mesh_support/internal/numbers/Conjugate_gradients.h>
+#include <CGAL/Mesh_support/internal/numbers/Row_blocks.h>
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>

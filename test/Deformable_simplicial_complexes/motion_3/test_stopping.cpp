@@ -1,12 +1,12 @@
 #include "mesh_helpers.h"
 
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
-#include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
-#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_flows/interface_flows_3.h>
+#include <CGAL/Interface_remeshing/improve_interface.h>
+#include <CGAL/Interface_remeshing/improve_mesh.h>
+#include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <gtest/gtest.h>
 

@@ -2,11 +2,11 @@
 #include "short_edge.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/degeneracy_removal_3.h>
+#include <CGAL/Deformable_simplicial_complexes/degeneracy_removal.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_removal_3.h>
 #include <CGAL/Deformable_simplicial_complexes/multi_face_removal_3.h>
-#include <CGAL/Deformable_simplicial_complexes/remove_degeneracies.h>
+#include <CGAL/Interface_remeshing/remove_degeneracies.h>
 
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ constexpr double flat = 1e-3; // height of degenerate cells
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 // Returns a complex of tetrahedra of any orientation.
-std::vector<Vertex_handle> assign(Complex& dsc, Labelled_mesh mesh) {
+std::vector<Vertex_handle> assign(Complex& dsc, Labeled_mesh mesh) {
   for (auto& t : mesh.tetrahedra)
     if (CGAL::orientation(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]],
                           mesh.points[t[3]]) == CGAL::NEGATIVE)
@@ -44,7 +44,7 @@ std::vector<Vertex_handle> assign(Complex& dsc, Labelled_mesh mesh) {
 }
 
 // A degenerate cell 0123 whose vertex 3 lies over the facet 012, and one cell on this facet.
-Labelled_mesh flat_cap() {
+Labeled_mesh flat_cap() {
   return {{Point(1, 0, 0), Point(-.5, .8, 0), Point(-.5, -.8, 0), Point(0, 0, flat), Point(0, 0, 1),
            Point(0, 0, -1)},
           {{0, 1, 2, 3}, {0, 1, 2, 5}, {3, 0, 1, 4}, {3, 1, 2, 4}, {3, 2, 0, 4}},
@@ -53,7 +53,7 @@ Labelled_mesh flat_cap() {
 
 // A degenerate cell 0123 whose edges 01 and 23 nearly intersect; two cells below edge 01 and two
 // cells above edge 23.
-Labelled_mesh flat_square(double top, double bottom) {
+Labeled_mesh flat_square(double top, double bottom) {
   return {{Point(-1, 0, 0), Point(1, 0, 0), Point(0, -1, flat), Point(0, 1, flat), Point(0, 0, top),
            Point(0, 0, bottom)},
           {{0, 1, 2, 3}, {2, 3, 0, 4}, {2, 3, 1, 4}, {0, 1, 2, 5}, {0, 1, 3, 5}},
@@ -61,7 +61,7 @@ Labelled_mesh flat_square(double top, double bottom) {
 }
 
 // A ring of four cells around the edge 01; the vertex 3 lies close to the midpoint of the edge.
-Labelled_mesh flat_roof() {
+Labeled_mesh flat_roof() {
   return {{Point(-1, 0, 0), Point(1, 0, 0), Point(0, -1.5, 0), Point(0, 0, flat), Point(0, 1.5, 0),
            Point(0, 0, -1.5)},
           {{0, 1, 2, 3}, {0, 1, 3, 4}, {0, 1, 4, 5}, {0, 1, 5, 2}},
@@ -108,7 +108,7 @@ TEST(Degenerate_tetrahedron, over_its_facet_becomes_three_facets) {
 }
 
 TEST(Degenerate_tetrahedron, over_a_facet_of_the_interface_is_left_to_relabeling) {
-  Labelled_mesh mesh = flat_cap();
+  Labeled_mesh mesh = flat_cap();
   mesh.labels[1] = 1;
   Complex dsc;
   const auto v = assign(dsc, mesh);
@@ -134,7 +134,7 @@ TEST(Degenerate_tetrahedron, with_crossing_edges_loses_the_better_one) {
 
 // The cell gets the label of the cell below, which ends at its two lower facets.
 TEST(Degenerate_tetrahedron, in_a_bend_of_the_interface_changes_the_side) {
-  Labelled_mesh mesh = flat_square(2, -1);
+  Labeled_mesh mesh = flat_square(2, -1);
   mesh.labels = {1, 1, 1, 2, 2};
   Complex dsc;
   const auto v = assign(dsc, mesh);
@@ -291,7 +291,7 @@ TEST(Degenerate_facet, that_is_a_cap_loses_its_longest_edge) {
 
 // The vertex 5 lies in the plane of the cap, so the interface moves within this plane.
 TEST(Degenerate_facet, that_is_a_cap_of_the_interface_is_flipped) {
-  Labelled_mesh mesh = flat_roof();
+  Labeled_mesh mesh = flat_roof();
   mesh.labels = {1, 2, 2, 1};
   Complex dsc;
   const auto v = assign(dsc, mesh);

@@ -69,7 +69,7 @@ int stratum(const Complex& dsc, Vertex_handle v) {
 // Returns the complex after the collapse of v into w, built from scratch; an empty complex if the
 // collapse is impossible.
 Complex collapsed_from_scratch(const Complex& dsc, Vertex_handle v, Vertex_handle w) {
-  Labelled_mesh mesh;
+  Labeled_mesh mesh;
   std::vector<Vertex_handle> vertices = dsc.vertices();
   vertices.erase(std::find(vertices.begin(), vertices.end(), v));
   for (Vertex_handle u : vertices)

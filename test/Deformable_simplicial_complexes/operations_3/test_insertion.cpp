@@ -144,7 +144,7 @@ int compare_with_brute_force(const Complex& dsc) {
 
 // A sliver whose four vertices lie around the z-axis at the heights h and -h. It is joined to two
 // vertices at the heights 1 and -1. The sliver is the first cell.
-Labelled_mesh sliver_in_octahedron(double h) {
+Labeled_mesh sliver_in_octahedron(double h) {
   return {{Point(1, 0, h), Point(-1, 0, h), Point(0, 1, -h), Point(0, -1, -h), Point(0, 0, 1),
            Point(0, 0, -1)},
           {{0, 1, 2, 3}, {0, 2, 1, 4}, {0, 1, 3, 4}, {0, 3, 2, 5}, {1, 2, 3, 5}},
@@ -159,7 +159,7 @@ double volume_length_ratio(double volume, double squares) {
 TEST(Vertex_insertion, replaces_a_sliver_and_its_neighbors) {
   static constexpr double h = .05;
   Complex dsc;
-  const Labelled_mesh mesh = sliver_in_octahedron(h);
+  const Labeled_mesh mesh = sliver_in_octahedron(h);
   ASSERT_TRUE(is_positive(mesh));
   const auto v = dsc.assign(mesh.points, mesh.tetrahedra, mesh.labels);
   Cell_handle sliver;
@@ -178,7 +178,7 @@ TEST(Vertex_insertion, replaces_a_sliver_and_its_neighbors) {
 
 TEST(Vertex_insertion, takes_no_cell_of_another_label) {
   Complex dsc;
-  Labelled_mesh mesh = sliver_in_octahedron(.05);
+  Labeled_mesh mesh = sliver_in_octahedron(.05);
   Cell_handle sliver;
   const auto assign = [&] {
     const auto v = dsc.assign(mesh.points, mesh.tetrahedra, mesh.labels);
@@ -215,7 +215,7 @@ TEST(Vertex_insertion, takes_the_best_of_all_sets_of_cells) {
   Random random(1);
   int proposals = 0;
   for (int trial = 0; trial < 40; ++trial) {
-    Labelled_mesh mesh;
+    Labeled_mesh mesh;
     do {
       mesh = sliver_in_octahedron(.05);
       const double disorder = random(0, .4);

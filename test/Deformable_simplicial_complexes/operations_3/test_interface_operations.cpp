@@ -51,7 +51,7 @@ TEST(Interface_flip, is_best_with_the_other_diagonal) {
       int accepted = 0;
       for (int trial = 0; trial < 40; ++trial) {
         Complex dsc;
-        const Labelled_mesh mesh = random_ring(n, arc, random);
+        const Labeled_mesh mesh = random_ring(n, arc, random);
         const auto v = dsc.assign(mesh.points, mesh.tetrahedra, mesh.labels);
         const auto state = dsc.state();
         const double before = minimum_quality(dsc);

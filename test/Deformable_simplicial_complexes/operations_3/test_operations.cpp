@@ -53,7 +53,7 @@ TEST(Edge_removal, is_best_of_all_triangulations_of_a_ring) {
     int accepted = 0;
     for (int trial = 0; trial < 60; ++trial) {
       Complex dsc;
-      const Labelled_mesh mesh = random_ring(n, 0, random);
+      const Labeled_mesh mesh = random_ring(n, 0, random);
       auto v = dsc.assign(mesh.points, mesh.tetrahedra, mesh.labels);
       const auto state = dsc.state();
       const double before = minimum_quality(dsc), volume = volume_of_domain(dsc);
@@ -196,7 +196,7 @@ TEST(Multi_face_removal, is_best_of_all_sets_of_facets) {
 // A cavity stays valid until the complex changes; other proposals and queries may come between.
 TEST(Cavity, survives_everything_that_does_not_change_the_complex) {
   Random random(9);
-  Labelled_mesh mesh;
+  Labeled_mesh mesh;
   Complex dsc;
   Cavity first(dsc), second(dsc);
   Edge_in_cell e;

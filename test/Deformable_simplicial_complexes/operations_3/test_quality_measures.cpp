@@ -1,6 +1,6 @@
 #include "mesh_helpers.h"
 
-#include <CGAL/Deformable_simplicial_complexes/quality_measures_3.h>
+#include <CGAL/Deformable_simplicial_complexes/quality_measures.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
-#include <CGAL/Deformable_simplicial_complexes/multi_face_retriangulation_3.h>
+#include <CGAL/Deformable_simplicial_complexes/multi_face_removal_3.h>
 
 #include <gtest/gtest.h>
 
@@ -48,9 +48,9 @@ bool propose(const Complex& dsc, Cell_handle cell, Vertex_handle a, Cavity& cavi
 }
 
 // Triangles between point 0 below and point 1 above.
-Labelled_mesh two_sided(std::vector<Point> points, const std::vector<Triangle>& triangles,
-                        const std::vector<int>& labels) {
-  Labelled_mesh mesh = {std::move(points), {}, {}};
+Labeled_mesh two_sided(std::vector<Point> points, const std::vector<Triangle>& triangles,
+                       const std::vector<int>& labels) {
+  Labeled_mesh mesh = {std::move(points), {}, {}};
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const auto [p, q, r] = triangles[t];
     mesh.tetrahedra.push_back({0, p, q, r});
@@ -151,7 +151,7 @@ TEST(Multi_face_retriangulation, refuses_a_set_with_a_vertex_inside) {
     points.emplace_back(std::cos(angle), std::sin(angle), 0);
     triangles.push_back({2, 3 + k, 3 + (k + 1) % n});
   }
-  const Labelled_mesh mesh = two_sided(points, triangles, std::vector<int>(n, 0));
+  const Labeled_mesh mesh = two_sided(points, triangles, std::vector<int>(n, 0));
   Complex dsc;
   const auto v = dsc.assign(mesh.points, mesh.tetrahedra, mesh.labels);
   const std::vector<Vertex_handle> ring(v.begin() + 3, v.end());
@@ -178,7 +178,7 @@ TEST(Multi_face_retriangulation, refuses_a_set_with_a_hole) {
                    {6, 4, 7},      {4, 5, 7},      {5, corner, 7}, {5, 2, corner}};
       labels = {1, 0, 0, 0, 0, 0, 0, 0};
     }
-    const Labelled_mesh mesh = two_sided(points, triangles, labels);
+    const Labeled_mesh mesh = two_sided(points, triangles, labels);
     Complex dsc;
     const auto v = dsc.assign(mesh.points, mesh.tetrahedra, mesh.labels);
     expect_refusals(dsc, v, triangles);

@@ -1,7 +1,6 @@
 #include "operation_helpers.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/vertex_optimization_3.h>
 #include <CGAL/Deformable_simplicial_complexes/vertex_smoothing.h>
 
 #include <gtest/gtest.h>

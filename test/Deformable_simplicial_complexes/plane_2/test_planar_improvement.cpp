@@ -3,16 +3,16 @@
 
 #include "stamped_values.h"
 
-#include <CGAL/Deformable_simplicial_complexes/Carried_cell_averages.h>
-#include <CGAL/Deformable_simplicial_complexes/Carried_vertex_values.h>
-#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor_pair.h>
-#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
-#include <CGAL/Deformable_simplicial_complexes/degeneracy_removal_2.h>
+#include <CGAL/Deformable_simplicial_complexes/degeneracy_removal.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_flip_2.h>
-#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
-#include <CGAL/Deformable_simplicial_complexes/remove_degeneracies.h>
 #include <CGAL/Deformable_simplicial_complexes/vertex_insertion.h>
+#include <CGAL/Interface_remeshing/Carried_cell_averages.h>
+#include <CGAL/Interface_remeshing/Carried_vertex_values.h>
+#include <CGAL/Interface_remeshing/Deformation_visitor_pair.h>
+#include <CGAL/Interface_remeshing/control_detail.h>
+#include <CGAL/Interface_remeshing/improve_mesh.h>
+#include <CGAL/Interface_remeshing/remove_degeneracies.h>
 
 #include <gtest/gtest.h>
 

@@ -5,9 +5,9 @@
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_removal_3.h>
-#include <CGAL/Deformable_simplicial_complexes/manifold_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/relabeling.h>
 #include <CGAL/Deformable_simplicial_complexes/topology_control.h>
-#include <CGAL/Deformable_simplicial_complexes/topology_of_relabeling.h>
+#include <CGAL/Interface_remeshing/manifold_interface.h>
 
 #include <gtest/gtest.h>
 

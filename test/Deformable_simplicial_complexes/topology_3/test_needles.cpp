@@ -1,8 +1,8 @@
 // CAD surfaces, whose triangles have small angles, in rigid motion.
 
+#include <CGAL/Complex_construction/Construction_options.h>
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/Construction_options.h>
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_flows/interface_flows_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
@@ -25,7 +25,7 @@ namespace test_needles {
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Point = Complex::Point_3;
 using Report = DSC::Deformation_report<Complex>;
-using Surface = DSC::Labelled_surface_3<Point>;
+using Surface = DSC::Labeled_surface_3<Point>;
 
 // A prism over a regular polygon. Its ends are fans about a vertex: all angles there are 180 / n
 // degrees or close to 180 degrees.

@@ -3,8 +3,8 @@
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/relabeling.h>
 #include <CGAL/Deformable_simplicial_complexes/topology_control.h>
-#include <CGAL/Deformable_simplicial_complexes/topology_of_relabeling.h>
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // Integrals of images over triangles and tetrahedra.
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Image_segmentation/Image_moments.h>
 
 #include <gtest/gtest.h>

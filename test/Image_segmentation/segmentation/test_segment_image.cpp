@@ -1,9 +1,9 @@
 // Segmentation of images whose phases are known.
+#include <CGAL/Complex_construction/sample_labels.h>
 #include <CGAL/Deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
-#include <CGAL/Deformable_simplicial_complexes/sample_labels.h>
 #include <CGAL/Image_segmentation/segment_image.h>
+#include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <CGAL/number_utils.h>
 

@@ -1,7 +1,7 @@
 // Incompressible flow in the plane.
 #include "planar_regions.h"
 
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Incompressible_fluid_2.h>
 #if __has_include(<CGAL/Incompressible_fluids_3/compiled_2.h>) // if the component Compiled is used
 #include <CGAL/Incompressible_fluids_3/compiled_2.h>

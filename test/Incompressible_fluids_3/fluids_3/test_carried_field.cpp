@@ -1,8 +1,8 @@
 // The field that liquids carry, and surface tensions that depend on it.
 #include "planar_regions.h"
 
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Incompressible_fluid_2.h>
 #include <CGAL/Incompressible_fluid_3.h>
 #if __has_include(<CGAL/Incompressible_fluids_3/compiled_2.h>) // if the component Compiled is used

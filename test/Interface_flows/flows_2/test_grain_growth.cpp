@@ -2,12 +2,12 @@
 #include "planar_regions.h"
 #include "torus.h"
 
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
-#include <CGAL/Deformable_simplicial_complexes/remove_components.h>
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Interface_flows/Grain_growth.h>
 #include <CGAL/Interface_flows/Grain_orientations.h>
 #include <CGAL/Interface_flows/Voronoi_labels.h>
 #include <CGAL/Interface_flows/grain_statistics.h>
+#include <CGAL/Interface_remeshing/remove_components.h>
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/number_utils.h>

@@ -1,20 +1,20 @@
 // Tensions, mobilities and energy densities that depend on labels, and the flow of their energy.
 #include "planar_regions.h"
 
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/junctions.h>
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/neighbor_exchange_2.h>
 #include <CGAL/Deformable_simplicial_complexes/relabeling.h>
-#include <CGAL/Deformable_simplicial_complexes/shared_measures.h>
 #include <CGAL/Interface_flows/Grain_growth.h>
 #include <CGAL/Interface_flows/Mean_curvature_flow.h>
 #include <CGAL/Interface_flows/advect_adaptively.h>
 #include <CGAL/Interface_flows/advect_interface.h>
+#include <CGAL/Interface_flows/internal/grains/junctions.h>
+#include <CGAL/Interface_remeshing/shared_measures.h>
+#include <CGAL/Mesh_support/Error.h>
+#include <CGAL/Mesh_support/named_parameters.h>
 
 #include <CGAL/number_utils.h>
 

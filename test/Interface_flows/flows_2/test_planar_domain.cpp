@@ -1,9 +1,9 @@
 // Interfaces at the domain boundary, and growing domains, in the plane.
 
+#include <CGAL/Complex_construction/grow_domain.h>
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
-#include <CGAL/Deformable_simplicial_complexes/grow_domain.h>
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Interface_flows/Mean_curvature_flow.h>
 #include <CGAL/Interface_flows/advect_adaptively.h>
 #include <CGAL/Interface_flows/interface_flows_2.h>
@@ -24,7 +24,7 @@ namespace test_planar_domain {
 
 using Complex = CGAL::Deformable_simplicial_complex_2<>;
 using Point = Complex::Point_2;
-using Curve = DSC::Labelled_curve_2<Point>;
+using Curve = DSC::Labeled_curve_2<Point>;
 using CGAL::Deformable_simplicial_complexes::Domain_rule;
 using CGAL::Deformable_simplicial_complexes::Error;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
@@ -96,7 +96,7 @@ TEST(Domain_boundary_2, takes_a_phase_that_is_pressed_onto_it) {
 
 // An interface that ends on the sides slides along them.
 TEST(Domain_boundary_2, lets_images_fill_the_domain) {
-  DSC::Labelled_image_2 image;
+  DSC::Labeled_image_2 image;
   image.width = image.height = 8;
   for (std::size_t i = 0; i < 64; ++i)
     image.labels.push_back(i % 8 + i / 8 < 7 ? 1 : 2);

@@ -1,14 +1,14 @@
 // Curves, complexes of curves, and their flows.
 
+#include <CGAL/Complex_construction/Construction_options.h>
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complex_2.h>
-#include <CGAL/Deformable_simplicial_complexes/Construction_options.h>
-#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Interface_flows/Mean_curvature_flow.h>
 #include <CGAL/Interface_flows/advect_adaptively.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_flows/interface_flows_2.h>
 #include <CGAL/Interface_flows/velocity_fields_2.h>
+#include <CGAL/Interface_remeshing/control_detail.h>
 
 #include <CGAL/Bbox_2.h>
 
@@ -29,7 +29,7 @@ using Complex = CGAL::Deformable_simplicial_complex_2<>;
 using Point = Complex::Point_2;
 using Position = Complex::Approximate_point_2;
 using Vector = Complex::Approximate_vector_2;
-using Curve = DSC::Labelled_curve_2<Point>;
+using Curve = DSC::Labeled_curve_2<Point>;
 using Curves = std::vector<Curve>;
 using Report = DSC::Deformation_report<Complex>;
 using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;

@@ -1,8 +1,8 @@
 #include "mesh_helpers.h"
 
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Interface_flows/advect_adaptively.h>
+#include <CGAL/Mesh_support/Error.h>
 
 #include <gtest/gtest.h>
 

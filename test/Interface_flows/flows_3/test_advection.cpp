@@ -3,10 +3,11 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/quality_measures_3.h>
+#include <CGAL/Deformable_simplicial_complexes/quality_measures.h>
 #include <CGAL/Interface_flows/Integration_scheme.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_flows/interface_flows_3.h>
+#include <CGAL/Mesh_support/Error.h>
 
 #include <gtest/gtest.h>
 

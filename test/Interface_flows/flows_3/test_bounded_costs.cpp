@@ -1,15 +1,15 @@
 #include "operation_helpers.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/Curvature_sizing_field.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
-#include <CGAL/Deformable_simplicial_complexes/Volume_changer.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_removal_3.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/geometry/cell_corners.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/topology/Labelled_star.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/topology/Labeled_star.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Trapped_cells.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/values/redistribute_contents.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/cell_corners.h>
+#include <CGAL/Interface_remeshing/Curvature_sizing_field.h>
+#include <CGAL/Interface_remeshing/Volume_changer.h>
+#include <CGAL/Interface_remeshing/internal/values/redistribute_contents.h>
 
 #include <gtest/gtest.h>
 
@@ -38,8 +38,8 @@ using Vector = Complex::Approximate_vector_3;
 
 // A regular ring of n tetrahedra around an edge, next to one vertex of the edge. Without the edge,
 // the ring has no tetrahedron as thin as the tetrahedra at the edge.
-Labelled_mesh thin_ring(std::size_t n) {
-  Labelled_mesh mesh = {{Point(.999, 0, -1), Point(.999, 0, 1)}, {}, {}};
+Labeled_mesh thin_ring(std::size_t n) {
+  Labeled_mesh mesh = {{Point(.999, 0, -1), Point(.999, 0, 1)}, {}, {}};
   for (std::size_t k = 0; k < n; ++k) {
     const double angle = 2 * CGAL_PI * double(k) / double(n);
     mesh.points.emplace_back(std::cos(angle), std::sin(angle), 0);
@@ -52,7 +52,7 @@ Labelled_mesh thin_ring(std::size_t n) {
 // Random labels, some of them negative. Cells are small near the middle.
 Complex motley_complex(std::size_t n, std::size_t number_of_labels, unsigned seed) {
   Random random(seed);
-  Labelled_mesh mesh =
+  Labeled_mesh mesh =
       grid(n, [&](const Point&) { return int(random.below(number_of_labels)) - 2; });
   const auto cube = [](double x) { return x * x * x; };
   for (Point& p : mesh.points)
@@ -123,7 +123,7 @@ void pour_slowly(const std::vector<const Filled*>& sources, const std::vector<Fi
 TEST(Edge_removal, refuses_rings_of_more_than_52_cells) {
   for (std::size_t n : {51, 52, 53, 400}) {
     Complex dsc;
-    Labelled_mesh mesh = thin_ring(n);
+    Labeled_mesh mesh = thin_ring(n);
     auto v = dsc.assign(mesh.points, mesh.tetrahedra, mesh.labels);
     Edge_in_cell e = find_edge(dsc, v[0], v[1]);
     Cavity cavity(dsc);
@@ -185,12 +185,12 @@ TEST(Curvature_sizing_field, is_what_relaxation_over_all_edges_ends_with) {
 }
 
 // The infinite vertex has the largest degree.
-TEST(Labelled_star, knows_the_neighbors_of_cells) {
+TEST(Labeled_star, knows_the_neighbors_of_cells) {
   const Complex dsc = jittered_grid(3, small_meshes::four_phases, .3, 3);
   auto vertices = dsc.vertices();
   vertices.push_back(dsc.triangulation().infinite_vertex());
   for (Vertex_handle v : vertices) {
-    const internal::Labelled_star<Complex> star(dsc, v, [](Cell_handle c) { return c->label(); });
+    const internal::Labeled_star<Complex> star(dsc, v, [](Cell_handle c) { return c->label(); });
     for (std::size_t i = 0; i < star.size(); ++i) {
       auto next = star.neighbors(i).begin();
       for (int k = 0; k < 4; ++k)

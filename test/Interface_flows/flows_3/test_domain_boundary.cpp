@@ -1,7 +1,7 @@
 // Interfaces at the domain boundary, and growing domains, in space.
 #include "mesh_helpers.h"
 
-#include <CGAL/Deformable_simplicial_complexes/grow_domain.h>
+#include <CGAL/Complex_construction/grow_domain.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_flows/interface_flows_3.h>
 

@@ -1,11 +1,11 @@
 // Measures of grains in space, and their growth.
 #include "mesh_helpers.h"
 
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/shared_measures.h>
 #include <CGAL/Interface_flows/Grain_growth.h>
 #include <CGAL/Interface_flows/grain_statistics.h>
+#include <CGAL/Interface_remeshing/shared_measures.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/number_utils.h>

@@ -1,12 +1,12 @@
 #include "mesh_helpers.h"
 
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
-#include <CGAL/Deformable_simplicial_complexes/Volume_changer.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
 #include <CGAL/Interface_flows/Mean_curvature_flow.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_flows/face_offsetting_3.h>
+#include <CGAL/Interface_remeshing/Volume_changer.h>
+#include <CGAL/Interface_remeshing/improve_interface.h>
+#include <CGAL/Mesh_support/Error.h>
 
 #include <gtest/gtest.h>
 

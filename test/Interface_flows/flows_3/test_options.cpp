@@ -1,19 +1,19 @@
 #include "mesh_helpers.h"
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
-#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
-#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/remeshing/Failed_collapses.h>
-#include <CGAL/Deformable_simplicial_complexes/remove_degeneracies.h>
-#include <CGAL/Deformable_simplicial_complexes/restore_volumes.h>
 #include <CGAL/Deformable_simplicial_complexes/topology_control.h>
 #include <CGAL/Interface_flows/Mean_curvature_flow.h>
 #include <CGAL/Interface_flows/Normal_offset.h>
 #include <CGAL/Interface_flows/advect_adaptively.h>
 #include <CGAL/Interface_flows/advect_interface.h>
+#include <CGAL/Interface_remeshing/control_detail.h>
+#include <CGAL/Interface_remeshing/improve_interface.h>
+#include <CGAL/Interface_remeshing/improve_mesh.h>
+#include <CGAL/Interface_remeshing/internal/remeshing/Failed_collapses.h>
+#include <CGAL/Interface_remeshing/remove_degeneracies.h>
+#include <CGAL/Interface_remeshing/restore_volumes.h>
+#include <CGAL/Mesh_support/Error.h>
 
 #include <gtest/gtest.h>
 

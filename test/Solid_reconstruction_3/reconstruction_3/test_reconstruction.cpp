@@ -4,9 +4,9 @@
 #include "temporary_folder.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/IO/point_set_3.h>
-#include <CGAL/Deformable_simplicial_complexes/extract_interface_3.h>
-#include <CGAL/Deformable_simplicial_complexes/manifold_interface.h>
+#include <CGAL/Interface_remeshing/extract_interface_3.h>
+#include <CGAL/Interface_remeshing/manifold_interface.h>
+#include <CGAL/Mesh_files/point_set_3.h>
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Random.h>
 #include <CGAL/Solid_reconstruction_3/reconstruct_point_set_3.h>

@@ -3,7 +3,7 @@
 #include "../../../benchmark/gear.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/extract_interface_3.h>
+#include <CGAL/Interface_remeshing/extract_interface_3.h>
 #include <CGAL/Random.h>
 #include <CGAL/Solid_reconstruction_3/internal/reconstruction/Crease_planes_3.h>
 #include <CGAL/Solid_reconstruction_3/reconstruct_point_set_3.h>

@@ -1,4 +1,0 @@
-// labelled_cube.cpp with the compiled templates
-#include <CGAL/Deformable_simplicial_complexes/compiled_3.h>
-
-#include "labelled_cube.cpp"
