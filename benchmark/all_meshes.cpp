@@ -8,11 +8,14 @@
 #include "inputs.h"
 #include "measures.h"
 
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Complex_construction/Tetrahedralization_error.h>
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_flows/interface_flows_3.h>
+#include <CGAL/Mesh_files/File_error.h>
+#include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
+#include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
 
 #include <algorithm>
 #include <cstdlib>

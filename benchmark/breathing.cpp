@@ -8,10 +8,10 @@
 #include "inputs.h"
 #include "measures.h"
 
-#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_flows/interface_flows_3.h>
+#include <CGAL/Interface_remeshing/control_detail.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 
 #include <CLI/CLI.hpp>

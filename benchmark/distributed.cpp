@@ -9,19 +9,19 @@
 #include "inputs.h"
 
 #include <CGAL/Bbox_3.h>
+#include <CGAL/Complex_construction/Construction_options.h>
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/Construction_options.h>
-#include <CGAL/Deformable_simplicial_complexes/Mpi_communicator.h>
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/refine_distributed_complex_3.h>
+#include <CGAL/Distributed_complexes/Mpi_communicator.h>
+#include <CGAL/Distributed_complexes/advect_distributed_interface.h>
+#include <CGAL/Distributed_complexes/refine_distributed_complex_3.h>
 #include <CGAL/Interface_flows/Normal_offset.h>
-#include <CGAL/Interface_flows/advect_distributed_interface.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_flows/interface_flows_3.h>
 #include <CGAL/Interface_flows/velocity_fields_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 #ifdef DSC_WITH_SCOTCH
-#include <CGAL/Deformable_simplicial_complexes/Scotch_partitioner.h>
+#include <CGAL/Distributed_complexes/Scotch_partitioner.h>
 #endif
 
 #include <CLI/CLI.hpp>

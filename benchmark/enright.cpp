@@ -9,10 +9,10 @@
 #include "interface_at_start.h"
 #include "measures.h"
 
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/restore_volumes.h>
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Interface_flows/advect_adaptively.h>
 #include <CGAL/Interface_flows/velocity_fields_3.h>
+#include <CGAL/Interface_remeshing/restore_volumes.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 
 #include <CGAL/Bbox_3.h>

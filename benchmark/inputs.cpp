@@ -4,8 +4,8 @@
 
 #include "inputs.h"
 
-#include <CGAL/Deformable_simplicial_complexes/IO/labelled_surface_3.h>
-#include <CGAL/Deformable_simplicial_complexes/cgal_compat.h>
+#include <CGAL/Mesh_files/labeled_surface_3.h>
+#include <CGAL/Mesh_support/internal/cgal/cgal_compat.h>
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_mesh_to_polygon_soup.h>
@@ -168,9 +168,8 @@ Surface read_input(const std::string& input, std::size_t triangles) {
   if (input == "sphere")
     return sphere(
         1, (std::max)(std::size_t(1), std::size_t(std::lround(std::sqrt(double(triangles) / 20)))));
-  Surface surface = input == "two_spheres"
-                        ? two_spheres()
-                        : CGAL::IO::read_labelled_surface<Kernel::Point_3>(input);
+  Surface surface = input == "two_spheres" ? two_spheres()
+                                           : CGAL::IO::read_labeled_surface<Kernel::Point_3>(input);
   const bool is_too_fine = triangles > 0 && surface.triangles.size() > triangles;
   return is_too_fine ? decimated(std::move(surface), triangles) : surface;
 }

@@ -5,7 +5,7 @@
 #ifndef DSC_BENCHMARK_INPUTS_H
 #define DSC_BENCHMARK_INPUTS_H
 
-#include <CGAL/Deformable_simplicial_complexes/Labelled_surface_3.h>
+#include <CGAL/Triangle_soup_repair/Labeled_surface_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -19,7 +19,7 @@ namespace DSC = CGAL::Deformable_simplicial_complexes;
 namespace dsc_benchmark {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Surface = DSC::Labelled_surface_3<Kernel::Point_3>;
+using Surface = DSC::Labeled_surface_3<Kernel::Point_3>;
 
 /// Appends the unit sphere about `centre`: an icosahedron whose faces are subdivided into n^2
 /// triangles each. Common points of triangles are bitwise equal, because nonzero terms are summed

@@ -8,7 +8,7 @@
 #include "inputs.h"
 #include "measures.h"
 
-#include <CGAL/Deformable_simplicial_complexes/cgal_compat.h>
+#include <CGAL/Mesh_support/internal/cgal/cgal_compat.h>
 
 #include <CGAL/AABB_tree.h>
 

@@ -9,9 +9,9 @@
 #include "interface_at_start.h"
 #include "measures.h"
 
-#include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/geometry/triangle_quality.h>
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/operations/triangle_quality.h>
+#include <CGAL/Interface_remeshing/improve_interface.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 
 #include <CLI/CLI.hpp>

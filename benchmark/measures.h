@@ -6,7 +6,7 @@
 #define DSC_BENCHMARK_MEASURES_H
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/quality_measures_3.h>
+#include <CGAL/Deformable_simplicial_complexes/quality_measures.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/number_utils.h>

@@ -10,7 +10,7 @@
 #include "inputs.h"
 #include "measures.h"
 
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 
 #include <CLI/CLI.hpp>

@@ -11,12 +11,12 @@
 #include "measures.h"
 #include "small_meshes.h"
 
-#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
-#include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Interface_flows/Mean_curvature_flow.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_flows/interface_flows_3.h>
+#include <CGAL/Interface_remeshing/control_detail.h>
+#include <CGAL/Interface_remeshing/improve_interface.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>

@@ -14,11 +14,11 @@
 #include "random_fields.h"
 #include "small_meshes.h"
 
-#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/topology_control.h>
 #include <CGAL/Interface_flows/advect_interface.h>
+#include <CGAL/Mesh_files/checkpoint.h>
 
 #include <CLI/CLI.hpp>
 #include <boost/crc.hpp>

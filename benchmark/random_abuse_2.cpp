@@ -8,8 +8,8 @@
 
 #include "Worst_cells.h"
 
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 
 #include <CLI/CLI.hpp>

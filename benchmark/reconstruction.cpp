@@ -7,8 +7,8 @@
 #include "measures.h"
 
 #include <CGAL/Advancing_front_surface_reconstruction.h>
-#include <CGAL/Deformable_simplicial_complexes/IO/point_set_3.h>
-#include <CGAL/Deformable_simplicial_complexes/extract_interface_3.h>
+#include <CGAL/Interface_remeshing/extract_interface_3.h>
+#include <CGAL/Mesh_files/point_set_3.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>

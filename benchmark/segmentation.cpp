@@ -68,7 +68,7 @@ Image balls() {
   return result;
 }
 
-/// The costs of labelled cells and the area between labels, in units of the noise and in voxels.
+/// The costs of labeled cells and the area between labels, in units of the noise and in voxels.
 class Energy
 {
 public:
@@ -152,8 +152,8 @@ void mesh_thresholds(const Image& image, const DSC::Image_phases& phases, double
   _image* voxels = _createImage(size[0], size[1], size[2], 1, 1, 1, 1, 1, WK_FIXED, SGN_UNSIGNED);
   for (std::size_t i = 0; i < labels.size(); ++i)
     static_cast<std::uint8_t*>(voxels->data)[i] = std::uint8_t(labels[i] + 1);
-  const CGAL::Image_3 labelled(voxels);
-  const Domain domain = Domain::create_labeled_image_mesh_domain(labelled);
+  const CGAL::Image_3 labeled(voxels);
+  const Domain domain = Domain::create_labeled_image_mesh_domain(labeled);
   const Criteria criteria(params::facet_angle = 25, params::facet_size = edge,
                           params::facet_distance = .5, params::cell_radius_edge_ratio = 3,
                           params::cell_size = 4 * edge);

@@ -6,7 +6,7 @@
 #include "measures.h"
 #include "solids.h"
 
-#include <CGAL/Deformable_simplicial_complexes/extract_interface_3.h>
+#include <CGAL/Interface_remeshing/extract_interface_3.h>
 #include <CGAL/Solid_reconstruction_3/reconstruct_point_set_3.h>
 
 #include <CLI/CLI.hpp>

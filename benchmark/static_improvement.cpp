@@ -4,8 +4,8 @@
 #include "inputs.h"
 #include "measures.h"
 
-#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Interface_remeshing/improve_mesh.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 
 #include <CLI/CLI.hpp>

@@ -1,12 +1,12 @@
 // Moves the interface of a complex that is distributed among three ranks. The ranks are threads
 // here. With Mpi_communicator, they are processes, which need not run on one machine.
 
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/Distributed_complex.h>
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/run_in_threads.h>
+#include <CGAL/Distributed_complexes/Distributed_complex.h>
+#include <CGAL/Distributed_complexes/advect_distributed_interface.h>
+#include <CGAL/Distributed_complexes/run_in_threads.h>
 #include <CGAL/Interface_flows/Normal_offset.h>
-#include <CGAL/Interface_flows/advect_distributed_interface.h>
 
 #include <CGAL/Bbox_3.h>
 

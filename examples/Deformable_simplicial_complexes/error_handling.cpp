@@ -1,9 +1,9 @@
 // Catches the exceptions of builders, of a deformation and of a reader, and prints their messages
 // and data.
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Mesh_files/checkpoint.h>
 
 #include <array>
 #include <cstdlib>
@@ -15,7 +15,7 @@ namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Point = Complex::Point_3;
-using Surface = DSC::Labelled_surface_3<Point>;
+using Surface = DSC::Labeled_surface_3<Point>;
 
 void print(const char* what, const std::vector<std::size_t>& indices) {
   std::cout << "  " << what << ':';

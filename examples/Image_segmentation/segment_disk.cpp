@@ -1,8 +1,8 @@
 // Segments an image of a disk with noise, and writes the mesh.
 // Usage: segment_disk [FILE.vtu]
 #include <CGAL/Deformable_simplicial_complex_2.h>
-#include <CGAL/Deformable_simplicial_complexes/IO/VTU_2.h>
 #include <CGAL/Image_segmentation/segment_image.h>
+#include <CGAL/Mesh_files/VTU_2.h>
 
 #include <cmath>
 #include <cstddef>

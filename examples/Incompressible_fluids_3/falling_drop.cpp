@@ -1,7 +1,7 @@
 // Simulates a ball of liquid that falls onto a floor and spreads there.
 #include <CGAL/Bbox_3.h>
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Incompressible_fluid_3.h>
 #include <CGAL/number_utils.h>
 

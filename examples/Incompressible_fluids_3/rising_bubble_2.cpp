@@ -3,11 +3,11 @@
 //
 // Usage: rising_bubble_2 [CASE [EDGE [TIME_STEP [END [PICTURE.svg]]]]], where CASE is 1 or 2
 #include <CGAL/Bbox_2.h>
+#include <CGAL/Complex_construction/Labeled_curve_2.h>
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complex_2.h>
-#include <CGAL/Deformable_simplicial_complexes/IO/SVG_2.h>
-#include <CGAL/Deformable_simplicial_complexes/Labelled_curve_2.h>
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Incompressible_fluid_2.h>
+#include <CGAL/Mesh_files/SVG_2.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -62,7 +62,7 @@ int main(int argc, char* argv[]) {
   std::vector<Complex::Point_2> polygon;
   for (int i = 0; i < corners; ++i)
     polygon.emplace_back(.5 + radius * std::cos(i * angle), .5 + radius * std::sin(i * angle));
-  DSC::Labelled_curve_2<Complex::Point_2> curve;
+  DSC::Labeled_curve_2<Complex::Point_2> curve;
   curve.add_polyline(polygon);
   Complex complex = DSC::make_deformable_simplicial_complex_2<Complex>(
       {curve}, DSC::parameters::enclosing_box(CGAL::Bbox_2(0, 0, 1, 2)));

@@ -1,9 +1,9 @@
-// Builds two soap bubbles with a common wall from labelled patches, and rotates them.
+// Builds two soap bubbles with a common wall from labeled patches, and rotates them.
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/IO/VTU_3.h>
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_flows/interface_flows_3.h>
+#include <CGAL/Mesh_files/VTU_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Point = Complex::Point_3;
-using Patch = DSC::Labelled_patch_3<Point>;
+using Patch = DSC::Labeled_patch_3<Point>;
 
 constexpr std::size_t around = 48; // points of the circle where the walls meet
 

@@ -1,13 +1,13 @@
 // Relaxes foams that fill space: the foam of Kelvin, whose cells are truncated octahedra, and the
 // foam of Weaire and Phelan, which has less area.
 // Usage: periodic_foam [kelvin|weaire-phelan [EDGE [STEPS]]]
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
-#include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/restore_volumes.h>
 #include <CGAL/Interface_flows/Mean_curvature_flow.h>
 #include <CGAL/Interface_flows/advect_interface.h>
+#include <CGAL/Interface_remeshing/improve_interface.h>
+#include <CGAL/Interface_remeshing/restore_volumes.h>
 
 #include <algorithm>
 #include <array>

@@ -1,13 +1,13 @@
 // Coarsens a dry foam on a flat torus: the area of a cell of n sides grows at the rate (n - 6) pi /
 // 3 (von Neumann, Mullins).
 // Usage: planar_foam [CELLS [EDGE [STEPS [FILE.svg]]]]
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complex_2.h>
-#include <CGAL/Deformable_simplicial_complexes/IO/SVG_2.h>
 #include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
-#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Interface_flows/Mean_curvature_flow.h>
 #include <CGAL/Interface_flows/advect_interface.h>
+#include <CGAL/Interface_remeshing/control_detail.h>
+#include <CGAL/Mesh_files/SVG_2.h>
 
 #include <cmath>
 #include <cstdlib>

@@ -1,11 +1,11 @@
 // Rotates a solid by half a turn and writes each step as a frame of an animation.
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/IO/PVD_series.h>
-#include <CGAL/Deformable_simplicial_complexes/IO/VTU_3.h>
-#include <CGAL/Deformable_simplicial_complexes/IO/labelled_surface_3.h>
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_flows/interface_flows_3.h>
+#include <CGAL/Mesh_files/PVD_series.h>
+#include <CGAL/Mesh_files/VTU_3.h>
+#include <CGAL/Mesh_files/labeled_surface_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>

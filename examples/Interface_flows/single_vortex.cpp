@@ -1,7 +1,7 @@
 // Stretches a disk to a thread in a single vortex and back, and prints its length, the change of
 // its area, and the area by which it differs from the disk at the end.
 // Usage: single_vortex [PERIOD [SEGMENTS [DT]]]
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Interface_flows/advect_adaptively.h>
 #include <CGAL/Interface_flows/velocity_fields_2.h>
 
@@ -51,7 +51,7 @@ int main(int argc, char** argv) {
   std::vector<Complex::Point_2> polygon;
   for (int i = 0; i < segments; ++i)
     polygon.emplace_back(center.x() + r * std::cos(i * step), center.y() + r * std::sin(i * step));
-  DSC::Labelled_curve_2<Complex::Point_2> disk;
+  DSC::Labeled_curve_2<Complex::Point_2> disk;
   disk.add_polyline(polygon);
   Complex dsc = DSC::make_deformable_simplicial_complex_2<Complex>(
       {disk}, parameters::enclosing_box(CGAL::Bbox_2(0, 0, 1, 1)));

@@ -1,8 +1,8 @@
 // Reconstructs a solid from points on its surface: the points of a file, or random points of a
 // torus.
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/IO/labelled_surface_3.h>
-#include <CGAL/Deformable_simplicial_complexes/IO/point_set_3.h>
+#include <CGAL/Mesh_files/labeled_surface_3.h>
+#include <CGAL/Mesh_files/point_set_3.h>
 #include <CGAL/Random.h>
 #include <CGAL/Solid_reconstruction_3/reconstruct_point_set_3.h>
 #include <CGAL/number_utils.h>

@@ -13,9 +13,9 @@
 
 #include <CGAL/Deformable_simplicial_complex_traits_2.h>
 #include <CGAL/Deformable_simplicial_complexes/Ball_domain.h>
-#include <CGAL/Deformable_simplicial_complexes/Labelled_complex.h>
+#include <CGAL/Deformable_simplicial_complexes/Labeled_complex.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Space_2.h>
-#include <CGAL/Deformable_simplicial_complexes/quality_measures_2.h>
+#include <CGAL/Deformable_simplicial_complexes/quality_measures.h>
 
 #include <CGAL/Default.h>
 
@@ -34,7 +34,7 @@ A triangulated domain of the plane; each triangle carries a label. The *interfac
 edges between triangles of different labels. The domain is a disk or a flat torus. In most cases,
 the disk is a rectangle whose sides are known to the complex.
 
-Everything that holds in any dimension is inherited from `Labelled_complex`. The cells are
+Everything that holds in any dimension is inherited from `Labeled_complex`. The cells are
 triangles, and the facets are edges.
 
 \tparam Traits_ `Deformable_simplicial_complex_traits_2`, or a class with the same members
@@ -44,12 +44,12 @@ triangles, and the facets are edges.
 template <class Traits_ = Deformable_simplicial_complex_traits_2<>, class Tds_ = Default,
           class Domain_ = Deformable_simplicial_complexes::Ball_domain>
 class Deformable_simplicial_complex_2
-    : public Deformable_simplicial_complexes::Labelled_complex<
+    : public Deformable_simplicial_complexes::Labeled_complex<
           Deformable_simplicial_complex_2<Traits_, Tds_, Domain_>,
           Deformable_simplicial_complexes::internal::Space_2<Traits_, Tds_>,
           Deformable_simplicial_complexes::Area_length_ratio_2, Domain_>
 {
-  using Base = Deformable_simplicial_complexes::Labelled_complex<
+  using Base = Deformable_simplicial_complexes::Labeled_complex<
       Deformable_simplicial_complex_2,
       Deformable_simplicial_complexes::internal::Space_2<Traits_, Tds_>,
       Deformable_simplicial_complexes::Area_length_ratio_2, Domain_>;

@@ -13,9 +13,9 @@
 
 #include <CGAL/Deformable_simplicial_complex_traits_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Ball_domain.h>
-#include <CGAL/Deformable_simplicial_complexes/Labelled_complex.h>
+#include <CGAL/Deformable_simplicial_complexes/Labeled_complex.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Space_3.h>
-#include <CGAL/Deformable_simplicial_complexes/quality_measures_3.h>
+#include <CGAL/Deformable_simplicial_complexes/quality_measures.h>
 
 #include <CGAL/Default.h>
 
@@ -34,7 +34,7 @@ A tetrahedralized domain; each cell carries a label. The *interface* is the set 
 cells of different labels; it may be non-manifold, and any number of labels may meet. The domain is
 a ball or a flat torus. In most cases, the ball is a box whose sides are known to the complex.
 
-Everything that holds in any dimension is inherited from `Labelled_complex`. `Point_3`,
+Everything that holds in any dimension is inherited from `Labeled_complex`. `Point_3`,
 `Approximate_point_3` and `Approximate_vector_3` are other names of its types `Point`,
 `Approximate_point` and `Approximate_vector`.
 
@@ -48,12 +48,12 @@ template <class Traits_ = Deformable_simplicial_complex_traits_3<>, class Tds_ =
           class QualityMeasure_ = Deformable_simplicial_complexes::Volume_length_ratio_3,
           class Domain_ = Deformable_simplicial_complexes::Ball_domain>
 class Deformable_simplicial_complex_3
-    : public Deformable_simplicial_complexes::Labelled_complex<
+    : public Deformable_simplicial_complexes::Labeled_complex<
           Deformable_simplicial_complex_3<Traits_, Tds_, QualityMeasure_, Domain_>,
           Deformable_simplicial_complexes::internal::Space_3<Traits_, Tds_>, QualityMeasure_,
           Domain_>
 {
-  using Base = Deformable_simplicial_complexes::Labelled_complex<
+  using Base = Deformable_simplicial_complexes::Labeled_complex<
       Deformable_simplicial_complex_3,
       Deformable_simplicial_complexes::internal::Space_3<Traits_, Tds_>, QualityMeasure_, Domain_>;
 

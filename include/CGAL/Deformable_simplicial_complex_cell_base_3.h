@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Cell_data.h>
+#include <CGAL/Deformable_simplicial_complexes/Simplex_data.h>
 
 #include <CGAL/Triangulation_cell_base_3.h>
 

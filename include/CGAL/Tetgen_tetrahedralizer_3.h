@@ -1,17 +1,16 @@
 // Copyright (c) 2026 The deformable simplicial complex authors.
 // All rights reserved.
 //
-// This file is part of the package Deformable_simplicial_complexes, written for CGAL
-// (www.cgal.org).
+// This file is part of the package Complex_construction, written for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #ifndef CGAL_TETGEN_TETRAHEDRALIZER_3_H
 #define CGAL_TETGEN_TETRAHEDRALIZER_3_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Complex_construction.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Tetrahedralization_3.h>
+#include <CGAL/Complex_construction/Tetrahedralization_3.h>
 
 #include <array>
 #include <cstddef>
@@ -21,7 +20,7 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgDeformableSimplicialComplexesRef
+\ingroup PkgComplexConstructionRef
 
 Constrained tetrahedralizer that uses TetGen 1.5. It fills space around triangles with tetrahedra.
 It adds points where tetrahedra would be badly shaped otherwise, but it adds no points on the

@@ -1,4 +1,4 @@
-"""Deformable simplicial complexes: space or the plane, divided into labelled cells."""
+"""Deformable simplicial complexes: space or the plane, divided into labeled cells."""
 
 from __future__ import annotations
 
@@ -719,7 +719,7 @@ def _restored(
 
 
 class Complex3(Complex):
-    """A complex in space: labelled tetrahedra, and the triangles between different labels."""
+    """A complex in space: labeled tetrahedra, and the triangles between different labels."""
 
     dimension = 3
     _class = _dsc.Complex3
@@ -752,7 +752,7 @@ class Complex3(Complex):
         `TetrahedralizationError` if TetGen fails.
         """
         soups = [(np.asarray(p, dtype=float), np.asarray(t)) for p, t in surfaces]
-        labelled = [(p, t, label) for (p, t), label in zip(soups, _labels(labels, len(soups)))]
+        labeled = [(p, t, label) for (p, t), label in zip(soups, _labels(labels, len(soups)))]
         options = _given(
             box=None if box is None else _box(box, 3),
             box_subdivision=box_subdivision,
@@ -760,7 +760,7 @@ class Complex3(Complex):
             edge_per_thickness=edge_per_thickness,
             most_new_facets=most_new_facets,
         )
-        compiled = _dsc.Complex3.from_surfaces(labelled, options, progress)
+        compiled = _dsc.Complex3.from_surfaces(labeled, options, progress)
         return cls(_warn_of_thin_parts(compiled, edge_per_thickness))
 
     @classmethod
@@ -777,7 +777,7 @@ class Complex3(Complex):
         most_new_facets: int | None = None,
         progress: Progress | None = None,
     ) -> Complex3:
-        """Makes a complex of labelled tetrahedra, of shapes (n, 3), (m, 4) and (m,).
+        """Makes a complex of labeled tetrahedra, of shapes (n, 3), (m, 4) and (m,).
 
         surround: whether the space around the tetrahedra is filled with tetrahedra of label 0, up to a
             box; otherwise, the tetrahedra are the domain
@@ -818,7 +818,7 @@ class Complex3(Complex):
         improve: bool | None = None,
         progress: Progress | None = None,
     ) -> Complex3:
-        """Makes a complex from labelled voxels. The interface is smooth and keeps the volumes of labels.
+        """Makes a complex from labeled voxels. The interface is smooth and keeps the volumes of labels.
 
         labels: integers of shape (nx, ny, nz), with axes x, y, z; or an image of nibabel or SimpleITK,
             whose affine map places the voxels in space. Label 0 is the outside.
@@ -882,7 +882,7 @@ class Complex3(Complex):
 
 
 class Complex2(Complex):
-    """A complex in the plane: labelled triangles, and the segments between different labels."""
+    """A complex in the plane: labeled triangles, and the segments between different labels."""
 
     dimension = 2
     _class = _dsc.Complex2
@@ -913,14 +913,14 @@ class Complex2(Complex):
         Raises `InvalidSurfaceError` if polygons intersect themselves or each other.
         """
         regions = [[np.asarray(ring, dtype=float) for ring in rings] for rings in polygons]
-        labelled = list(zip(regions, _labels(labels, len(regions))))
+        labeled = list(zip(regions, _labels(labels, len(regions))))
         options = _given(
             box=None if box is None else _box(box, 2),
             improve=improve,
             edge_per_thickness=edge_per_thickness,
             most_new_facets=most_new_facets,
         )
-        compiled = _dsc.Complex2.from_polygons(labelled, options, progress)
+        compiled = _dsc.Complex2.from_polygons(labeled, options, progress)
         return cls(_warn_of_thin_parts(compiled, edge_per_thickness))
 
     @classmethod
@@ -935,7 +935,7 @@ class Complex2(Complex):
         most_new_facets: int | None = None,
         progress: Progress | None = None,
     ) -> Complex2:
-        """Makes a complex of labelled triangles, of shapes (n, 2), (m, 3) and (m,), which are the domain.
+        """Makes a complex of labeled triangles, of shapes (n, 2), (m, 3) and (m,), which are the domain.
 
         improve: whether the triangles are improved at the end
         edge_per_thickness: longest edge of the interface in thicknesses of the part or the gap at it;
@@ -968,7 +968,7 @@ class Complex2(Complex):
         edge: float | None = None,
         progress: Progress | None = None,
     ) -> Complex2:
-        """Makes a complex from labelled pixels, which fill the domain. The labels keep their areas.
+        """Makes a complex from labeled pixels, which fill the domain. The labels keep their areas.
 
         labels: integers of shape (nx, ny), with axes x and y; for a picture of rows from top to bottom,
             use `picture[::-1].T`

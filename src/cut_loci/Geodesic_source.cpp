@@ -6,8 +6,8 @@
 
 #include <CGAL/Cut_loci_2/Geodesic_front_2.h>
 #include <CGAL/Cut_loci_2/IO/cut_locus_2.h>
-#include <CGAL/Deformable_simplicial_complexes/IO/SVG_2.h>
-#include <CGAL/Deformable_simplicial_complexes/IO/VTU_2.h>
+#include <CGAL/Mesh_files/SVG_2.h>
+#include <CGAL/Mesh_files/VTU_2.h>
 
 #include <algorithm>
 #include <cmath>

@@ -57,7 +57,7 @@ std::array<double, 3> point(vtkDataSet* data, vtkIdType i) {
   return result;
 }
 
-/// The regions of labelled triangles: segments between different labels, and one point of each
+/// The regions of labeled triangles: segments between different labels, and one point of each
 /// connected component.
 class Planar_regions
 {

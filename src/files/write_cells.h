@@ -12,7 +12,7 @@
 namespace dsc_files {
 
 /// Writes the cells of highest dimension of a dataset: tetrahedra (`cells.vtu`), a triangulated
-/// surface (`surface.off`), regions of labelled triangles in a plane z = const (`regions.poly`) or
+/// surface (`surface.off`), regions of labeled triangles in a plane z = const (`regions.poly`) or
 /// points (`points.xyz`, with normals `points.pwn`). Other cells in space are divided into
 /// tetrahedra.
 /// \throws Failure if there are no such cells

@@ -4,7 +4,7 @@
 
 #include "Grain_energy.h"
 
-#include "errors.h"
+#include "programs/errors.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -5,8 +5,8 @@
 #ifndef DSC_GRAIN_ENERGY_H
 #define DSC_GRAIN_ENERGY_H
 
-#include "angle_table.h"
-#include "report_json.h"
+#include "output/angle_table.h"
+#include "output/report_json.h"
 
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Interface_flows/Grain_orientations.h>

@@ -4,10 +4,10 @@
 
 #include "Grain_run.h"
 
-#include "errors.h"
 #include "grain_checkpoint.h"
+#include "programs/errors.h"
 
-#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint.h>
+#include <CGAL/Mesh_files/checkpoint.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -7,7 +7,7 @@
 
 #include "Grain_run.h"
 
-#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint.h>
+#include <CGAL/Mesh_files/checkpoint.h>
 
 #include <string>
 

@@ -5,9 +5,9 @@
 #include "grain_run_impl.h"
 
 #include <CGAL/Bbox_2.h>
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
 
 namespace dsc {
 

@@ -6,20 +6,20 @@
 #define DSC_GRAIN_RUN_IMPL_H
 
 #include "Grain_run.h"
-#include "errors.h"
 #include "grain_checkpoint.h"
-#include "step_folder.h"
+#include "output/step_folder.h"
+#include "programs/errors.h"
 
-#include <CGAL/Deformable_simplicial_complexes/IO/SVG_2.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
-#include <CGAL/Deformable_simplicial_complexes/Mesh_arrays.h>
-#include <CGAL/Deformable_simplicial_complexes/coordinates.h>
-#include <CGAL/Deformable_simplicial_complexes/remove_components.h>
-#include <CGAL/Deformable_simplicial_complexes/shared_measures.h>
 #include <CGAL/Interface_flows/Grain_growth.h>
 #include <CGAL/Interface_flows/Grain_orientations.h>
 #include <CGAL/Interface_flows/Voronoi_labels.h>
 #include <CGAL/Interface_flows/grain_statistics.h>
+#include <CGAL/Interface_remeshing/remove_components.h>
+#include <CGAL/Interface_remeshing/shared_measures.h>
+#include <CGAL/Mesh_files/Mesh_arrays.h>
+#include <CGAL/Mesh_files/SVG_2.h>
+#include <CGAL/Mesh_support/coordinates.h>
 
 #include <algorithm>
 #include <array>

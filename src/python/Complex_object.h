@@ -9,9 +9,9 @@
 #include "arrays.h"
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
-#include <CGAL/Deformable_simplicial_complexes/Carried_cell_averages.h>
-#include <CGAL/Deformable_simplicial_complexes/Carried_vertex_values.h>
-#include <CGAL/Deformable_simplicial_complexes/Number_rows.h>
+#include <CGAL/Interface_remeshing/Carried_cell_averages.h>
+#include <CGAL/Interface_remeshing/Carried_vertex_values.h>
+#include <CGAL/Interface_remeshing/Number_rows.h>
 
 #include <algorithm>
 #include <cstddef>

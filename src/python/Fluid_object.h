@@ -8,8 +8,8 @@
 #include "Guarded.h"
 #include "arrays.h"
 
-#include <CGAL/Deformable_simplicial_complexes/coordinates.h>
 #include <CGAL/Incompressible_fluids_3/Incompressible_fluid.h>
+#include <CGAL/Mesh_support/coordinates.h>
 
 #include <CGAL/Simple_cartesian.h>
 

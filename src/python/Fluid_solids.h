@@ -10,11 +10,11 @@
 #include "options.h"
 #include "options_of_construction.h"
 
-#include <CGAL/Deformable_simplicial_complexes/coordinates.h>
 #include <CGAL/Incompressible_fluids_3/Fluid_state.h>
 #include <CGAL/Incompressible_fluids_3/Moving_solid_3.h>
 #include <CGAL/Incompressible_fluids_3/Rigid_body_3.h>
 #include <CGAL/Incompressible_fluids_3/Solids_3.h>
+#include <CGAL/Mesh_support/coordinates.h>
 #include <CGAL/number_utils.h>
 
 #include <array>

@@ -5,7 +5,7 @@
 #ifndef DSC_PYTHON_GUARDED_H
 #define DSC_PYTHON_GUARDED_H
 
-#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <pybind11/pybind11.h>
 

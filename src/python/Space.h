@@ -7,7 +7,7 @@
 
 #include "arrays.h"
 
-#include <CGAL/Deformable_simplicial_complexes/coordinates.h>
+#include <CGAL/Mesh_support/coordinates.h>
 #include <CGAL/Origin.h>
 
 #include <array>

@@ -12,23 +12,23 @@
 #include "options.h"
 #include "reports.h"
 
-#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint.h>
+#include <CGAL/Complex_construction/refine_thin_parts.h>
+#include <CGAL/Complex_construction/sample_labels.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
-#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
-#include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
-#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
-#include <CGAL/Deformable_simplicial_complexes/refine_thin_parts.h>
-#include <CGAL/Deformable_simplicial_complexes/remove_components.h>
-#include <CGAL/Deformable_simplicial_complexes/restore_volumes.h>
-#include <CGAL/Deformable_simplicial_complexes/sample_labels.h>
 #include <CGAL/Deformable_simplicial_complexes/topology_control.h>
 #include <CGAL/Interface_flows/Mean_curvature_flow.h>
 #include <CGAL/Interface_flows/Normal_offset.h>
 #include <CGAL/Interface_flows/advect_adaptively.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_flows/grain_statistics.h>
+#include <CGAL/Interface_remeshing/control_detail.h>
+#include <CGAL/Interface_remeshing/improve_interface.h>
+#include <CGAL/Interface_remeshing/improve_mesh.h>
+#include <CGAL/Interface_remeshing/remove_components.h>
+#include <CGAL/Interface_remeshing/restore_volumes.h>
+#include <CGAL/Mesh_files/checkpoint.h>
 
 #include <array>
 #include <cmath>

@@ -6,8 +6,8 @@
 #include "module.h"
 #include "options_of_construction.h"
 
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complexes/compiled_2.h>
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ using Point = Complex::Point_2;
 /// \param polygons closed polylines (n, 2) and label of each region
 auto from_polygons(const std::vector<std::pair<std::vector<Array<double>>, int>>& polygons,
                    const py::dict& options, const py::object& progress) {
-  std::vector<DSC::Labelled_curve_2<Point>> input;
+  std::vector<DSC::Labeled_curve_2<Point>> input;
   for (const auto& [rings, label] : polygons) {
     input.emplace_back();
     input.back().label = label;
@@ -57,7 +57,7 @@ auto from_function(const py::function& label_at, const Box<2>& box, double edge,
 /// \param labels the pixels row by row from top to bottom
 auto from_image(const py::array& labels, std::size_t width, std::size_t height, double spacing,
                 const std::array<double, 2>& origin, double edge, const py::object& progress) {
-  const DSC::Labelled_image_2 image{width, height, labels_of(labels, "labels")};
+  const DSC::Labeled_image_2 image{width, height, labels_of(labels, "labels")};
   static constexpr double least = 1e-30, most = 1e30; // as for all complexes
   const double extent = spacing * double(std::max(width, height));
   if (!(extent >= least && extent <= most))

@@ -18,7 +18,7 @@ using Point = Complex::Point_3;
 /// \param surfaces points (n, 3), triangles (m, 3) and label of each surface
 auto from_surfaces(const std::vector<std::tuple<Array<double>, py::array, int>>& surfaces,
                    const py::dict& options, const py::object& progress) {
-  std::vector<DSC::Labelled_surface_3<Point>> input;
+  std::vector<DSC::Labeled_surface_3<Point>> input;
   for (const auto& [points, triangles, label] : surfaces)
     input.push_back(
         {input_points<Complex>(points, "points"), index_rows_of<3>(triangles, "triangles"), label});

@@ -6,10 +6,10 @@
 #include "Guarded.h"
 #include "arrays.h"
 #include "callbacks.h"
-#include "errors.h"
-#include "lengths_repeat.h"
+#include "input/surface_expressions.h"
 #include "module.h"
-#include "surface_expressions.h"
+#include "motions/lengths_repeat.h"
+#include "programs/errors.h"
 
 #include <algorithm>
 #include <array>

@@ -6,9 +6,14 @@
 #include "arrays.h"
 #include "module.h"
 
-#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Complex_construction/Tetrahedralization_error.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Incompressible_fluids_3/fluid_errors.h>
+#include <CGAL/Mesh_files/File_error.h>
+#include <CGAL/Mesh_support/Error.h>
+#include <CGAL/Mesh_support/Progress_scope.h>
+#include <CGAL/Solid_reconstruction_3/Invalid_points_error.h>
+#include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
 
 namespace dsc_python {
 namespace {

@@ -12,7 +12,7 @@
 #include "bind_complex.h"
 #include "module.h"
 
-#include <CGAL/Deformable_simplicial_complexes/coordinates.h>
+#include <CGAL/Mesh_support/coordinates.h>
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 #include "module.h"
 #include "options_of_construction.h"
 
-#include <CGAL/Deformable_simplicial_complexes/convert_labelled_image_3.h>
+#include <CGAL/Complex_construction/convert_labeled_image_3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +46,7 @@ auto from_image(const py::array& labels, const std::array<std::size_t, 3>& size,
                      corner(1, double(size[1])), corner(2, double(size[2])));
   const CGAL::Image_3 image = image_of(voxels, size, spacing);
   return guarded(progress, [&] {
-    Complex complex = DSC::make_complex_from_labelled_image_3<Complex>(image, edge, construction);
+    Complex complex = DSC::make_complex_from_labeled_image_3<Complex>(image, edge, construction);
     Complex::Normalization normalization = complex.normalization();
     normalization.translation =
         normalization.translation + Complex::Approximate_vector(origin[0], origin[1], origin[2]);

@@ -9,7 +9,7 @@
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Bbox_3.h>
-#include <CGAL/Deformable_simplicial_complexes/Construction_options.h>
+#include <CGAL/Complex_construction/Construction_options.h>
 
 #include <array>
 #include <optional>

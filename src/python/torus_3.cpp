@@ -5,9 +5,9 @@
 #include "bind_complex.h"
 #include "module.h"
 
+#include <CGAL/Complex_construction/fill_torus.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
-#include <CGAL/Deformable_simplicial_complexes/fill_torus.h>
 
 namespace dsc_python {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "child_process.h"
 
-#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <algorithm>
 

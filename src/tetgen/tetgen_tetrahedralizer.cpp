@@ -2,13 +2,14 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 
 #include "child_process.h"
 
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/soups/Triangle_soup_3.h>
+#include <CGAL/Complex_construction/Tetrahedralization_error.h>
+#include <CGAL/Mesh_support/Error.h>
+#include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/enum.h>

@@ -161,9 +161,8 @@ std::array<Index, 6> Film::simplex_key(const std::array<Index, 4>& simplex,
   const auto end = std::copy_n(simplex.begin(), corners(), result.begin());
   if (m_content == Content::cells)
     std::sort(result.begin(), result.begin() + 4); // `none` is greater than all indices
-  else
-    std::rotate(result.begin(), std::min_element(result.begin(), end),
-                m_dimension == 3 ? end : result.begin());
+  else if (m_dimension == 3)
+    std::rotate(result.begin(), std::min_element(result.begin(), end), end);
   return result;
 }
 

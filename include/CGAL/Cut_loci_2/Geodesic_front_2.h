@@ -10,15 +10,15 @@
 
 #include <CGAL/license/Cut_loci_2.h>
 
+#include <CGAL/Complex_construction/fill_torus.h>
 #include <CGAL/Cut_loci_2/Sphere_like_surface_2.h>
 #include <CGAL/Cut_loci_2/internal/geodesics/Geodesics_2.h>
 #include <CGAL/Deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
-#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_split.h>
-#include <CGAL/Deformable_simplicial_complexes/fill_torus.h>
+#include <CGAL/Interface_remeshing/control_detail.h>
 
 #include <algorithm>
 #include <cmath>

@@ -12,7 +12,7 @@
 
 #include <CGAL/Cut_loci_2/Riemannian_metric_2.h>
 #include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <array>

@@ -12,11 +12,25 @@
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
-#include <CGAL/Deformable_simplicial_complexes/Topology_event.h>
+#include <CGAL/Deformable_simplicial_complexes/Component_event.h>
+#include <CGAL/Mesh_support/parameter_values.h>
 
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+A change of connected components of a label in a pass of a deformation, and its place.
+\tparam Complex a deformable simplicial complex
+*/
+template <class Complex> struct Topology_event : public Component_event
+{
+  typename Complex::Approximate_point where; ///< place of one of the cells that changed their label
+  unsigned pass;                             ///< pass of the deformation; the first one is 1
+};
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
@@ -115,6 +129,100 @@ public:
 private:
   Visitor& m_visitor;
 };
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Visitor that does nothing when the mesh changes. It is the default visitor, and a base class of
+other visitors, which hide the functions that they need. Pass a visitor by `std::ref` to read its
+state afterwards. No function may change the complex.
+
+\cgalModels `DeformationVisitor`
+*/
+struct Deformation_visitor
+{
+  /// Called before the planned cells of `cavity` replace its removed cells, which still exist.
+  template <class Cavity> void before_replacement(const Cavity& /*cavity*/) {}
+
+  /// Called after the planned cells replaced the removed ones; the new cells are
+  /// `cavity.created()`.
+  template <class Cavity> void after_replacement(const Cavity& /*cavity*/) {}
+
+  /// Called before mesh optimization moves `v`, the center of `star`, to `target`.
+  template <class Vertex_handle, class Star, class Point_3>
+  void before_smoothing(Vertex_handle /*v*/, const Star& /*star*/, const Point_3& /*target*/) {}
+
+  /// Called after mesh optimization moved `v`, the center of `star`.
+  template <class Vertex_handle, class Star>
+  void after_smoothing(Vertex_handle /*v*/, const Star& /*star*/) {}
+
+  /// Called after `v` was created on the edge between `a` and `b`.
+  template <class Vertex_handle>
+  void after_split(Vertex_handle /*v*/, Vertex_handle /*a*/, Vertex_handle /*b*/) {}
+
+  /// Called after `v` was created. The cells around it are new, and some of their other vertices
+  /// may be new, too.
+  template <class Vertex_handle> void after_insertion(Vertex_handle /*v*/) {}
+
+  /// Called before `removed` collapses into `kept`; both still exist.
+  template <class Vertex_handle>
+  void before_collapse(Vertex_handle /*removed*/, Vertex_handle /*kept*/) {}
+
+  /// Called after `cells` replaced others: an edge, facets, or an edge of the interface was
+  /// removed, or the cells around a cell were replaced as a whole.
+  template <class Cells> void after_flip(const Cells& /*cells*/) {}
+
+  /// Called after the label of `cell` changed from `before`.
+  template <class Cell_handle> void after_relabel(Cell_handle /*cell*/, int /*before*/) {}
+
+  /// Called at the end of a pass in which components merged, split, vanished or appeared.
+  template <class Event> void after_topology_event(const Event& /*event*/) {}
+
+  /// Called before each pass of a deformation; the first pass is 1. If it returns false, the
+  /// deformation ends and is incomplete.
+  bool go_further(unsigned /*pass*/) { return true; }
+};
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+A visitor of a named parameter, stored by value or by `std::reference_wrapper`, with an
+`Any_visitor` that calls it. An object cannot be copied, because the `Any_visitor` refers to its
+visitor.
+
+\tparam Complex a deformable simplicial complex
+\tparam Given a model of `DeformationVisitor`, or a `std::reference_wrapper` of one
+*/
+template <class Complex, class Given> class Given_visitor
+{
+public:
+  /// Stores the visitor.
+  explicit Given_visitor(Given given)
+      : m_given(std::move(given)), m_any(internal::unwrap(m_given)) {}
+
+  /// Returns the object that passes calls to the visitor.
+  Any_visitor<Complex>& any() { return m_any; }
+
+private:
+  using Visitor = std::remove_reference_t<decltype(internal::unwrap(std::declval<Given&>()))>;
+
+  Given m_given;
+  Visitor_adaptor<Complex, Visitor> m_any;
+};
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Returns the named parameter `visitor`, or a `Deformation_visitor`, which does nothing.
+*/
+template <class Complex, class NamedParameters> auto visitor_parameter(const NamedParameters& np) {
+  using CGAL::internal_np::visitor_t;
+  if constexpr (is_given<NamedParameters, visitor_t>) {
+    using Given = std::decay_t<decltype(parameter(np, CGAL::internal_np::visitor))>;
+    return Given_visitor<Complex, Given>(parameter(np, CGAL::internal_np::visitor));
+  } else
+    return Given_visitor<Complex, Deformation_visitor>(Deformation_visitor());
+}
 
 } // namespace CGAL::Deformable_simplicial_complexes
 

@@ -38,7 +38,7 @@ enum class Proposal_kind {
 
 A proposed replacement: cells to remove, cells to create in their place, and the worst quality
 before and after. A mesh operation fills a cavity without changing the complex.
-`Labelled_complex::replace()` then commits the whole proposal, or the proposal is dropped. A cavity
+`Labeled_complex::replace()` then commits the whole proposal, or the proposal is dropped. A cavity
 stores the version of the complex at its beginning. A proposal can be committed only to this
 version.
 
@@ -190,7 +190,7 @@ public:
   }
 
   /// Returns whether the worst planned cell keeps the quality of the worst removed cell, see
-  /// `Labelled_complex::keeps_quality()`.
+  /// `Labeled_complex::keeps_quality()`.
   bool keeps_quality() const { return Complex::keeps_quality(m_quality_before, m_quality_after); }
 
   /// Returns whether the planned cells keep the quality and are positively oriented.
@@ -231,7 +231,7 @@ public:
   const std::vector<Cell_handle>& created() const { return m_created; }
 
 private:
-  template <class Derived, class Space, class Quality, class Domain> friend class Labelled_complex;
+  template <class Derived, class Space, class Quality, class Domain> friend class Labeled_complex;
 
   const Complex* m_complex;
   Proposal_kind m_kind = Proposal_kind::replacement;

@@ -12,10 +12,9 @@
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
-#include <CGAL/Deformable_simplicial_complexes/Domain_rule.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
-#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
-#include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
+#include <CGAL/Mesh_support/named_parameters.h>
+#include <CGAL/Mesh_support/parameter_values.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -24,6 +23,19 @@
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+What happens if a destination of the interface is outside the domain, a box. The sides of the box
+are walls for an interface that touches them: its vertices stop there, whatever the rule is.
+*/
+enum class Domain_rule {
+  refuse, ///< an `Invalid_destination_error` is thrown before anything changes
+  grow, ///< the box is enlarged by `grow_domain()`, so handles are invalidated; a deformation whose
+        ///< destinations are given cannot do this and refuses
+  stop  ///< vertices stop at the sides
+};
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef

@@ -11,17 +11,32 @@
 
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
+#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
-#include <CGAL/Deformable_simplicial_complexes/Neighbor_exchange.h>
-#include <CGAL/Deformable_simplicial_complexes/Topology_event.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/label_changes.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+Exchange of neighbors in 2D, called a T1 event in foams. Two phases lose the wall between them, and
+the two phases at its ends become neighbors.
+\tparam Complex an instance of `Deformable_simplicial_complex_2`
+*/
+template <class Complex> struct Neighbor_exchange
+{
+  std::array<typename Complex::Label, 2> parted; ///< labels on both sides of the old wall
+  /// labels on both sides of the new wall; there is none if they are equal, for example where a
+  /// phase reaches a side of the domain
+  std::array<typename Complex::Label, 2> joined;
+  typename Complex::Approximate_point where; ///< midpoint of the old wall
+};
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef

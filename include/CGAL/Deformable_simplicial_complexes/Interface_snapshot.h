@@ -11,8 +11,8 @@
 
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
-#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
+#include <CGAL/Mesh_support/For_each_index.h>
 
 #include <array>
 #include <cstddef>

@@ -11,8 +11,8 @@
 
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
-#include <CGAL/Deformable_simplicial_complexes/coordinates.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/Extent.h>
+#include <CGAL/Mesh_support/coordinates.h>
+#include <CGAL/Mesh_support/internal/numbers/Extent.h>
 
 #include <algorithm>
 #include <array>
@@ -32,9 +32,9 @@ continues with bitwise equal results. This requires more than points and cells. 
 visited in their order. The walk around a vertex begins at the cell stored with it. Terms of a cell
 are summed in the order of its vertices.
 
-States are returned by `Labelled_complex::state()`, restored by `Labelled_complex::restore()`, and
+States are returned by `Labeled_complex::state()`, restored by `Labeled_complex::restore()`, and
 stored in files by `IO::write_checkpoint()`. Coordinates and lengths are those of the complex, not
-of the user, see `Labelled_complex::Normalization`.
+of the user, see `Labeled_complex::Normalization`.
 
 \tparam d the dimension
 */

@@ -12,9 +12,10 @@
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <CGAL/Deformable_simplicial_complexes/State.h>
-#include <CGAL/Deformable_simplicial_complexes/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/apply_to_corners.h>
+#include <CGAL/Mesh_support/Error.h>
+#include <CGAL/Mesh_support/coordinates.h>
 
 #include <CGAL/enum.h>
 

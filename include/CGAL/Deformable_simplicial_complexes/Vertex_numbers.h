@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
-#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Borrowed_table.h>
+#include <CGAL/Mesh_support/internal/threads/Borrowed_table.h>
 
 #include <cstdint>
 #include <vector>

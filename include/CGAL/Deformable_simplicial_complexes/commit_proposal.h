@@ -14,6 +14,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/balance/Interface_tolerance.h>
 
 #include <CGAL/assertions.h>
 
@@ -154,6 +155,22 @@ void commit_proposal(Complex& complex, Cavity<Complex>& cavity, Any_visitor<Comp
   case Proposal_kind::replacement:
     CGAL_error_msg("use commit_split() for a split, and replace_cavity() for a replacement");
   }
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Returns whether a proposal moves only a small volume from one label to another, as the operations of
+`deform_interface()` do. The bound is three percent of the volume that each label has in the cells
+around the operation. It is smaller where a label is thin relative to the edges of the interface.
+Linear in the number of these cells.
+
+\param complex the complex
+\param cavity a proposal that collapses an edge or, in space, flips an edge of the interface. For
+       other proposals, the function returns `true` without a test.
+*/
+template <class Complex> bool keeps_volumes(const Complex& complex, const Cavity<Complex>& cavity) {
+  return internal::Interface_tolerance<Complex>(complex).allows(cavity);
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes

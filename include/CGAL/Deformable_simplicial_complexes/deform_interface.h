@@ -11,14 +11,14 @@
 
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
+#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/deformation/deform.h>
-#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
-#include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
 #include <CGAL/Deformable_simplicial_complexes/topology_control.h>
-#include <CGAL/Deformable_simplicial_complexes/visitor_parameter.h>
+#include <CGAL/Mesh_support/named_parameters.h>
+#include <CGAL/Mesh_support/parameter_values.h>
 
 #include <vector>
 

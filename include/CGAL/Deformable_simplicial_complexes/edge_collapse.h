@@ -15,7 +15,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Linear_element.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Marks.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/geometry/cell_corners.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/cell_corners.h>
 
 #include <algorithm>
 #include <array>

@@ -13,7 +13,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Polygon_triangulation_3.h>
-#include <CGAL/Deformable_simplicial_complexes/topology_of_relabeling.h>
+#include <CGAL/Deformable_simplicial_complexes/relabeling.h>
 
 #include <boost/container/small_vector.hpp>
 

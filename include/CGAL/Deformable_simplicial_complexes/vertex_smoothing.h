@@ -12,14 +12,95 @@
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Marks.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/operations/Star_optimizer.h>
 
 #include <CGAL/Origin.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
+namespace CGAL::Deformable_simplicial_complexes::internal {
+
+// Computes orthogonal directions in which a vertex must not move, so that the interface does not
+// change. There is no such direction off the interface, one where the interface is flat, and two
+// where all facets share a line. Returns false if the vertex must not move at all. Two planes count
+// as equal if the sine of the angle between them is at most 1e-7, which is above the rounding
+// errors of moved vertices.
+template <class Complex>
+bool find_blocked_directions(const Complex& complex,
+                             const std::vector<typename Complex::Cell_handle>& star,
+                             typename Complex::Vertex_handle v,
+                             std::vector<typename Complex::Approximate_vector_3>& blocked) {
+  static constexpr double same = 1e-7; // sine of the angle between two planes
+  blocked.clear();
+  for (auto c : star)
+    for (int i = 0; i < 4; ++i) {
+      const std::pair<typename Complex::Cell_handle, int> facet(c, i);
+      if (c->vertex(i) == v || !complex.is_interface(facet))
+        continue;
+      const auto w = complex.facet_vertices(facet);
+      auto normal =
+          cross_product(complex.displacement(w[0], w[1]), complex.displacement(w[0], w[2]));
+      const double area = std::sqrt(normal.squared_length());
+      if (!(area > 0))
+        return false;
+      normal = normal / area;
+      for (const auto& direction : blocked)
+        normal = normal - (normal * direction) * direction;
+      const double rest = std::sqrt(normal.squared_length());
+      if (rest <= same)
+        continue;
+      if (blocked.size() == 2)
+        return false;
+      blocked.push_back(normal / rest);
+    }
+  return true;
+}
+
+} // namespace CGAL::Deformable_simplicial_complexes::internal
+
 namespace CGAL::Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Proposes to move a vertex to a local maximum of the worst quality of its star (optimization-based
+smoothing, section 3.2.1 of the paper; Freitag, Jones and Plassmann 1995). This is an order of
+magnitude more expensive than `propose_smart_laplacian()`. Linear in the star.
+
+\param complex the complex; it is not changed
+\param v a vertex that is not on the boundary of the domain. If the interface around it is flat, it
+       stays in the plane. If the facets around it have a line in common, such as a straight edge
+       between two planes or a straight triple line, it stays on the line. Other vertices of the
+       interface do not move.
+\param star the star of v
+\param target the proposed position
+\return whether there is a proposal; commit with `complex.set_point(v, star, target)`. The interface
+        moves by less than a ten-millionth of the displacement of the vertex, which is the tolerance
+        of flatness.
+*/
+template <class Complex>
+bool propose_optimal_position(const Complex& complex, typename Complex::Vertex_handle v,
+                              const std::vector<typename Complex::Cell_handle>& star,
+                              typename Complex::Point_3& target) {
+  std::vector<typename Complex::Approximate_vector_3> blocked;
+  if (complex.is_boundary(v) ||
+      (v->is_interface() && !internal::find_blocked_directions(complex, star, v, blocked)))
+    return false;
+  const auto from = complex.position(v);
+  internal::Star_optimizer<Complex> optimizer(complex, complex.quality_measure(), v, star);
+  for (const auto& direction : blocked)
+    optimizer.block(direction);
+  const auto to = optimizer.run();
+  if (to == from)
+    return false;
+  target = complex.geom_traits().construct_exact_point_3_object()(to);
+  return complex.is_positive_star(v, star, target);
+}
+
 namespace internal {
 
 // Returns the worst quality of a star, for any measure, with its vertex v at p. Stops at the first

@@ -10,9 +10,9 @@
 
 #include <CGAL/license/Image_segmentation.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/sample_labels.h>
+#include <CGAL/Complex_construction/sample_labels.h>
+#include <CGAL/Mesh_support/Error.h>
+#include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <cmath>
 #include <cstddef>

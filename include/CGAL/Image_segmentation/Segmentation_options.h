@@ -10,7 +10,7 @@
 
 #include <CGAL/license/Image_segmentation.h>
 
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Mesh_support/Error.h>
 
 #include <algorithm>
 #include <cmath>

@@ -10,16 +10,16 @@
 
 #include <CGAL/license/Image_segmentation.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/shared_measures.h>
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Image_segmentation/Segmentation_options.h>
 #include <CGAL/Image_segmentation/Segmentation_report.h>
 #include <CGAL/Image_segmentation/estimate_phases.h>
 #include <CGAL/Image_segmentation/internal/segmentation/Cell_costs.h>
 #include <CGAL/Image_segmentation/internal/segmentation/Segmenter.h>
+#include <CGAL/Interface_remeshing/shared_measures.h>
+#include <CGAL/Mesh_support/Error.h>
+#include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Bbox_3.h>
@@ -237,7 +237,7 @@ prescribed, with `Segmentation_options::keeps_topology`. Pixels outside the doma
 the image is 0 outside its pixels without any cost.
 
 \param complex the complex. Its labels are indices of phases, and its user coordinates are those of
-       the image, see `Labelled_complex::normalization()`.
+       the image, see `Labeled_complex::normalization()`.
 \param image, options as above
 \return the report
 \throws Error as above, and if a label is no index of a phase, or no cell contains a pixel with a

@@ -11,8 +11,8 @@
 #include <CGAL/license/Incompressible_fluids_3.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
-#include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Interface_remeshing/Adaptive_advection.h>
+#include <CGAL/Mesh_support/Error.h>
 
 namespace CGAL::Deformable_simplicial_complexes {
 

@@ -10,18 +10,8 @@
 
 #include <CGAL/license/Incompressible_fluids_3.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Carried_vertex_values.h>
-#include <CGAL/Deformable_simplicial_complexes/Curvature_sizing_field.h>
-#include <CGAL/Deformable_simplicial_complexes/Interface_adaptation.h>
 #include <CGAL/Deformable_simplicial_complexes/Linear_element.h>
-#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
-#include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
-#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
-#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
-#include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
 #include <CGAL/Incompressible_fluids_3/Fluid_properties.h>
 #include <CGAL/Incompressible_fluids_3/Fluid_report.h>
 #include <CGAL/Incompressible_fluids_3/Fluid_state.h>
@@ -47,6 +37,16 @@
 #include <CGAL/Incompressible_fluids_3/internal/steps/Field_diffusion.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_sources.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_step.h>
+#include <CGAL/Interface_remeshing/Adaptive_advection.h>
+#include <CGAL/Interface_remeshing/Carried_vertex_values.h>
+#include <CGAL/Interface_remeshing/Curvature_sizing_field.h>
+#include <CGAL/Interface_remeshing/Interface_adaptation.h>
+#include <CGAL/Interface_remeshing/control_detail.h>
+#include <CGAL/Interface_remeshing/improve_interface.h>
+#include <CGAL/Interface_remeshing/improve_mesh.h>
+#include <CGAL/Mesh_support/Error.h>
+#include <CGAL/Mesh_support/named_parameters.h>
+#include <CGAL/Mesh_support/parameter_values.h>
 
 #include <algorithm>
 #include <array>

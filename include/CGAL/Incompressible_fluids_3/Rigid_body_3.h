@@ -10,7 +10,7 @@
 
 #include <CGAL/license/Incompressible_fluids_3.h>
 
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Mesh_support/Error.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/helpers.h>

@@ -10,7 +10,6 @@
 
 #include <CGAL/license/Incompressible_fluids_3.h>
 
-#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Incompressible_fluids_3/Saddle_point_system.h>
 #include <CGAL/Incompressible_fluids_3/fluid_errors.h>
 #include <CGAL/Incompressible_fluids_3/internal/solvers/Incomplete_factorization.h>
@@ -19,6 +18,7 @@
 #include <CGAL/Incompressible_fluids_3/internal/solvers/minimal_residuals.h>
 #include <CGAL/Incompressible_fluids_3/internal/solvers/pressure_matrix.h>
 #include <CGAL/Incompressible_fluids_3/internal/solvers/relative_residual.h>
+#include <CGAL/Mesh_support/For_each_index.h>
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>

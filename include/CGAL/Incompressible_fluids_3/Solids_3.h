@@ -10,8 +10,8 @@
 
 #include <CGAL/license/Incompressible_fluids_3.h>
 
-#include <CGAL/Deformable_simplicial_complexes/cgal_compat.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Mesh_support/Error.h>
+#include <CGAL/Mesh_support/internal/cgal/cgal_compat.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_tree.h>

@@ -10,7 +10,7 @@
 
 #include <CGAL/license/Interface_flows.h>
 
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Mesh_support/Error.h>
 
 #include <CGAL/number_utils.h>
 

@@ -12,7 +12,6 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Interface_flows/Corner_rule.h>
 #include <CGAL/Interface_flows/internal/corners/Opened_corners_2.h>
 #include <CGAL/Interface_flows/internal/corners/Opened_corners_3.h>

@@ -10,8 +10,8 @@
 
 #include <CGAL/license/Interface_flows.h>
 
-#include <CGAL/Deformable_simplicial_complexes/coordinates.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Mesh_support/Error.h>
+#include <CGAL/Mesh_support/coordinates.h>
 
 #include <algorithm>
 #include <array>

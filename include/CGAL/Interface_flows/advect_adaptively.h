@@ -10,20 +10,20 @@
 
 #include <CGAL/license/Interface_flows.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Edge_unit.h>
+#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
-#include <CGAL/Deformable_simplicial_complexes/Interface_adaptation.h>
-#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
-#include <CGAL/Deformable_simplicial_complexes/default_parameters.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
-#include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
-#include <CGAL/Deformable_simplicial_complexes/restore_volumes.h>
-#include <CGAL/Deformable_simplicial_complexes/visitor_parameter.h>
 #include <CGAL/Interface_flows/Integration_scheme.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_flows/internal/paths/interface_paths.h>
 #include <CGAL/Interface_flows/internal/paths/velocity_properties.h>
+#include <CGAL/Interface_remeshing/Adaptive_advection.h>
+#include <CGAL/Interface_remeshing/Edge_unit.h>
+#include <CGAL/Interface_remeshing/Interface_adaptation.h>
+#include <CGAL/Interface_remeshing/control_detail.h>
+#include <CGAL/Interface_remeshing/restore_volumes.h>
+#include <CGAL/Mesh_support/Error.h>
+#include <CGAL/Mesh_support/named_parameters.h>
+#include <CGAL/Mesh_support/parameter_values.h>
 
 #include <cmath>
 #include <map>

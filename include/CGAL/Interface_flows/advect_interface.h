@@ -10,21 +10,20 @@
 
 #include <CGAL/license/Interface_flows.h>
 
+#include <CGAL/Complex_construction/grow_domain.h>
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
-#include <CGAL/Deformable_simplicial_complexes/Edge_unit.h>
-#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/grow_domain.h>
-#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
-#include <CGAL/Deformable_simplicial_complexes/require_finite.h>
-#include <CGAL/Deformable_simplicial_complexes/visitor_parameter.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/balance/Destinations.h>
 #include <CGAL/Interface_flows/Integration_scheme.h>
 #include <CGAL/Interface_flows/internal/corners/Passed_edges.h>
 #include <CGAL/Interface_flows/internal/paths/interface_paths.h>
 #include <CGAL/Interface_flows/internal/paths/long_steps.h>
 #include <CGAL/Interface_flows/internal/paths/velocity_properties.h>
+#include <CGAL/Interface_remeshing/Edge_unit.h>
+#include <CGAL/Mesh_support/Error.h>
+#include <CGAL/Mesh_support/For_each_index.h>
+#include <CGAL/Mesh_support/named_parameters.h>
 
 #include <cmath>
 #include <utility>

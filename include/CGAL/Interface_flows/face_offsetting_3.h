@@ -12,10 +12,10 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
-#include <CGAL/Deformable_simplicial_complexes/Vertex_quadric_3.h>
-#include <CGAL/Deformable_simplicial_complexes/interface_triangles_3.h>
 #include <CGAL/Interface_flows/Integration_scheme.h>
 #include <CGAL/Interface_flows/internal/paths/interface_paths.h>
+#include <CGAL/Interface_remeshing/Vertex_quadric_3.h>
+#include <CGAL/Interface_remeshing/interface_triangles_3.h>
 
 #include <cmath>
 #include <cstddef>
@@ -43,7 +43,7 @@ template <class Quadric> bool constrain_to_sides(Boundary_class::Bits sides, Qua
 Wavefrontal motion by face offsetting (X. Jiao, *Face offsetting: A unified approach for explicit
 moving interfaces*, Journal of Computational Physics 220, 2007). The planes of the facets move along
 their normals. A vertex moves to the intersection of the planes of its facets, where each facet is
-weighted by its angle at the vertex. Labelled phases grow into the outside, label 0. With a negative
+weighted by its angle at the vertex. Labeled phases grow into the outside, label 0. With a negative
 speed they shrink. Some planes do not move: the sides of the domain, and facets between two labels
 other than 0. Their vertices stay in these planes.
 

@@ -11,8 +11,8 @@
 #include <CGAL/license/Interface_flows.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
-#include <CGAL/Deformable_simplicial_complexes/junctions.h>
-#include <CGAL/Deformable_simplicial_complexes/shared_measures.h>
+#include <CGAL/Interface_flows/internal/grains/junctions.h>
+#include <CGAL/Interface_remeshing/shared_measures.h>
 
 #include <CGAL/number_utils.h>
 

@@ -10,10 +10,10 @@
 
 #include <CGAL/license/Solid_reconstruction_3.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
-#include <CGAL/Deformable_simplicial_complexes/parameter_values.h>
+#include <CGAL/Mesh_support/Error.h>
+#include <CGAL/Mesh_support/Progress_scope.h>
+#include <CGAL/Mesh_support/named_parameters.h>
+#include <CGAL/Mesh_support/parameter_values.h>
 #include <CGAL/Solid_reconstruction_3/Reconstruction_report_3.h>
 #include <CGAL/Solid_reconstruction_3/internal/clouds/collect_points.h>
 
@@ -108,7 +108,7 @@ Complex reconstruct_point_set_3(const PointRange& points,
 Reconstructs a solid from points on its surface (section 4.3 of the paper). The result is closed and
 has label 1 inside the solid. Its interface is a manifold. Sharp edges and corners stay sharp.
 
-The sides are determined first: the largest empty Delaunay balls at the points are labelled inside
+The sides are determined first: the largest empty Delaunay balls at the points are labeled inside
 or outside (R. Kolluri, J. R. Shewchuk and J. F. O'Brien, "Spectral surface reconstruction from
 noisy point clouds", SGP 2004). The interface therefore does not leak through holes of the points
 that are narrow compared with the solid behind them, and cavities are found. A hole is closed by

@@ -5,7 +5,7 @@
 #include "commands/commands.h"
 #include "commands/flow_options.h"
 #include "commands/run_command.h"
-#include "velocity_expressions.h"
+#include "input/velocity_expressions.h"
 
 #include <memory>
 #include <string>
@@ -24,10 +24,10 @@ struct Advect_options
 
 } // namespace
 
-void add_advect(CLI::App& app, int& exit_code) {
+void add_advect(CLI::App& app, const Inputs& inputs, int& exit_code) {
   const auto options = std::make_shared<Advect_options>();
   CLI::App* command = add_run_command(
-      app, "advect", "Move the interface by velocities given as expressions", options->run);
+      app, inputs, "advect", "Move the interface by velocities given as expressions", options->run);
   command->add_option(
       "--velocity", options->velocity,
       "Velocity in the coordinates of the input: three expressions in x, y, z and t "

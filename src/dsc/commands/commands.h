@@ -11,9 +11,11 @@ class App;
 
 namespace dsc {
 
+class Inputs;
+
 /// Descriptions of the commands that the program `dsc` leaves to other programs, for the help.
 inline constexpr char description_of_info[] = "Print statistics of a file",
-                      description_of_improve[] = "Optimize the tetrahedra of a labelled mesh; the "
+                      description_of_improve[] = "Optimize the tetrahedra of a labeled mesh; the "
                                                  "interface is preserved",
                       description_of_cut_locus[] = "Compute the cut locus of a point of a surface",
                       description_of_segment[] = "Divide an image into phases, and mesh them",
@@ -25,17 +27,17 @@ inline constexpr char description_of_info[] = "Print statistics of a file",
 /// Each function adds a command with its options to the program. The command runs during the
 /// parsing of the command line and stores the exit code. The command throws Usage_error if its
 /// options are invalid. Other errors are std::runtime_error, with a message of one line that states
-/// the cause and what to do.
-void add_rotate(CLI::App& app, int& exit_code);
-void add_offset(CLI::App& app, int& exit_code);
-void add_enright(CLI::App& app, int& exit_code);
-void add_vortex(CLI::App& app, int& exit_code);
-void add_advect(CLI::App& app, int& exit_code);
-void add_mean_curvature(CLI::App& app, int& exit_code);
-void add_zalesak(CLI::App& app, int& exit_code);
+/// the cause and what to do. `inputs` must exist until the end of the program.
+void add_rotate(CLI::App& app, const Inputs& inputs, int& exit_code);
+void add_offset(CLI::App& app, const Inputs& inputs, int& exit_code);
+void add_enright(CLI::App& app, const Inputs& inputs, int& exit_code);
+void add_vortex(CLI::App& app, const Inputs& inputs, int& exit_code);
+void add_advect(CLI::App& app, const Inputs& inputs, int& exit_code);
+void add_mean_curvature(CLI::App& app, const Inputs& inputs, int& exit_code);
+void add_zalesak(CLI::App& app, const Inputs& inputs, int& exit_code);
 /// Adds the seven commands above, which move an interface.
-void add_flows(CLI::App& app, int& exit_code);
-void add_convert(CLI::App& app, int& exit_code);
+void add_flows(CLI::App& app, const Inputs& inputs, int& exit_code);
+void add_convert(CLI::App& app, const Inputs& inputs, int& exit_code);
 void add_view(CLI::App& app, int& exit_code);
 void add_info(CLI::App& app, int& exit_code);
 void add_improve(CLI::App& app, int& exit_code);

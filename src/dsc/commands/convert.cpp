@@ -4,15 +4,14 @@
 
 #include "commands/commands.h"
 #include "commands/labels_option.h"
-#include "convert_file.h"
-#include "errors.h"
-#include "files.h"
-#include "interrupt.h"
-#include "native_file.h"
-#include "option_values.h"
-#include "tracked_complex.h"
-#include "translations.h"
-#include "unused.h"
+#include "input/Inputs.h"
+#include "input/files.h"
+#include "input/translations.h"
+#include "input/unused.h"
+#include "motions/tracked_complex.h"
+#include "programs/errors.h"
+#include "programs/interrupt.h"
+#include "programs/option_values.h"
 
 #include <CLI/CLI.hpp>
 
@@ -39,24 +38,24 @@ struct Convert_options
 
 constexpr const char* standard = "-"; // input or output
 
-void convert_checkpoint(const Convert_options& options) {
+void convert_checkpoint(const Inputs& inputs, const Convert_options& options) {
   std::string metadata;
-  const auto complex = track_checkpoint(options.input, metadata);
+  const auto complex = inputs.resume(options.input, metadata);
   if (options.subdivisions > 0)
     complex->write_subdivided(options.output, options.subdivisions);
   else
     complex->write(options.output);
 }
 
-void convert(const Convert_options& options) {
+void convert(const Inputs& inputs, const Convert_options& options) {
   if (options.output != standard)
     require_place("OUT", options.output, {options.input, options.grid});
   if (!options.grid.empty())
-    convert_to_image(options.input, options.output, options.grid);
+    inputs.convert_to_image(options.input, options.output, options.grid);
   else if (extension(options.input) == "dsc")
-    convert_checkpoint(options);
+    convert_checkpoint(inputs, options);
   else
-    convert_file(options.input, options.output, options.labels, options.thresholds);
+    inputs.convert(options.input, options.output, options.labels, options.thresholds);
 }
 
 /// Copies standard input to a temporary file, or a temporary file to standard output.
@@ -67,12 +66,12 @@ void copy(std::istream& from, std::ostream& to) {
     throw Input_error("cannot write all bytes; check that the disk is not full");
 }
 
-int execute(Convert_options options) {
+int execute(const Inputs& inputs, Convert_options options) {
   if (options.quiet)
     keep_silent_about_unused();
   // Before standard input is read.
   if (options.input == standard || extension(options.input) != "dsc" || !options.grid.empty())
-    require_all_readers();
+    inputs.require_all();
   const Interruptible interruptible(options.quiet);
   const bool prints = options.output == standard;
   if (options.input == standard) {
@@ -84,7 +83,7 @@ int execute(Convert_options options) {
   if (prints)
     options.output = temporary_file("output." + options.to);
   name_in_messages(options.output, "standard output");
-  convert(options);
+  convert(inputs, options);
   if (prints) {
     std::ifstream file(options.output, std::ios::binary);
     copy(file, std::cout);
@@ -131,7 +130,7 @@ void check(const Convert_options& options) {
 
 } // namespace
 
-void add_convert(CLI::App& app, int& exit_code) {
+void add_convert(CLI::App& app, const Inputs& inputs, int& exit_code) {
   const auto options = std::make_shared<Convert_options>();
   CLI::App* command =
       app.add_subcommand("convert", "Write a checkpoint, or another file, in another format");
@@ -160,9 +159,9 @@ void add_convert(CLI::App& app, int& exit_code) {
                    "each step divides a triangle into four")
       ->check(CLI::Range(1, most_subdivisions));
   command->add_flag("--quiet", options->quiet, "Print only errors");
-  command->callback([options, &exit_code] {
+  command->callback([options, &inputs, &exit_code] {
     check(*options);
-    exit_code = execute(*options);
+    exit_code = execute(inputs, *options);
   });
 }
 

@@ -4,13 +4,13 @@
 
 #include "Geodesic_source.h"
 #include "commands/commands.h"
-#include "errors.h"
-#include "files.h"
-#include "interrupt.h"
-#include "lengths_repeat.h"
-#include "option_values.h"
-#include "report_json.h"
-#include "surface_expressions.h"
+#include "input/files.h"
+#include "input/surface_expressions.h"
+#include "motions/lengths_repeat.h"
+#include "output/report_json.h"
+#include "programs/errors.h"
+#include "programs/interrupt.h"
+#include "programs/option_values.h"
 
 #include <CLI/CLI.hpp>
 

@@ -5,7 +5,7 @@
 #include "commands/commands.h"
 #include "commands/flow_options.h"
 #include "commands/run_command.h"
-#include "errors.h"
+#include "programs/errors.h"
 
 #include <array>
 #include <memory>
@@ -35,10 +35,10 @@ Default_start default_start(bool fits) {
 
 } // namespace
 
-void add_enright(CLI::App& app, int& exit_code) {
+void add_enright(CLI::App& app, const Inputs& inputs, int& exit_code) {
   const auto options = std::make_shared<Enright_options>();
   CLI::App* command =
-      add_run_command(app, "enright",
+      add_run_command(app, inputs, "enright",
                       "Deform surfaces in the unit cube, or a ball if there is no INPUT, by "
                       "the flow of LeVeque and Enright",
                       options->run);

@@ -4,7 +4,7 @@
 
 #include "commands/flow_options.h"
 
-#include "option_values.h"
+#include "programs/option_values.h"
 
 namespace dsc {
 namespace {

@@ -5,7 +5,7 @@
 #ifndef DSC_FLOW_OPTIONS_H
 #define DSC_FLOW_OPTIONS_H
 
-#include "motion.h"
+#include "motions/motion.h"
 
 #include <CLI/CLI.hpp>
 

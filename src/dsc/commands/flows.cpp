@@ -6,14 +6,14 @@
 
 namespace dsc {
 
-void add_flows(CLI::App& app, int& exit_code) {
-  add_rotate(app, exit_code);
-  add_offset(app, exit_code);
-  add_enright(app, exit_code);
-  add_vortex(app, exit_code);
-  add_advect(app, exit_code);
-  add_mean_curvature(app, exit_code);
-  add_zalesak(app, exit_code);
+void add_flows(CLI::App& app, const Inputs& inputs, int& exit_code) {
+  add_rotate(app, inputs, exit_code);
+  add_offset(app, inputs, exit_code);
+  add_enright(app, inputs, exit_code);
+  add_vortex(app, inputs, exit_code);
+  add_advect(app, inputs, exit_code);
+  add_mean_curvature(app, inputs, exit_code);
+  add_zalesak(app, inputs, exit_code);
 }
 
 } // namespace dsc

@@ -3,24 +3,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "commands/commands.h"
-#include "errors.h"
-#include "files.h"
-#include "fluid_fields.h"
-#include "fluid_picture.h"
-#include "fluid_processes.h"
-#include "fluid_report.h"
-#include "fluid_run.h"
-#include "fluid_scene.h"
-#include "fluid_start.h"
-#include "interrupt.h"
-#include "option_values.h"
-#include "output_folder.h"
-#include "progress_line.h"
-#include "report_json.h"
-#include "threads_option.h"
-#include "unused.h"
+#include "fluids/fluid_fields.h"
+#include "fluids/fluid_picture.h"
+#include "fluids/fluid_processes.h"
+#include "fluids/fluid_report.h"
+#include "fluids/fluid_run.h"
+#include "fluids/fluid_scene.h"
+#include "fluids/fluid_start.h"
+#include "input/files.h"
+#include "input/unused.h"
+#include "output/output_folder.h"
+#include "output/progress_line.h"
+#include "output/report_json.h"
+#include "programs/errors.h"
+#include "programs/interrupt.h"
+#include "programs/option_values.h"
+#include "programs/threads_option.h"
 
-#include <CGAL/Deformable_simplicial_complexes/IO/checkpoint.h>
+#include <CGAL/Mesh_files/checkpoint.h>
 
 #include <CLI/CLI.hpp>
 

@@ -3,15 +3,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "Grain_run.h"
-#include "angle_table.h"
 #include "commands/commands.h"
-#include "errors.h"
-#include "files.h"
-#include "histograms.h"
-#include "interrupt.h"
-#include "option_values.h"
-#include "report_json.h"
-#include "threads_option.h"
+#include "input/files.h"
+#include "output/angle_table.h"
+#include "output/histograms.h"
+#include "output/report_json.h"
+#include "programs/errors.h"
+#include "programs/interrupt.h"
+#include "programs/option_values.h"
+#include "programs/threads_option.h"
 
 #include <CLI/CLI.hpp>
 

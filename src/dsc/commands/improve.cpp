@@ -4,17 +4,17 @@
 
 #include "commands/commands.h"
 #include "commands/labels_option.h"
-#include "errors.h"
-#include "files.h"
-#include "interrupt.h"
-#include "mesh_content.h"
-#include "native_file.h"
-#include "option_values.h"
-#include "report_json.h"
-#include "threads_option.h"
-#include "tracked_complex_3.h"
-#include "translations.h"
-#include "unused.h"
+#include "input/files.h"
+#include "input/mesh_content.h"
+#include "input/native_file.h"
+#include "input/translations.h"
+#include "input/unused.h"
+#include "motions/tracked_complex_3.h"
+#include "output/report_json.h"
+#include "programs/errors.h"
+#include "programs/interrupt.h"
+#include "programs/option_values.h"
+#include "programs/threads_option.h"
 
 #include <CLI/CLI.hpp>
 
@@ -29,7 +29,7 @@ namespace {
 
 struct Improve_options
 {
-  std::string input;  ///< labelled tetrahedra
+  std::string input;  ///< labeled tetrahedra
   std::string output; ///< may equal the input
   std::string labels; ///< as in `Run_start`
   Improvement_options improvement;
@@ -68,7 +68,7 @@ void print_summary(const Statistics& before, const Statistics& after, double sec
 
 /// Returns the content of the input that the output can store. The rest is reported; it is an error
 /// if the output replaces the input.
-Mesh_content content_to_carry(const Improve_options& options, Labelled_tetrahedra mesh,
+Mesh_content content_to_carry(const Improve_options& options, Labeled_tetrahedra mesh,
                               const Tracked_complex_3::Complex& complex) {
   if (extension(options.output) == "vtu")
     mesh.leave_out_entities();
@@ -97,7 +97,7 @@ int execute(const Improve_options& options) {
     throw Input_error("'" + options.output +
                       "' was written by another program and would lose "
                       "content; choose another output file");
-  Labelled_tetrahedra mesh = read_tetrahedra(input, options.labels);
+  Labeled_tetrahedra mesh = read_tetrahedra(input, options.labels);
   const auto complex = Tracked_complex_3::from_mesh(input, mesh);
   Mesh_content content = content_to_carry(options, std::move(mesh), complex->complex);
   const Statistics before = complex->statistics();
@@ -131,7 +131,7 @@ void read(const CLI::App& command, Improve_options& options) {
 void add_improve(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<Improve_options>();
   CLI::App* command = app.add_subcommand("improve", description_of_improve);
-  command->add_option("INPUT", options->input, "Labelled tetrahedra (.mesh, .vtu, .vtk, .msh)")
+  command->add_option("INPUT", options->input, "Labeled tetrahedra (.mesh, .vtu, .vtk, .msh)")
       ->required();
   command->add_option("-o,--output", options->output, "Output file (.mesh, .vtu); may be INPUT")
       ->required();

@@ -4,16 +4,16 @@
 
 #include "commands/commands.h"
 #include "commands/labels_option.h"
-#include "convert_file.h"
-#include "errors.h"
-#include "files.h"
-#include "interrupt.h"
-#include "labelled_tetrahedra.h"
-#include "native_file.h"
-#include "option_values.h"
-#include "run_position.h"
-#include "tracked_complex_3.h"
-#include "translations.h"
+#include "input/files.h"
+#include "input/labeled_tetrahedra.h"
+#include "input/native_file.h"
+#include "input/translations.h"
+#include "motions/run_position.h"
+#include "motions/tracked_complex_3.h"
+#include "output/convert_file.h"
+#include "programs/errors.h"
+#include "programs/interrupt.h"
+#include "programs/option_values.h"
 
 #include <CLI/CLI.hpp>
 
@@ -94,7 +94,7 @@ int execute(const Info_options& options) {
                 << '\n';
     print(complex->statistics());
   } else if (input_kind(start) == Input_kind::tetrahedra) {
-    const Labelled_tetrahedra mesh = read_tetrahedra(file, options.labels);
+    const Labeled_tetrahedra mesh = read_tetrahedra(file, options.labels);
     print(Tracked_complex_3::from_mesh(file, mesh)->statistics());
   } else if (input_kind(start) == Input_kind::image) {
     print(image_statistics(file));

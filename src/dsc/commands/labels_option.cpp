@@ -4,9 +4,9 @@
 
 #include "commands/labels_option.h"
 
-#include "errors.h"
-#include "files.h"
-#include "translations.h"
+#include "input/files.h"
+#include "input/translations.h"
+#include "programs/errors.h"
 
 namespace dsc {
 

@@ -5,7 +5,7 @@
 #include "commands/commands.h"
 #include "commands/flow_options.h"
 #include "commands/run_command.h"
-#include "option_values.h"
+#include "programs/option_values.h"
 
 #include <memory>
 #include <string>
@@ -23,9 +23,9 @@ struct Mean_curvature_options
 
 } // namespace
 
-void add_mean_curvature(CLI::App& app, int& exit_code) {
+void add_mean_curvature(CLI::App& app, const Inputs& inputs, int& exit_code) {
   const auto options = std::make_shared<Mean_curvature_options>();
-  CLI::App* command = add_run_command(app, "mean-curvature",
+  CLI::App* command = add_run_command(app, inputs, "mean-curvature",
                                       "Move the interface by its mean curvature", options->run);
   command->add_option(
       "--dt", options->dt,

@@ -4,8 +4,8 @@
 
 #include "commands/commands.h"
 #include "commands/run_command.h"
-#include "errors.h"
-#include "option_values.h"
+#include "programs/errors.h"
+#include "programs/option_values.h"
 
 #include <memory>
 #include <string>
@@ -30,10 +30,10 @@ void check_dimension(const Run_options& run, bool is_planar) {
 
 } // namespace
 
-void add_offset(CLI::App& app, int& exit_code) {
+void add_offset(CLI::App& app, const Inputs& inputs, int& exit_code) {
   const auto options = std::make_shared<Offset_options>();
   CLI::App* command =
-      add_run_command(app, "offset", "Move the interface along its normals", options->run);
+      add_run_command(app, inputs, "offset", "Move the interface along its normals", options->run);
   command->add_option("--distance", options->distance,
                       "Distance per step, positive outwards; 0.25e is a quarter of the mean "
                       "interface edge of the input; required for a new run");

@@ -3,22 +3,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "commands/commands.h"
-#include "errors.h"
-#include "files.h"
-#include "interrupt.h"
-#include "native_file.h"
-#include "option_values.h"
-#include "progress_line.h"
-#include "report_json.h"
-#include "step_folder.h"
-#include "threads_option.h"
-#include "tracked_complex_3.h"
-#include "translations.h"
-#include "unused.h"
+#include "input/files.h"
+#include "input/native_file.h"
+#include "input/translations.h"
+#include "input/unused.h"
+#include "motions/tracked_complex_3.h"
+#include "output/progress_line.h"
+#include "output/report_json.h"
+#include "output/step_folder.h"
+#include "programs/errors.h"
+#include "programs/interrupt.h"
+#include "programs/option_values.h"
+#include "programs/threads_option.h"
 
-#include <CGAL/Deformable_simplicial_complexes/IO/labelled_surface_3.h>
-#include <CGAL/Deformable_simplicial_complexes/IO/point_set_3.h>
-#include <CGAL/Deformable_simplicial_complexes/extract_interface_3.h>
+#include <CGAL/Interface_remeshing/extract_interface_3.h>
+#include <CGAL/Mesh_files/labeled_surface_3.h>
+#include <CGAL/Mesh_files/point_set_3.h>
 #include <CGAL/Solid_reconstruction_3/compiled_3.h>
 #include <CGAL/property_map.h>
 

@@ -4,8 +4,8 @@
 
 #include "commands/commands.h"
 #include "commands/run_command.h"
-#include "errors.h"
-#include "option_values.h"
+#include "programs/errors.h"
+#include "programs/option_values.h"
 
 #include <array>
 #include <memory>
@@ -29,10 +29,10 @@ void check_axis(const Run_options& run, bool is_planar) {
 
 } // namespace
 
-void add_rotate(CLI::App& app, int& exit_code) {
+void add_rotate(CLI::App& app, const Inputs& inputs, int& exit_code) {
   const auto options = std::make_shared<Rotate_options>();
   CLI::App* command = add_run_command(
-      app, "rotate", "Rotate the interface about the center of the domain", options->run);
+      app, inputs, "rotate", "Rotate the interface about the center of the domain", options->run);
   command->add_option("--axis", options->axis,
                       "Direction of the axis, like 0,0,1; required for a new run in space");
   command->add_option("--angle", options->angle,

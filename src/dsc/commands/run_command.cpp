@@ -4,10 +4,10 @@
 
 #include "commands/run_command.h"
 
-#include "continue_steps.h"
-#include "native_file.h"
-#include "option_values.h"
-#include "unused.h"
+#include "input/Inputs.h"
+#include "input/unused.h"
+#include "motions/continue_steps.h"
+#include "programs/option_values.h"
 
 #include <climits>
 
@@ -47,15 +47,16 @@ void add_output_options(CLI::App& command, Output_options& options) {
                    "Print only errors and the checkpoint of an interrupted run");
 }
 
-CLI::App* add_run_command(CLI::App& app, const std::string& name, const std::string& description,
-                          Run_command_options& options) {
+CLI::App* add_run_command(CLI::App& app, const Inputs& inputs, const std::string& name,
+                          const std::string& description, Run_command_options& options) {
+  options.inputs = &inputs;
   CLI::App* command = app.add_subcommand(name, description);
-  CLI::Option* inputs = add_inputs(*command, options.start);
+  CLI::Option* paths = add_inputs(*command, options.start);
   CLI::Option* resume = command->add_option("--resume", options.resume,
                                             "Continue the run of a checkpoint instead of reading "
                                             "an INPUT; options of the steps that are not given "
                                             "keep their values");
-  resume->excludes(inputs);
+  resume->excludes(paths);
   command->add_option("--steps", options.steps, "Number of steps of this run")
       ->check(CLI::Range(1, INT_MAX))
       ->capture_default_str();
@@ -72,6 +73,7 @@ CLI::App* add_run_command(CLI::App& app, const std::string& name, const std::str
 
 Run_options begin_run_options(const CLI::App& command, const Run_command_options& options) {
   Run_options run;
+  run.inputs = options.inputs;
   run.step.improves_interface = options.improvement.improves_interface;
   for (const CLI::Option* option : command.get_options())
     if (option->count() > 0)
@@ -80,7 +82,7 @@ Run_options begin_run_options(const CLI::App& command, const Run_command_options
   if (options.output.quiet)
     keep_silent_about_unused();
   for (std::string& input : run.start.inputs)
-    input = native_file(input, run.start.labels, run.start.thresholds);
+    input = run.inputs->native(input, run.start.labels, run.start.thresholds);
   run.resume = options.resume;
   run.steps = options.steps;
   run.threads = options.threads;

@@ -6,8 +6,8 @@
 #define DSC_RUN_COMMAND_H
 
 #include "commands/start_options.h"
-#include "run.h"
-#include "threads_option.h"
+#include "motions/run.h"
+#include "programs/threads_option.h"
 
 #include <CLI/CLI.hpp>
 
@@ -25,7 +25,8 @@ struct Interface_improvement_options
 /// The options of all commands that move an interface.
 struct Run_command_options
 {
-  std::string resume; ///< checkpoint file
+  const Inputs* inputs = nullptr; ///< of the program
+  std::string resume;             ///< checkpoint file
   unsigned steps = 10;
   Start_options start;
   Interface_improvement_options improvement;
@@ -38,8 +39,8 @@ void add_improvement_options(CLI::App& command, Interface_improvement_options& o
 void add_output_options(CLI::App& command, Output_options& options);
 
 /// Adds a command that moves an interface, with the common options of these commands.
-CLI::App* add_run_command(CLI::App& app, const std::string& name, const std::string& description,
-                          Run_command_options& options);
+CLI::App* add_run_command(CLI::App& app, const Inputs& inputs, const std::string& name,
+                          const std::string& description, Run_command_options& options);
 
 /// Returns the options that need no parsing, and the names of the given options.
 Run_options begin_run_options(const CLI::App& command, const Run_command_options& options);

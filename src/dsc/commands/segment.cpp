@@ -3,25 +3,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "commands/commands.h"
-#include "errors.h"
-#include "files.h"
-#include "gray_image.h"
-#include "interrupt.h"
-#include "label_image.h"
-#include "option_values.h"
-#include "picture.h"
-#include "report_json.h"
-#include "threads_option.h"
-#include "tracked_complex_2.h"
-#include "tracked_complex_3.h"
-#include "translations.h"
+#include "input/files.h"
+#include "input/gray_image.h"
+#include "input/label_image.h"
+#include "input/translations.h"
+#include "motions/tracked_complex_2.h"
+#include "motions/tracked_complex_3.h"
+#include "output/picture.h"
+#include "output/report_json.h"
+#include "programs/errors.h"
+#include "programs/interrupt.h"
+#include "programs/option_values.h"
+#include "programs/threads_option.h"
 
-#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
-#include <CGAL/Deformable_simplicial_complexes/sample_labels.h>
+#include <CGAL/Complex_construction/sample_labels.h>
 #include <CGAL/Image_segmentation/compiled_2.h>
 #include <CGAL/Image_segmentation/compiled_3.h>
+#include <CGAL/Interface_remeshing/improve_mesh.h>
+#include <CGAL/Mesh_support/Error.h>
+#include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <CLI/CLI.hpp>
 

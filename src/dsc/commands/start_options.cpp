@@ -5,10 +5,10 @@
 #include "commands/start_options.h"
 
 #include "commands/labels_option.h"
-#include "errors.h"
-#include "files.h"
-#include "inequalities.h"
-#include "option_values.h"
+#include "input/files.h"
+#include "input/inequalities.h"
+#include "programs/errors.h"
+#include "programs/option_values.h"
 
 #include <climits>
 
@@ -106,8 +106,8 @@ CLI::Option* add_inputs(CLI::App& command, Start_options& options) {
   return command.add_option(
       "INPUT", options.start.inputs,
       "Closed surfaces (.off, .obj, .ply, .stl), inequalities like 'x^2+y^2+z^2<1' or, in the "
-      "plane, polygons (.wkt), which get the labels 1, 2, ...; or labelled tetrahedra (.mesh, "
-      ".vtu) or a labelled image (.inr, .inr.gz); in the plane, a labelled image (.pgm, .png) or "
+      "plane, polygons (.wkt), which get the labels 1, 2, ...; or labeled tetrahedra (.mesh, "
+      ".vtu) or a labeled image (.inr, .inr.gz); in the plane, a labeled image (.pgm, .png) or "
       "segments (.poly). Files of other programs are read through VTK and Gmsh: .vtk, .vtp, .vti, "
       ".msh, .nii, .nii.gz, .mha, .mhd, .nrrd, .tif");
 }

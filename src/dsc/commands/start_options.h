@@ -5,7 +5,7 @@
 #ifndef DSC_START_OPTIONS_H
 #define DSC_START_OPTIONS_H
 
-#include "run.h"
+#include "motions/run.h"
 
 #include <CLI/CLI.hpp>
 

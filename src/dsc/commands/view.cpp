@@ -3,13 +3,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "commands/commands.h"
-#include "errors.h"
-#include "files.h"
-#include "film_of_run.h"
-#include "interrupt.h"
-#include "option_values.h"
+#include "input/files.h"
+#include "output/film_of_run.h"
+#include "programs/errors.h"
+#include "programs/interrupt.h"
+#include "programs/option_values.h"
 
-#include <CGAL/Deformable_simplicial_complexes/IO/replace_file.h>
+#include <CGAL/Mesh_files/replace_file.h>
 
 #include <CLI/CLI.hpp>
 

@@ -5,7 +5,7 @@
 #include "commands/commands.h"
 #include "commands/flow_options.h"
 #include "commands/run_command.h"
-#include "errors.h"
+#include "programs/errors.h"
 
 #include <array>
 #include <memory>
@@ -38,10 +38,10 @@ Default_start default_start(const Vortex_options& options) {
 
 } // namespace
 
-void add_vortex(CLI::App& app, int& exit_code) {
+void add_vortex(CLI::App& app, const Inputs& inputs, int& exit_code) {
   const auto options = std::make_shared<Vortex_options>();
   CLI::App* command =
-      add_run_command(app, "vortex",
+      add_run_command(app, inputs, "vortex",
                       "Deform surfaces in the unit cube, or a ball if there is no INPUT, by a "
                       "single vortex about the z axis; in the plane, curves in the unit square or, "
                       "with --plane, a disk",

@@ -4,8 +4,8 @@
 
 #include "commands/commands.h"
 #include "commands/run_command.h"
-#include "errors.h"
-#include "option_values.h"
+#include "programs/errors.h"
+#include "programs/option_values.h"
 
 #include <array>
 #include <memory>
@@ -37,10 +37,10 @@ void require_plane(const Run_options& run, bool is_planar) {
 
 } // namespace
 
-void add_zalesak(CLI::App& app, int& exit_code) {
+void add_zalesak(CLI::App& app, const Inputs& inputs, int& exit_code) {
   const auto options = std::make_shared<Zalesak_options>();
   CLI::App* command =
-      add_run_command(app, "zalesak",
+      add_run_command(app, inputs, "zalesak",
                       "Rotate curves, or a slotted disk if there is no INPUT, about (50, 50) in "
                       "the square from (0, 0) to (100, 100); a full rotation takes the time 628",
                       options->run);

@@ -5,14 +5,14 @@
 // The program `dsc`. It contains the flows of surfaces and conversions. Other programs in the same
 // folder contain the rest, so that they need not be built for a first result.
 
-#include "../commands/commands.h"
-#include "../errors.h"
-#include "../program.h"
-#include "../translations.h"
+#include "commands/commands.h"
+#include "input/Surface_inputs.h"
+#include "input/translations.h"
+#include "programs/errors.h"
+#include "programs/program.h"
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cstring>
 #include <filesystem>
@@ -37,13 +37,12 @@ constexpr std::array<Other_command, 7> other_commands = {
      {"grains", dsc::description_of_grains, "dsc-grains"},
      {"fluid", dsc::description_of_fluid, "dsc-fluid"}}};
 
-constexpr std::array<const char*, 7> flows = {"rotate", "offset",         "enright", "vortex",
-                                              "advect", "mean-curvature", "zalesak"};
-
 /// Leaves the commands that move an interface to the program for several processes. Without it, all
 /// processes would write the same files.
-void leave_flows_to_mpi(const std::string& command) {
-  if (!dsc::is_started_by_mpi() || std::find(flows.begin(), flows.end(), command) == flows.end())
+/// \param app contains these commands only
+void leave_flows_to_mpi(CLI::App& app, const std::string& command) {
+  const auto is_command = [&](const CLI::App* flow) { return flow->get_name() == command; };
+  if (!dsc::is_started_by_mpi() || app.get_subcommands(is_command).empty())
     return;
   static constexpr char name[] = "dsc-mpi";
   std::error_code error;
@@ -56,13 +55,14 @@ void leave_flows_to_mpi(const std::string& command) {
 } // namespace
 
 int main(int argc, char** argv) {
+  const dsc::Surface_inputs inputs;
   return dsc::run_program(argc, argv, [&](CLI::App& app, int& exit_code) {
     for (const Other_command& other : other_commands)
       if (argc > 1 && std::strcmp(argv[1], other.name) == 0)
         throw dsc::Other_program{other.program, std::string("the command '") + other.name + "'"};
-    leave_flows_to_mpi(argc > 1 ? argv[1] : "");
-    dsc::add_flows(app, exit_code);
-    dsc::add_convert(app, exit_code);
+    dsc::add_flows(app, inputs, exit_code);
+    leave_flows_to_mpi(app, argc > 1 ? argv[1] : "");
+    dsc::add_convert(app, inputs, exit_code);
     dsc::add_view(app, exit_code);
     for (const Other_command& other : other_commands)
       app.add_subcommand(other.name, other.description);

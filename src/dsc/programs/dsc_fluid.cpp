@@ -5,10 +5,10 @@
 // The program of the command `dsc fluid`, which the program `dsc` executes. The program
 // `dsc-fluid-petsc` contains the solver of PETSc, so that this program does not need PETSc.
 
-#include "../commands/commands.h"
-#include "../fluid_processes.h"
-#include "../program.h"
-#include "../translations.h"
+#include "commands/commands.h"
+#include "fluids/fluid_processes.h"
+#include "input/translations.h"
+#include "programs/program.h"
 
 #include <CLI/CLI.hpp>
 

@@ -6,14 +6,14 @@
 // started by mpirun as several processes. All processes run the same steps on the same complex and
 // solve linear systems together. Only the first process writes files and messages.
 
-#include "../commands/commands.h"
-#include "../fluid_processes.h"
-#include "../interrupt.h"
-#include "../program.h"
-#include "mpi_processes.h"
+#include "commands/commands.h"
+#include "fluids/fluid_processes.h"
+#include "programs/interrupt.h"
+#include "programs/mpi_processes.h"
+#include "programs/program.h"
 
-#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Incompressible_fluids_3/Petsc_saddle_point_solver.h>
+#include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <CLI/CLI.hpp>
 

@@ -4,7 +4,7 @@
 
 // The program of the command `dsc grains`, which the program `dsc` executes.
 
-#include "../commands/commands.h"
-#include "../program.h"
+#include "commands/commands.h"
+#include "programs/program.h"
 
 int main(int argc, char** argv) { return dsc::run_program(argc, argv, dsc::add_grains); }

@@ -5,7 +5,7 @@
 #ifndef DSC_MPI_PROCESSES_H
 #define DSC_MPI_PROCESSES_H
 
-#include "../interrupt.h"
+#include "programs/interrupt.h"
 
 #include <mpi.h>
 

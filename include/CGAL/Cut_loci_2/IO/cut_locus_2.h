@@ -12,10 +12,10 @@
 
 #include <CGAL/Cut_loci_2/Sphere_like_surface_2.h>
 #include <CGAL/Cut_loci_2/cut_locus_2.h>
-#include <CGAL/Deformable_simplicial_complexes/IO/SVG_2.h>
-#include <CGAL/Deformable_simplicial_complexes/IO/Svg_canvas.h>
-#include <CGAL/Deformable_simplicial_complexes/IO/replace_file.h>
 #include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
+#include <CGAL/Mesh_files/SVG_2.h>
+#include <CGAL/Mesh_files/Svg_canvas.h>
+#include <CGAL/Mesh_files/replace_file.h>
 
 #include <CGAL/Bbox_2.h>
 

@@ -11,7 +11,7 @@
 #include <CGAL/Cut_loci_2/internal/geodesics/Cut_certificate_2.h>
 #include <CGAL/Cut_loci_2/internal/geodesics/Cut_circle_2.h>
 #include <CGAL/Cut_loci_2/internal/geodesics/directions.h>
-#include <CGAL/Deformable_simplicial_complexes/Disjoint_sets.h>
+#include <CGAL/Mesh_support/internal/sets/Disjoint_sets.h>
 
 #include <algorithm>
 #include <cmath>

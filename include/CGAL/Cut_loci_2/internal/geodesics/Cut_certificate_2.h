@@ -9,7 +9,7 @@
 #define CGAL_CUT_LOCI_2_INTERNAL_GEODESICS_CUT_CERTIFICATE_2_H
 
 #include <CGAL/Cut_loci_2/internal/geodesics/Geodesics_2.h>
-#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <algorithm>
 #include <array>

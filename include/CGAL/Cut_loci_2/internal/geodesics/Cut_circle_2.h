@@ -11,7 +11,7 @@
 #include <CGAL/Cut_loci_2/internal/geodesics/Geodesic_equations_2.h>
 #include <CGAL/Cut_loci_2/internal/geodesics/Geodesic_fan_2.h>
 #include <CGAL/Cut_loci_2/internal/geodesics/directions.h>
-#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BOOKKEEPING_MARKS_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BOOKKEEPING_MARKS_H
 
-#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Borrowed_table.h>
+#include <CGAL/Mesh_support/internal/threads/Borrowed_table.h>
 
 #include <algorithm>
 #include <cstddef>

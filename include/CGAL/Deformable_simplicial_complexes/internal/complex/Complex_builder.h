@@ -16,7 +16,7 @@
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Assembles an empty complex from the vertices and cells of a state, without the checks of
-// `Labelled_complex::restore()`. The caller sews the cells and calls finish().
+// `Labeled_complex::restore()`. The caller sews the cells and calls finish().
 template <class Complex> class Complex_builder
 {
 public:

@@ -11,8 +11,8 @@
 
 #include <CGAL/Deformable_simplicial_complex_cell_base_3.h>
 #include <CGAL/Deformable_simplicial_complex_vertex_base_3.h>
-#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
-#include <CGAL/Deformable_simplicial_complexes/quality_measures_3.h>
+#include <CGAL/Deformable_simplicial_complexes/quality_measures.h>
+#include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/Hilbert_policy_tags.h>

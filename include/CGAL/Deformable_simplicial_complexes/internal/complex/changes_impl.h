@@ -9,9 +9,9 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_CHANGES_IMPL_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_CHANGES_IMPL_H
 
-// Member functions of `Labelled_complex`: motion and changes of the mesh.
+// Member functions of `Labeled_complex`: motion and changes of the mesh.
 
-#include <CGAL/Deformable_simplicial_complexes/Labelled_complex.h>
+#include <CGAL/Deformable_simplicial_complexes/Labeled_complex.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
 #include <CGAL/assertions.h>
@@ -26,7 +26,7 @@
 #include <vector>
 
 #define CGAL_DSC_TEMPLATE template <class Derived, class Space, class Quality, class Domain>
-#define CGAL_DSC_CLASS Labelled_complex<Derived, Space, Quality, Domain>
+#define CGAL_DSC_CLASS Labeled_complex<Derived, Space, Quality, Domain>
 
 namespace CGAL::Deformable_simplicial_complexes {
 
@@ -286,7 +286,7 @@ void CGAL_DSC_CLASS::replace(Cavity& cavity) {
   m_half_facets.reserve(corners * (cavity.removed().size() + cavity.planned().size()));
   const bool is_label_mixed = has_several_labels(cavity.removed());
   m_components.settle(*this);
-  std::optional<internal::Connections<Labelled_complex>> connections;
+  std::optional<internal::Connections<Labeled_complex>> connections;
   if (is_label_mixed && m_components.is_known())
     connections.emplace(*this, cavity.removed());
   Created_items items(tds, m_numbers, cavity);
@@ -356,7 +356,7 @@ bool CGAL_DSC_CLASS::has_several_labels(const std::vector<Cell_handle>& cells) c
 // Returns whether the new cells keep the connections of the cells that they replace. Returns false
 // if memory is exhausted.
 CGAL_DSC_TEMPLATE
-bool CGAL_DSC_CLASS::are_kept(const internal::Connections<Labelled_complex>& connections,
+bool CGAL_DSC_CLASS::are_kept(const internal::Connections<Labeled_complex>& connections,
                               const std::vector<Cell_handle>& created) const noexcept {
   try {
     return connections.are_kept_by(created);

@@ -9,9 +9,9 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_QUERIES_IMPL_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_QUERIES_IMPL_H
 
-// Member functions of `Labelled_complex`: access, labels, interface and measures.
+// Member functions of `Labeled_complex`: access, labels, interface and measures.
 
-#include <CGAL/Deformable_simplicial_complexes/Labelled_complex.h>
+#include <CGAL/Deformable_simplicial_complexes/Labeled_complex.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Marks.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/sort_by_time_stamp.h>
 
@@ -20,7 +20,7 @@
 #include <vector>
 
 #define CGAL_DSC_TEMPLATE template <class Derived, class Space, class Quality, class Domain>
-#define CGAL_DSC_CLASS Labelled_complex<Derived, Space, Quality, Domain>
+#define CGAL_DSC_CLASS Labeled_complex<Derived, Space, Quality, Domain>
 
 namespace CGAL::Deformable_simplicial_complexes {
 
@@ -180,8 +180,8 @@ auto CGAL_DSC_CLASS::interface_facets(Label a, Label b) const -> std::vector<Fac
 
 CGAL_DSC_TEMPLATE
 double CGAL_DSC_CLASS::measure(Cell_handle c) const {
-  return m_domain.template apply<Labelled_complex>(Space::measure(geom_traits()),
-                                                   [&](int i) { return position(c->vertex(i)); });
+  return m_domain.template apply<Labeled_complex>(Space::measure(geom_traits()),
+                                                  [&](int i) { return position(c->vertex(i)); });
 }
 
 CGAL_DSC_TEMPLATE

@@ -9,18 +9,18 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_STORAGE_IMPL_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_STORAGE_IMPL_H
 
-// Member functions of `Labelled_complex`: creation, state and validity.
+// Member functions of `Labeled_complex`: creation, state and validity.
 
-#include <CGAL/Deformable_simplicial_complexes/Labelled_complex.h>
-#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Deformable_simplicial_complexes/Labeled_complex.h>
 #include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
-#include <CGAL/Deformable_simplicial_complexes/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Item_numbers.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/Extent.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/assemble_triangulation.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/hilbert_order.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/sort_by_time_stamp.h>
+#include <CGAL/Mesh_support/Progress_scope.h>
+#include <CGAL/Mesh_support/coordinates.h>
+#include <CGAL/Mesh_support/internal/numbers/Extent.h>
 
 #include <CGAL/Origin.h>
 
@@ -34,14 +34,14 @@
 #include <vector>
 
 #define CGAL_DSC_TEMPLATE template <class Derived, class Space, class Quality, class Domain>
-#define CGAL_DSC_CLASS Labelled_complex<Derived, Space, Quality, Domain>
+#define CGAL_DSC_CLASS Labeled_complex<Derived, Space, Quality, Domain>
 
 namespace CGAL::Deformable_simplicial_complexes {
 
 // Copies a complex by rebuilding it from its state. The copy of CGAL's triangulation is not used:
 // since CGAL 6 it has other time stamps, and it needs an infinite vertex.
 CGAL_DSC_TEMPLATE
-CGAL_DSC_CLASS::Labelled_complex(const Labelled_complex& other)
+CGAL_DSC_CLASS::Labeled_complex(const Labeled_complex& other)
     : m_triangulation(other.geom_traits()), m_quality_measure(other.m_quality_measure),
       m_domain(other.m_domain), m_normalization(other.m_normalization),
       m_mean_interface_edge(other.m_mean_interface_edge),
@@ -73,7 +73,7 @@ auto CGAL_DSC_CLASS::all_cells() const -> std::vector<Cell_handle> {
 
 // Moves a complex. `other` becomes empty.
 CGAL_DSC_TEMPLATE
-CGAL_DSC_CLASS::Labelled_complex(Labelled_complex&& other) noexcept
+CGAL_DSC_CLASS::Labeled_complex(Labeled_complex&& other) noexcept
     : m_triangulation(std::move(other.m_triangulation)),
       m_numbers(std::exchange(other.m_numbers, Item_numbers())),
       m_quality_measure(other.m_quality_measure), m_domain(other.m_domain),
@@ -87,7 +87,7 @@ CGAL_DSC_CLASS::Labelled_complex(Labelled_complex&& other) noexcept
 }
 
 CGAL_DSC_TEMPLATE
-void CGAL_DSC_CLASS::swap(Labelled_complex& other) noexcept {
+void CGAL_DSC_CLASS::swap(Labeled_complex& other) noexcept {
   using std::swap;
   m_triangulation.swap(other.m_triangulation);
   swap(m_numbers, other.m_numbers);
@@ -151,7 +151,7 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point>& points,
   if (tetrahedra.size() > maximum)
     throw Invalid_cells_error("there are 2^29 or more tetrahedra: use a coarser mesh");
 
-  Labelled_complex result(geom_traits(), m_quality_measure, m_domain);
+  Labeled_complex result(geom_traits(), m_quality_measure, m_domain);
   std::vector<Approximate_point> positions;
   for (const Point& p : points) {
     positions.push_back(m_domain.canonical(approximate(p)));
@@ -222,7 +222,7 @@ void CGAL_DSC_CLASS::sort_storage() {
   const State before = state();
   std::vector<Approximate_point> positions, barycenters;
   for (const auto& p : before.points)
-    positions.push_back(point_at<Labelled_complex>(p));
+    positions.push_back(point_at<Labeled_complex>(p));
   for (const auto& c : before.cells) {
     Approximate_vector sum(CGAL::NULL_VECTOR);
     int finite = 0;
@@ -317,8 +317,8 @@ void CGAL_DSC_CLASS::restore(const State& state) {
 
 CGAL_DSC_TEMPLATE
 void CGAL_DSC_CLASS::rebuild(const State& state) {
-  Labelled_complex result(geom_traits(), m_quality_measure, Domain::of(state));
-  result.m_normalization = {vector_of<Labelled_complex>(state.normalization_translation),
+  Labeled_complex result(geom_traits(), m_quality_measure, Domain::of(state));
+  result.m_normalization = {vector_of<Labeled_complex>(state.normalization_translation),
                             state.normalization_scale};
   result.m_mean_interface_edge = state.mean_interface_edge;
   result.m_minimum_interface_edge = state.minimum_interface_edge;
@@ -346,7 +346,7 @@ auto CGAL_DSC_CLASS::create_vertices(const State& state) -> std::vector<Vertex_h
   for (size_type i = 0; i < state.points.size(); ++i) {
     Progress_scope::check();
     vertices.push_back(m_numbers.add_vertex(m_triangulation.tds().create_vertex()));
-    vertices.back()->set_point(exact(point_at<Labelled_complex>(state.points[i])));
+    vertices.back()->set_point(exact(point_at<Labeled_complex>(state.points[i])));
     vertices.back()->set_boundary_class(state.boundary_classes[i]);
     vertices.back()->set_spacing(state.spacings[i]);
   }
@@ -546,7 +546,8 @@ bool CGAL_DSC_CLASS::is_valid(bool verbose) const {
   return true;
 }
 
-// Returns whether the adjacency of vertices and cells is consistent.
+// Returns whether the adjacency of vertices and cells is consistent. A domain that is no ball can
+// have any topology.
 CGAL_DSC_TEMPLATE
 bool CGAL_DSC_CLASS::is_sewn(bool verbose) const {
   if (Domain::is_ball)

@@ -13,24 +13,23 @@
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
-#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
-#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
-#include <CGAL/Deformable_simplicial_complexes/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/balance/Contacts.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/balance/swept_volume.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Stopwatch.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Deformation_remesher.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/interface/local_edge_length.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/motion/Destinations.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/motion/Domain_box.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/balance/Destinations.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/deformation/Deformation_remesher.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Rigid_components.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/collision_order.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/displacement_extension.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/simultaneous_motion.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/swept_volume.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Trapped_cells.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Domain_box.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
-#include <CGAL/Deformable_simplicial_complexes/require_finite.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/local_edge_length.h>
 #include <CGAL/Deformable_simplicial_complexes/star_union.h>
+#include <CGAL/Mesh_support/For_each_index.h>
+#include <CGAL/Mesh_support/Progress_scope.h>
+#include <CGAL/Mesh_support/coordinates.h>
+#include <CGAL/Mesh_support/internal/threads/Stopwatch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +50,7 @@ template <class Complex> struct Moved_vertex
   bool is_open; // whether the destination can still be reached
 };
 
-// The steps of Algorithm 1, in the order in which `deform_interface()` performs them.
+// The steps of Algorithm 1. `do_passes()` performs them in their order.
 template <class Complex> class Interface_deformer
 {
 public:

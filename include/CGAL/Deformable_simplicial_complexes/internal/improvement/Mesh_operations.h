@@ -10,15 +10,13 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_MESH_OPERATIONS_H
 
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
-#include <CGAL/Deformable_simplicial_complexes/degeneracy_removal_2.h>
-#include <CGAL/Deformable_simplicial_complexes/degeneracy_removal_3.h>
+#include <CGAL/Deformable_simplicial_complexes/degeneracy_removal.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_flip_2.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_removal_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Star_optimizer.h>
 #include <CGAL/Deformable_simplicial_complexes/multi_face_removal_3.h>
-#include <CGAL/Deformable_simplicial_complexes/multi_face_retriangulation_3.h>
 #include <CGAL/Deformable_simplicial_complexes/vertex_insertion.h>
-#include <CGAL/Deformable_simplicial_complexes/vertex_optimization_3.h>
+#include <CGAL/Deformable_simplicial_complexes/vertex_smoothing.h>
 
 #include <type_traits>
 #include <vector>

@@ -9,9 +9,9 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_CHANGED_FACETS_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_CHANGED_FACETS_H
 
-#include <CGAL/Deformable_simplicial_complexes/internal/geometry/triangle_quality.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_edge_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_fan.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/operations/triangle_quality.h>
 
 #include <algorithm>
 #include <cmath>

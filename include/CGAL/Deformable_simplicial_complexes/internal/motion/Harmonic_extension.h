@@ -10,15 +10,15 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_HARMONIC_EXTENSION_H
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
-#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/Linear_element.h>
 #include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
-#include <CGAL/Deformable_simplicial_complexes/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Marks.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/sort_by_time_stamp.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/motion/Conjugate_gradients.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Row_blocks.h>
 #include <CGAL/Deformable_simplicial_complexes/star_union.h>
+#include <CGAL/Mesh_support/For_each_index.h>
+#include <CGAL/Mesh_support/coordinates.h>
+#include <CGAL/Mesh_support/internal/numbers/Conjugate_gradients.h>
+#include <CGAL/Mesh_support/internal/numbers/Row_blocks.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>

@@ -9,8 +9,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_SIMULTANEOUS_MOTION_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_SIMULTANEOUS_MOTION_H
 
-#include <CGAL/Deformable_simplicial_complexes/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Proposed_motion.h>
+#include <CGAL/Mesh_support/coordinates.h>
 
 #include <CGAL/Origin.h>
 

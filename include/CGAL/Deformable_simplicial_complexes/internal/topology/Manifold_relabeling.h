@@ -9,7 +9,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TOPOLOGY_MANIFOLD_RELABELING_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TOPOLOGY_MANIFOLD_RELABELING_H
 
-#include <CGAL/Deformable_simplicial_complexes/internal/topology/Labelled_star.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/topology/Labeled_star.h>
 
 #include <boost/container/flat_set.hpp>
 
@@ -60,7 +60,7 @@ public:
   }
 
 private:
-  using Star = Labelled_star<Complex>;
+  using Star = Labeled_star<Complex>;
   using Components = typename Star::Components;
 
   void enlist(Cell_handle c) {

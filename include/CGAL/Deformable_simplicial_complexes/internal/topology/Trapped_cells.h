@@ -12,15 +12,14 @@
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
-#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/balance/Contacts.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/balance/Interface_tolerance.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/interface/local_edge_length.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Rigid_components.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Manifold_relabeling.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Topology_log.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/local_edge_length.h>
 #include <CGAL/Deformable_simplicial_complexes/relabeling.h>
-#include <CGAL/Deformable_simplicial_complexes/topology_of_relabeling.h>
+#include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <boost/container/flat_map.hpp>
 

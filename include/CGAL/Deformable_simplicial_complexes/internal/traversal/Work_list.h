@@ -9,8 +9,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_WORK_LIST_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_WORK_LIST_H
 
-#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
-#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Mesh_support/For_each_index.h>
+#include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -19,7 +19,7 @@
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
-// A list of cells to visit while the mesh changes; see Deformable_simplicial_complex_3::is_alive().
+// A list of cells to visit while the mesh changes; see Labeled_complex::is_alive().
 template <class Cell_handle> class Work_list
 {
 public:

@@ -10,9 +10,9 @@
 
 #include <CGAL/license/Image_segmentation.h>
 
-#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Image_segmentation/Image_moments.h>
 #include <CGAL/Image_segmentation/estimate_phases.h>
+#include <CGAL/Mesh_support/For_each_index.h>
 
 #include <algorithm>
 #include <array>

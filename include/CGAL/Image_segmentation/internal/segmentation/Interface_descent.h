@@ -11,11 +11,11 @@
 #include <CGAL/license/Image_segmentation.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
-#include <CGAL/Deformable_simplicial_complexes/Facet_tension.h>
-#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Image_segmentation/internal/segmentation/Cell_costs.h>
+#include <CGAL/Mesh_support/For_each_index.h>
+#include <CGAL/Mesh_support/internal/numbers/Facet_tension.h>
 
 #include <CGAL/Origin.h>
 

@@ -10,17 +10,17 @@
 
 #include <CGAL/license/Image_segmentation.h>
 
-#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
-#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
-#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
-#include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
-#include <CGAL/Deformable_simplicial_complexes/refine_cells.h>
-#include <CGAL/Deformable_simplicial_complexes/relabel_by_energy.h>
-#include <CGAL/Deformable_simplicial_complexes/remove_components.h>
 #include <CGAL/Image_segmentation/Segmentation_options.h>
 #include <CGAL/Image_segmentation/Segmentation_report.h>
 #include <CGAL/Image_segmentation/internal/segmentation/Cell_costs.h>
 #include <CGAL/Image_segmentation/internal/segmentation/Interface_descent.h>
+#include <CGAL/Image_segmentation/internal/segmentation/relabel_by_energy.h>
+#include <CGAL/Interface_remeshing/control_detail.h>
+#include <CGAL/Interface_remeshing/improve_interface.h>
+#include <CGAL/Interface_remeshing/refine_cells.h>
+#include <CGAL/Interface_remeshing/remove_components.h>
+#include <CGAL/Mesh_support/For_each_index.h>
+#include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <algorithm>
 #include <cmath>

@@ -11,6 +11,7 @@
 #include <CGAL/Incompressible_fluids_3/Fluid_properties.h>
 #include <CGAL/Incompressible_fluids_3/internal/fluid/Liquid_bookkeeping.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Gas_components.h>
+#include <CGAL/Mesh_support/internal/sets/Disjoint_sets.h>
 
 #include <array>
 #include <cstddef>
@@ -56,7 +57,7 @@ public:
   // volumes, which preserves energy. Components that split have the same pressure.
   void update(const Liquid_bookkeeping::Lineage& lineage, Components now) {
     const std::size_t size = Liquid_bookkeeping::size_of(m_components, now, lineage);
-    Number_groups groups(2 * size); // of previous and present components
+    Disjoint_sets groups(2 * size); // of previous and present components
     for (const auto& [before, after] : lineage)
       groups.join(before, size + after);
 
@@ -68,19 +69,19 @@ public:
     };
     std::map<std::size_t, Group> owned;
     for (const auto& [number, component] : m_components) {
-      Group& group = owned[groups.of(number)];
+      Group& group = owned[groups.find(number)];
       ++group.components;
       group.reference = {component.reference_pressure, component.reference_volume};
       group.energy += component.pressure() * component.volume;
       group.volume += component.volume;
     }
     for (const auto& [number, component] : now) {
-      Group& group = owned[groups.of(size + number)];
+      Group& group = owned[groups.find(size + number)];
       ++group.components_now;
       group.volume_now += component.volume;
     }
     for (auto& [number, component] : now) {
-      const Group& group = owned[groups.of(size + number)];
+      const Group& group = owned[groups.find(size + number)];
       if (group.components == 1 && group.components_now == 1) {
         component.reference_pressure = group.reference[0];
         component.reference_volume = group.reference[1];

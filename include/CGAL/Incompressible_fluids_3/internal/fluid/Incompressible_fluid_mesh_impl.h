@@ -11,6 +11,7 @@
 // Member functions of Incompressible_fluid that change the mesh, and that update the bookkeeping of
 // components. The class includes this file.
 #include <CGAL/Incompressible_fluids_3/Incompressible_fluid.h>
+#include <CGAL/Mesh_support/internal/sets/Disjoint_sets.h>
 
 namespace CGAL::Deformable_simplicial_complexes {
 
@@ -244,13 +245,13 @@ void Incompressible_fluid<Complex, Solver>::record_momenta(const Flow& flow,
   std::size_t size = 0;
   for (const auto& cell : flow.mesh.cells)
     size = (std::max)(size, std::size_t(cell.component) + 1);
-  internal::Number_groups touching(size + flow.mesh.vertices.size());
+  Disjoint_sets touching(size + flow.mesh.vertices.size());
   for (const auto& cell : flow.mesh.cells)
     for (auto v : cell.vertices)
       touching.join(size + flow.mesh.first(v), cell.component);
   std::vector<std::size_t> set_of_component;
   for (std::size_t component = 0; component < size; ++component)
-    set_of_component.push_back(touching.of(component));
+    set_of_component.push_back(touching.find(component));
   std::vector<internal::Momentum> momenta;
   for (const auto& masses :
        internal::masses_of_sets(flow.mesh, flow.positions, size, [&](std::uint32_t component) {
@@ -275,7 +276,7 @@ double Incompressible_fluid<Complex, Solver>::update_components(
 template <class Complex, class Solver>
 double Incompressible_fluid<Complex, Solver>::restore_momenta(Flow& flow) {
   // Components that touch now share vertices, so they are corrected together.
-  internal::Number_groups sets(m_liquids.momenta().size());
+  Disjoint_sets sets(m_liquids.momenta().size());
   std::vector<std::size_t> set_of_vertex(flow.positions.size(), sets.size());
   for (const auto& cell : flow.mesh.cells)
     for (auto v : cell.vertices) {
@@ -287,12 +288,12 @@ double Incompressible_fluid<Complex, Solver>::restore_momenta(Flow& flow) {
     }
   std::vector<internal::Momentum> target(sets.size());
   for (std::size_t k = 0; k < sets.size(); ++k) {
-    target[sets.of(k)].linear += m_liquids.momenta()[k].linear;
-    target[sets.of(k)].angular += m_liquids.momenta()[k].angular;
+    target[sets.find(k)].linear += m_liquids.momenta()[k].linear;
+    target[sets.find(k)].angular += m_liquids.momenta()[k].angular;
   }
   const auto masses = internal::masses_of_sets(
       flow.mesh, flow.positions, target.size(),
-      [&](std::uint32_t component) { return sets.of(m_liquids.set_of(component)); });
+      [&](std::uint32_t component) { return sets.find(m_liquids.set_of(component)); });
   double result = 0;
   Vectors velocities = flow.velocities;
   for (std::size_t k = 0; k < masses.size(); ++k) {

@@ -9,7 +9,7 @@
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_LIQUID_BOOKKEEPING_H
 
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Component_momenta.h>
-#include <CGAL/Incompressible_fluids_3/internal/solvers/Number_groups.h>
+#include <CGAL/Mesh_support/internal/sets/Disjoint_sets.h>
 
 #include <algorithm>
 #include <cmath>
@@ -73,7 +73,7 @@ public:
   double update(const Lineage& lineage, const Volumes& present) {
     // Groups unite previous and present components. Sets also unite the previous sets of momenta.
     const std::size_t size = size_of(m_volumes, present, lineage);
-    Number_groups groups(2 * size), sets(2 * size + m_momenta.size());
+    Disjoint_sets groups(2 * size), sets(2 * size + m_momenta.size());
     for (const auto& [then, now] : lineage) {
       groups.join(then, size + now);
       sets.join(then, size + now);
@@ -83,24 +83,24 @@ public:
 
     std::vector<double> owned(2 * size, 0), found(2 * size, 0);
     for (const auto& [component, volume] : m_volumes)
-      owned[groups.of(component)] += volume;
+      owned[groups.find(component)] += volume;
     for (const auto& [component, volume] : present)
-      found[groups.of(size + component)] += volume;
+      found[groups.find(size + component)] += volume;
     double lost = 0;
     for (const auto& [component, volume] : m_volumes)
-      lost += found[groups.of(component)] > 0 ? 0 : volume;
+      lost += found[groups.find(component)] > 0 ? 0 : volume;
     std::vector<Momentum> momenta(sets.size());
     for (std::size_t set = 0; set < m_momenta.size(); ++set) {
-      Momentum& sum = momenta[sets.of(2 * size + set)];
+      Momentum& sum = momenta[sets.find(2 * size + set)];
       sum.linear += m_momenta[set].linear;
       sum.angular += m_momenta[set].angular;
     }
     m_volumes.clear();
     m_set_of_component.clear();
     for (const auto& [component, volume] : present) {
-      const std::size_t group = groups.of(size + component);
+      const std::size_t group = groups.find(size + component);
       m_volumes[component] = owned[group] > 0 ? volume / found[group] * owned[group] : volume;
-      m_set_of_component[component] = sets.of(size + component);
+      m_set_of_component[component] = sets.find(size + component);
     }
     m_momenta.swap(momenta);
     return lost;

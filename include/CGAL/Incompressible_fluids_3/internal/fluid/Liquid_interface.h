@@ -9,9 +9,9 @@
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_LIQUID_INTERFACE_H
 
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
-#include <CGAL/Deformable_simplicial_complexes/Volume_changer.h>
 #include <CGAL/Incompressible_fluids_3/Fluid_properties.h>
 #include <CGAL/Incompressible_fluids_3/internal/fluid/Liquid_bookkeeping.h>
+#include <CGAL/Interface_remeshing/Volume_changer.h>
 
 #include <cmath>
 #include <cstddef>

@@ -8,8 +8,8 @@
 #ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_STEP_PLAN_H
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_FLUID_STEP_PLAN_H
 
-#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Incompressible_fluids_3/fluid_errors.h>
+#include <CGAL/Mesh_support/Progress_scope.h>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

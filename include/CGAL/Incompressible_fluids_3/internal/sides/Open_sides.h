@@ -9,9 +9,9 @@
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SIDES_OPEN_SIDES_H
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Incompressible_fluids_3/Side_behavior.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
+#include <CGAL/Mesh_support/Error.h>
 
 #include <Eigen/Core>
 

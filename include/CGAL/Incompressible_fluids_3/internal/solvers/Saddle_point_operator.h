@@ -8,9 +8,9 @@
 #ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_SADDLE_POINT_OPERATOR_H
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_SADDLE_POINT_OPERATOR_H
 
-#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
 #include <CGAL/Incompressible_fluids_3/Saddle_point_system.h>
 #include <CGAL/Incompressible_fluids_3/internal/solvers/blocks_of_vectors.h>
+#include <CGAL/Mesh_support/For_each_index.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>

@@ -8,7 +8,7 @@
 #ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_BLOCKS_OF_VECTORS_H
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_BLOCKS_OF_VECTORS_H
 
-#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
+#include <CGAL/Mesh_support/For_each_index.h>
 
 #include <Eigen/Core>
 

@@ -9,7 +9,7 @@
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_CLOSED_SETS_H
 
 #include <CGAL/Incompressible_fluids_3/Saddle_point_system.h>
-#include <CGAL/Incompressible_fluids_3/internal/solvers/Number_groups.h>
+#include <CGAL/Mesh_support/internal/sets/Disjoint_sets.h>
 
 #include <cstddef>
 #include <utility>
@@ -33,7 +33,7 @@ inline std::vector<Saddle_point_system::Closed_set> closed_sets(const Saddle_poi
   system.project(free_pushes);
   // Pressures that act on a common vertex belong to the same set.
   const auto group_of_vertex = [m](Eigen::Index v) { return std::size_t(m + v); };
-  Number_groups groups(std::size_t(m + n));
+  Disjoint_sets groups(std::size_t(m + n));
   for (Eigen::Index p = 0; p < m; ++p)
     for (Saddle_point_system::Matrix::InnerIterator i(system.b, p); i; ++i)
       groups.join(std::size_t(p), group_of_vertex(i.col() / 3));
@@ -44,12 +44,12 @@ inline std::vector<Saddle_point_system::Closed_set> closed_sets(const Saddle_poi
   };
   std::vector<Sums> sums(groups.size());
   for (Eigen::Index v = 0; v < n; ++v) {
-    Sums& s = sums[groups.of(group_of_vertex(v))];
+    Sums& s = sums[groups.find(group_of_vertex(v))];
     s.area += pushes.segment<3>(3 * v).squaredNorm();
     s.free_area += free_pushes.segment<3>(3 * v).squaredNorm();
   }
   for (Eigen::Index p = 0; p < m; ++p) {
-    Sums& s = sums[groups.of(std::size_t(p))];
+    Sums& s = sums[groups.find(std::size_t(p))];
     for (Saddle_point_system::Matrix::InnerIterator i(system.b, p); i; ++i)
       s.all += i.value() * i.value();
     s.set.pressures.push_back(p);

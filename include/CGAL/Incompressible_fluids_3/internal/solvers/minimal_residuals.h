@@ -8,10 +8,10 @@
 #ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_MINIMAL_RESIDUALS_H
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SOLVERS_MINIMAL_RESIDUALS_H
 
-#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
-#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
 #include <CGAL/Incompressible_fluids_3/fluid_errors.h>
 #include <CGAL/Incompressible_fluids_3/internal/solvers/blocks_of_vectors.h>
+#include <CGAL/Mesh_support/For_each_index.h>
+#include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <Eigen/Core>
 

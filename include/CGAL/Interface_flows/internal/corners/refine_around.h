@@ -13,7 +13,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
-#include <CGAL/Deformable_simplicial_complexes/refine_cells.h>
+#include <CGAL/Interface_remeshing/refine_cells.h>
 
 #include <algorithm>
 #include <cstddef>

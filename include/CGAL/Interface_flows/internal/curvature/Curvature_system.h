@@ -9,8 +9,8 @@
 #define CGAL_INTERFACE_FLOWS_INTERNAL_CURVATURE_CURVATURE_SYSTEM_H
 
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Interface_flows/internal/curvature/Interface_forces.h>
+#include <CGAL/Mesh_support/Error.h>
 
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>

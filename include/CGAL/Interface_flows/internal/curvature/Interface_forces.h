@@ -9,11 +9,11 @@
 #define CGAL_INTERFACE_FLOWS_INTERNAL_CURVATURE_INTERFACE_FORCES_H
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
-#include <CGAL/Deformable_simplicial_complexes/Facet_tension.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
-#include <CGAL/Deformable_simplicial_complexes/coordinates.h>
-#include <CGAL/Deformable_simplicial_complexes/vertices_on_junctions.h>
+#include <CGAL/Interface_remeshing/vertices_on_junctions.h>
+#include <CGAL/Mesh_support/coordinates.h>
+#include <CGAL/Mesh_support/internal/numbers/Facet_tension.h>
 
 #include <Eigen/Dense>
 

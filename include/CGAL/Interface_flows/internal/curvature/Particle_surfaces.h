@@ -11,7 +11,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
-#include <CGAL/Deformable_simplicial_complexes/coordinates.h>
+#include <CGAL/Mesh_support/coordinates.h>
 
 #include <Eigen/Dense>
 

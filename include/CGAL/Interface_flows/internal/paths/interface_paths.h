@@ -9,11 +9,12 @@
 #define CGAL_INTERFACE_FLOWS_INTERNAL_PATHS_INTERFACE_PATHS_H
 
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
-#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
-#include <CGAL/Deformable_simplicial_complexes/coordinates.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/require_finite.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/balance/Destinations.h>
 #include <CGAL/Interface_flows/Integration_scheme.h>
+#include <CGAL/Mesh_support/Error.h>
+#include <CGAL/Mesh_support/Progress_scope.h>
+#include <CGAL/Mesh_support/coordinates.h>
 #include <CGAL/Origin.h>
 #include <CGAL/tags.h>
 

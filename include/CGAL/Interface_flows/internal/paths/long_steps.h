@@ -9,6 +9,7 @@
 #define CGAL_INTERFACE_FLOWS_INTERNAL_PATHS_LONG_STEPS_H
 
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Domain_box.h>
 #include <CGAL/Interface_flows/internal/paths/interface_paths.h>
 #include <CGAL/Interface_flows/internal/paths/velocity_properties.h>
 

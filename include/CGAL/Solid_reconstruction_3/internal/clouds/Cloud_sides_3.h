@@ -8,9 +8,9 @@
 #ifndef CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_CLOUDS_CLOUD_SIDES_3_H
 #define CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_CLOUDS_CLOUD_SIDES_3_H
 
-#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
-#include <CGAL/Deformable_simplicial_complexes/Signed_union_find.h>
-#include <CGAL/Deformable_simplicial_complexes/stoppable_sort.h>
+#include <CGAL/Mesh_support/Progress_scope.h>
+#include <CGAL/Mesh_support/internal/sets/Signed_union_find.h>
+#include <CGAL/Mesh_support/internal/threads/stoppable_sort.h>
 #include <CGAL/Solid_reconstruction_3/internal/clouds/Point_cloud_3.h>
 
 #include <CGAL/Bbox_3.h>

@@ -8,9 +8,9 @@
 #ifndef CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_CLOUDS_POINT_CLOUD_3_H
 #define CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_CLOUDS_POINT_CLOUD_3_H
 
-#include <CGAL/Deformable_simplicial_complexes/For_each_index.h>
-#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Mesh_support/For_each_index.h>
+#include <CGAL/Mesh_support/Progress_scope.h>
+#include <CGAL/Solid_reconstruction_3/Invalid_points_error.h>
 #include <CGAL/Solid_reconstruction_3/internal/clouds/local_fits_3.h>
 
 #include <CGAL/Bbox_3.h>

@@ -8,10 +8,10 @@
 #ifndef CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_CLOUDS_SAMPLED_SURFACE_3_H
 #define CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_CLOUDS_SAMPLED_SURFACE_3_H
 
-#include <CGAL/Deformable_simplicial_complexes/Disjoint_sets.h>
-#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
-#include <CGAL/Deformable_simplicial_complexes/cgal_compat.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Mesh_support/Progress_scope.h>
+#include <CGAL/Mesh_support/internal/cgal/cgal_compat.h>
+#include <CGAL/Mesh_support/internal/sets/Disjoint_sets.h>
+#include <CGAL/Solid_reconstruction_3/Invalid_points_error.h>
 #include <CGAL/Solid_reconstruction_3/internal/clouds/Cloud_sides_3.h>
 #include <CGAL/Solid_reconstruction_3/internal/clouds/Point_cloud_3.h>
 #include <CGAL/Solid_reconstruction_3/internal/clouds/local_fits_3.h>

@@ -8,8 +8,8 @@
 #ifndef CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_CLOUDS_COLLECT_POINTS_H
 #define CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_CLOUDS_COLLECT_POINTS_H
 
-#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
-#include <CGAL/Deformable_simplicial_complexes/named_parameters.h>
+#include <CGAL/Mesh_support/Progress_scope.h>
+#include <CGAL/Mesh_support/named_parameters.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/number_utils.h>

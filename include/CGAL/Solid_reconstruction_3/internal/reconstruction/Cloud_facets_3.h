@@ -8,8 +8,8 @@
 #ifndef CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_RECONSTRUCTION_CLOUD_FACETS_3_H
 #define CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_RECONSTRUCTION_CLOUD_FACETS_3_H
 
-#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
-#include <CGAL/Deformable_simplicial_complexes/cgal_compat.h>
+#include <CGAL/Mesh_support/Progress_scope.h>
+#include <CGAL/Mesh_support/internal/cgal/cgal_compat.h>
 #include <CGAL/Solid_reconstruction_3/internal/clouds/Sampled_surface_3.h>
 
 #include <CGAL/AABB_tree.h>

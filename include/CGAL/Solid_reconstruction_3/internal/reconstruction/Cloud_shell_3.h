@@ -8,10 +8,10 @@
 #ifndef CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_RECONSTRUCTION_CLOUD_SHELL_3_H
 #define CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_RECONSTRUCTION_CLOUD_SHELL_3_H
 
-#include <CGAL/Deformable_simplicial_complexes/Octree_3.h>
-#include <CGAL/Deformable_simplicial_complexes/Octree_tetrahedra_3.h>
-#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
-#include <CGAL/Deformable_simplicial_complexes/manifold_interface.h>
+#include <CGAL/Complex_construction/Octree_3.h>
+#include <CGAL/Complex_construction/Octree_tetrahedra_3.h>
+#include <CGAL/Interface_remeshing/manifold_interface.h>
+#include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Solid_reconstruction_3/internal/clouds/Sampled_surface_3.h>
 
 #include <CGAL/Bbox_3.h>
@@ -115,7 +115,7 @@ private:
   std::array<double, 3> m_low; // corner of the domain
 };
 
-// Returns a complex with this interface. Cells at non-manifold vertices are relabelled until there
+// Returns a complex with this interface. Cells at non-manifold vertices are relabeled until there
 // are no such vertices.
 template <class Complex> Complex complex_of_shell(const Cloud_shell_3& shell) {
   Complex result;

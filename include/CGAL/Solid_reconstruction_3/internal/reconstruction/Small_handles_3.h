@@ -8,8 +8,8 @@
 #ifndef CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_RECONSTRUCTION_SMALL_HANDLES_3_H
 #define CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_RECONSTRUCTION_SMALL_HANDLES_3_H
 
-#include <CGAL/Deformable_simplicial_complexes/Disjoint_sets.h>
-#include <CGAL/Deformable_simplicial_complexes/Progress_scope.h>
+#include <CGAL/Mesh_support/Progress_scope.h>
+#include <CGAL/Mesh_support/internal/sets/Disjoint_sets.h>
 #include <CGAL/Solid_reconstruction_3/internal/clouds/Sampled_surface_3.h>
 
 #include <algorithm>

@@ -11,14 +11,14 @@
 /// includes this header uses the compiled code and does not instantiate these templates again.
 /// \pre The program links with `Deformable_simplicial_complex::Compiled`.
 
+#include <CGAL/Complex_construction/internal/building/Planar_filling_2.h>
+#include <CGAL/Complex_construction/internal/images/Image_filling_2.h>
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complex_2.h>
-#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
-#include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
-#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/building/Planar_filling_2.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/images/Image_filling_2.h>
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_2.h>
+#include <CGAL/Interface_remeshing/control_detail.h>
+#include <CGAL/Interface_remeshing/improve_interface.h>
+#include <CGAL/Interface_remeshing/improve_mesh.h>
 
 #include <functional>
 #include <optional>
@@ -34,7 +34,7 @@ namespace internal {
 using Default_complex_2 = Deformable_simplicial_complex_2<>;
 }
 
-CGAL_DSC_INSTANTIATION template class Labelled_complex<
+CGAL_DSC_INSTANTIATION template class Labeled_complex<
     internal::Default_complex_2, internal::Default_complex_2::Space,
     internal::Default_complex_2::Quality_measure, internal::Default_complex_2::Domain>;
 } // namespace Deformable_simplicial_complexes
@@ -48,7 +48,7 @@ CGAL_DSC_INSTANTIATION template Planar_filling_2 fill_planar_box<Planar_kernel>(
 CGAL_DSC_INSTANTIATION template Planar_filling_2
 fill_box_between<Planar_kernel>(const Curve_soup_2&, const Bbox_2&);
 CGAL_DSC_INSTANTIATION template Image_filling_2
-fill_image<Planar_kernel>(const Labelled_image_2&, double, const std::optional<Bbox_2>&);
+fill_image<Planar_kernel>(const Labeled_image_2&, double, const std::optional<Bbox_2>&);
 #define CGAL_DSC_COMPILED_COMPLEX Default_complex_2
 #include <CGAL/Deformable_simplicial_complexes/compiled_functions.h>
 #undef CGAL_DSC_COMPILED_COMPLEX

@@ -12,16 +12,16 @@
 /// includes this header uses the compiled code and does not instantiate these templates again.
 /// \pre The program links with `Deformable_simplicial_complex::Compiled`.
 
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/control_detail.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
-#include <CGAL/Deformable_simplicial_complexes/improve_interface.h>
-#include <CGAL/Deformable_simplicial_complexes/improve_mesh.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/IO/triangulated_polygon.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/soups/soup_intersections_3.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/soups/soup_rays_3.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/soups/split_at_crossings_3.h>
-#include <CGAL/Deformable_simplicial_complexes/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Interface_remeshing/control_detail.h>
+#include <CGAL/Interface_remeshing/improve_interface.h>
+#include <CGAL/Interface_remeshing/improve_mesh.h>
+#include <CGAL/Mesh_files/internal/surfaces/triangulated_polygon.h>
+#include <CGAL/Triangle_soup_repair/internal/soups/soup_intersections_3.h>
+#include <CGAL/Triangle_soup_repair/internal/soups/soup_rays_3.h>
+#include <CGAL/Triangle_soup_repair/internal/soups/split_at_crossings_3.h>
 
 #include <cstddef>
 #include <functional>
@@ -39,7 +39,7 @@ namespace internal {
 using Default_complex_3 = Deformable_simplicial_complex_3<>;
 }
 
-CGAL_DSC_INSTANTIATION template class Labelled_complex<
+CGAL_DSC_INSTANTIATION template class Labeled_complex<
     internal::Default_complex_3, internal::Default_complex_3::Space,
     internal::Default_complex_3::Quality_measure, internal::Default_complex_3::Domain>;
 } // namespace Deformable_simplicial_complexes

@@ -1,0 +1,41 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Complex_construction, written for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_COMPLEX_CONSTRUCTION_TETRAHEDRALIZATION_ERROR_H
+#define CGAL_COMPLEX_CONSTRUCTION_TETRAHEDRALIZATION_ERROR_H
+
+#include <CGAL/license/Complex_construction.h>
+
+#include <CGAL/Mesh_support/Error.h>
+
+#include <string>
+
+namespace CGAL::Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgComplexConstructionRef
+
+Exception thrown if the space around valid surfaces could not be filled with tetrahedra.
+*/
+class Tetrahedralization_error : public Error
+{
+public:
+  /// Constructs the error; `code` is returned by `code()`.
+  explicit Tetrahedralization_error(const std::string& message, int code = 0)
+      : Error(message), m_code(code) {}
+
+  /// Returns the code that TetGen threw; 0 if TetGen crashed, was stopped, or made an invalid
+  /// result.
+  int code() const { return m_code; }
+
+private:
+  int m_code;
+};
+
+} // namespace CGAL::Deformable_simplicial_complexes
+
+#endif // CGAL_COMPLEX_CONSTRUCTION_TETRAHEDRALIZATION_ERROR_H

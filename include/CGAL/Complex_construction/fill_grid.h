@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Complex_construction, written for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_COMPLEX_CONSTRUCTION_FILL_GRID_H
+#define CGAL_COMPLEX_CONSTRUCTION_FILL_GRID_H
+
+#include <CGAL/license/Complex_construction.h>
+
+#include <CGAL/Complex_construction/fit_interface.h>
+#include <CGAL/Complex_construction/internal/building/torus_grid.h>
+#include <CGAL/Complex_construction/internal/fitting/labels_at.h>
+#include <CGAL/Mesh_support/Progress_scope.h>
+#include <CGAL/Mesh_support/coordinates.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Deformable_simplicial_complexes::internal {
+
+// Returns the complex of the cells of a grid, with labels given by a function. `result` is an empty
+// complex in the domain.
+template <class Complex, class LabelAt, class NamedParameters>
+Complex fill_grid(Complex result, const Grid<Complex::dimension>& grid, const LabelAt& label_at,
+                  const NamedParameters& np) {
+  std::vector<typename Complex::Point> points;
+  for (const auto& p : grid.points)
+    points.push_back(result.exact(point_at<Complex>(p)));
+  result.assign(points, grid.cells, std::vector<typename Complex::Label>(grid.cells.size(), 0));
+  const auto cells = result.cells();
+  std::vector<typename Complex::Approximate_point> barycenters;
+  for (auto c : cells)
+    barycenters.push_back(barycenter(result, c));
+  const auto labels = labels_at(result, label_at, std::move(barycenters));
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    Progress_scope::check();
+    result.relabel(cells[i], labels[i]);
+  }
+  result.measure_interface_edges();
+  fit_interface(result, label_at, np);
+  result.measure_interface_edges();
+  result.take_component_events();
+  return result;
+}
+
+} // namespace CGAL::Deformable_simplicial_complexes::internal
+
+#endif // CGAL_COMPLEX_CONSTRUCTION_FILL_GRID_H

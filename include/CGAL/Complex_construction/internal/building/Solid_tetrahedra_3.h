@@ -1,0 +1,134 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Complex_construction, written for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_COMPLEX_CONSTRUCTION_INTERNAL_BUILDING_SOLID_TETRAHEDRA_3_H
+#define CGAL_COMPLEX_CONSTRUCTION_INTERNAL_BUILDING_SOLID_TETRAHEDRA_3_H
+
+#include <CGAL/Complex_construction/Tetrahedralization_3.h>
+#include <CGAL/Complex_construction/internal/building/Boxed_soup_3.h>
+#include <CGAL/Complex_construction/internal/building/check_tetrahedra_3.h>
+#include <CGAL/Complex_construction/internal/building/label_cells.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Triangle_soup_repair/internal/checks/check_surfaces_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Deformable_simplicial_complexes::internal {
+
+// Tetrahedra given by the user, and the tetrahedra of a mesh that surround them.
+class Solid_tetrahedra_3
+{
+public:
+  // Stores the tetrahedra, positively oriented, with equal points merged. Throws
+  // `Invalid_cells_error` if there are no tetrahedra, if coordinates are not finite, if indices do
+  // not exist, or if tetrahedra are degenerate.
+  template <class Point, class Traits>
+  Solid_tetrahedra_3(const std::vector<Point>& points,
+                     std::vector<std::array<std::size_t, 4>> tetrahedra, const Traits& traits)
+      : m_tetrahedra(std::move(tetrahedra)) {
+    if (m_tetrahedra.empty())
+      throw Invalid_cells_error("there are no tetrahedra: give at least one");
+    orient_tetrahedra(points, m_tetrahedra, traits);
+    for (const Point& p : points)
+      m_points.push_back(coordinates(p));
+    std::map<Coordinates_3, std::size_t> first;
+    std::vector<std::size_t> representative;
+    for (std::size_t i = 0; i < m_points.size(); ++i)
+      representative.push_back(first.emplace(m_points[i], i).first->second);
+    for (auto& tetrahedron : m_tetrahedra)
+      for (std::size_t& v : tetrahedron)
+        v = representative[v];
+  }
+
+  // Returns the triangles that belong to exactly one tetrahedron. Origins are indices of points.
+  // Throws `Invalid_cells_error` if triangles cross, or if there are none.
+  Joined_soup_3 boundary() const {
+    Triangle_soup_3 soup = {m_points, {}};
+    std::vector<std::size_t> owners;
+    const auto facets = sorted_facets(m_tetrahedra);
+    for (std::size_t i = 0; i < facets.size(); ++i) {
+      const auto is_same = [&](std::size_t j) {
+        return j < facets.size() && facets[j].vertices == facets[i].vertices;
+      };
+      if ((i > 0 && is_same(i - 1)) || is_same(i + 1))
+        continue;
+      soup.triangles.push_back(facets[i].vertices);
+      owners.push_back(facets[i].cell);
+    }
+    if (soup.triangles.empty()) // each facet has two tetrahedra, so they overlap
+      throw Invalid_cells_error("tetrahedra overlap: remove duplicated tetrahedra", {0});
+    Joined_soup_3 result = join({merge_points(soup)});
+    std::vector<std::size_t> offenders;
+    for (const auto& [s, t] : crossing_triangles(result)) {
+      offenders.push_back(owners[s]);
+      offenders.push_back(owners[t]);
+    }
+    if (!offenders.empty()) {
+      std::sort(offenders.begin(), offenders.end());
+      offenders.erase(std::unique(offenders.begin(), offenders.end()), offenders.end());
+      throw Invalid_cells_error(
+          "tetrahedra overlap, or share only parts of facets: remesh near these tetrahedra",
+          std::move(offenders));
+    }
+    return result;
+  }
+
+  // Returns the given tetrahedra, followed by the tetrahedra of the mesh that lie outside them, in
+  // the frame of the mesh.
+  // \pre `boxed` contains `boundary()`, and the triangles of `boundary()` are facets of the mesh.
+  Tetrahedralization_3 with_space_around(const Tetrahedralization_3& mesh,
+                                         const Boxed_soup_3& boxed) const {
+    std::vector<std::size_t> on_boundary(m_points.size(), none);
+    for (std::size_t i = 0; i < boxed.soup.points.size(); ++i)
+      on_boundary[boxed.soup.point_origins[i].index] = i;
+
+    std::vector<std::size_t> numbers(m_points.size(), none), mesh_numbers(mesh.points.size(), none);
+    Tetrahedralization_3 result;
+    const auto number = [&](std::size_t& known, const Coordinates_3& p) {
+      if (known == none) {
+        known = result.points.size();
+        result.points.push_back(p);
+      }
+      return known;
+    };
+    for (const auto& given : m_tetrahedra) {
+      auto& tetrahedron = result.tetrahedra.emplace_back();
+      for (std::size_t k = 0; k < given.size(); ++k) {
+        const std::size_t v = given[k], b = on_boundary[v];
+        tetrahedron[k] = b == none ? number(numbers[v], boxed.frame(m_points[v]))
+                                   : number(mesh_numbers[b], mesh.points[b]);
+      }
+    }
+    const auto is_inside = label_cells<3>(mesh.tetrahedra, boxed.walls(), {1});
+    for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
+      if (is_inside[t])
+        continue;
+      auto& tetrahedron = result.tetrahedra.emplace_back();
+      for (std::size_t k = 0; k < tetrahedron.size(); ++k) {
+        const std::size_t v = mesh.tetrahedra[t][k];
+        tetrahedron[k] = number(mesh_numbers[v], mesh.points[v]);
+      }
+    }
+    return result;
+  }
+
+private:
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+
+  std::vector<Coordinates_3> m_points;
+  std::vector<std::array<std::size_t, 4>> m_tetrahedra; // positively oriented
+};
+
+} // namespace CGAL::Deformable_simplicial_complexes::internal
+
+#endif // CGAL_COMPLEX_CONSTRUCTION_INTERNAL_BUILDING_SOLID_TETRAHEDRA_3_H

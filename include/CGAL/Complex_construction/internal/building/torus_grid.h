@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Complex_construction, written for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_COMPLEX_CONSTRUCTION_INTERNAL_BUILDING_TORUS_GRID_H
+#define CGAL_COMPLEX_CONSTRUCTION_INTERNAL_BUILDING_TORUS_GRID_H
+
+#include <CGAL/Mesh_support/Error.h>
+#include <CGAL/Mesh_support/Progress_scope.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Deformable_simplicial_complexes::internal {
+
+// Points, and cells of nearly equal shape that fill a flat torus or a box.
+template <int d> struct Grid
+{
+  std::vector<std::array<double, d>> points;
+  std::vector<std::array<std::size_t, d + 1>> cells;
+};
+
+// Returns the number of edges in a period, rounded, and at least `least`. Throws `Error` if this
+// number exceeds 2^20, or if a length is not positive and finite.
+inline std::size_t edges_in_period(double period, double edge, std::size_t least) {
+  static constexpr double most = 1 << 20;
+  if (!(edge > 0) || !std::isfinite(edge))
+    throw Error("the target edge length is not positive and finite: use more than 0");
+  if (!(period > 0) || !std::isfinite(period))
+    throw Error("the box is empty or not finite: use a finite box with positive sides");
+  const double number = std::round(period / edge);
+  if (!(number <= most))
+    throw Error("the target edge length is too short for the domain: use more than a millionth of "
+                "its extent");
+  return (std::max)(least, std::size_t(number));
+}
+
+// Throws `Error` if a grid would have more than 2^30 boxes.
+inline void check_number_of_boxes(double number) {
+  static constexpr double most = 1 << 30;
+  if (!(number <= most))
+    throw Error("the target edge length is too short for the domain: use a length that gives at "
+                "most 2^30 cells");
+}
+
+// Returns a grid of a flat torus: rows of nearly regular triangles, where every second row is
+// shifted by half an edge. Throws `Error` if the grid is too large.
+inline Grid<2> torus_grid(const std::array<double, 2>& periods, double edge) {
+  const double height = std::sqrt(3.) / 2;
+  const std::size_t columns = edges_in_period(periods[0], edge, 3),
+                    rows = 2 * edges_in_period(periods[1] / 2, edge * height, 2);
+  check_number_of_boxes(double(columns) * double(rows));
+  Grid<2> grid;
+  const auto index = [&](std::size_t i, std::size_t j) { return j % rows * columns + i % columns; };
+  for (std::size_t j = 0; j < rows; ++j)
+    for (std::size_t i = 0; i < columns; ++i) {
+      Progress_scope::check();
+      const std::size_t shift = j % 2;
+      grid.points.push_back({periods[0] * (double(i) + .5 * double(shift)) / double(columns),
+                             periods[1] * double(j) / double(rows)});
+      grid.cells.push_back({index(i, j), index(i + 1, j), index(i + shift, j + 1)});
+      grid.cells.push_back({index(i + 1 - shift, j), index(i + 1, j + 1), index(i, j + 1)});
+    }
+  return grid;
+}
+
+// Returns the Delaunay tetrahedra of a body-centered cubic lattice on a flat torus. Four tetrahedra
+// surround each edge between the centers of two adjacent cubes. Each of them contains one edge of
+// the common face of the two cubes. Throws `Error` if the grid is too large.
+inline Grid<3> torus_grid(const std::array<double, 3>& periods, double edge) {
+  std::array<std::size_t, 3> n;
+  for (int axis = 0; axis < 3; ++axis)
+    n[axis] = edges_in_period(periods[axis], edge, 3);
+  check_number_of_boxes(double(n[0]) * double(n[1]) * double(n[2]));
+  Grid<3> grid;
+  const std::size_t boxes = n[0] * n[1] * n[2];
+  grid.points.resize(2 * boxes);
+  const auto corner = [&](const std::array<std::size_t, 3>& box) {
+    return (box[0] % n[0] * n[1] + box[1] % n[1]) * n[2] + box[2] % n[2];
+  };
+  for (std::array<std::size_t, 3> box = {}; box[0] < n[0]; ++box[0])
+    for (box[1] = 0; box[1] < n[1]; ++box[1])
+      for (box[2] = 0; box[2] < n[2]; ++box[2]) {
+        Progress_scope::check();
+        for (int axis = 0; axis < 3; ++axis) {
+          const double step = periods[axis] / double(n[axis]);
+          grid.points[corner(box)][axis] = double(box[axis]) * step;
+          grid.points[boxes + corner(box)][axis] = (double(box[axis]) + .5) * step;
+        }
+        for (int axis = 0; axis < 3; ++axis) {
+          auto next = box;
+          ++next[axis];
+          std::array<std::size_t, 4> face; // counterclockwise, seen from the next cube
+          for (int k = 0; k < 4; ++k) {
+            auto at = next;
+            at[(axis + 1) % 3] += k == 1 || k == 2;
+            at[(axis + 2) % 3] += k >= 2;
+            face[k] = corner(at);
+          }
+          for (int k = 0; k < 4; ++k)
+            grid.cells.push_back(
+                {boxes + corner(box), boxes + corner(next), face[k], face[(k + 1) % 4]});
+        }
+      }
+  return grid;
+}
+
+} // namespace CGAL::Deformable_simplicial_complexes::internal
+
+#endif // CGAL_COMPLEX_CONSTRUCTION_INTERNAL_BUILDING_TORUS_GRID_H

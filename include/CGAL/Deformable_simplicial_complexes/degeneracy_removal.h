@@ -1,0 +1,245 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Deformable_simplicial_complexes, written for CGAL
+// (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DEGENERACY_REMOVAL_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DEGENERACY_REMOVAL_H
+
+#include <CGAL/license/Deformable_simplicial_complexes.h>
+
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_flip_2.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_removal_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/operations/Facet_normals.h>
+#include <CGAL/Deformable_simplicial_complexes/multi_face_removal_3.h>
+#include <CGAL/Deformable_simplicial_complexes/relabeling.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace CGAL::Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Proposes to flip the longest edge of a cap if the edge is on the interface. The interface is
+flipped, too: both new triangles get the label of the other side of the edge. The two edges at the
+tip of the cap, which must be on the interface, take the place of the flipped edge. Linear in the
+stars of the vertices. Section 3.1 of the paper.
+
+\param complex the complex; it is not changed
+\param cell, i the edge opposite to the vertex i, the tip, of a finite triangle
+\param cavity filled with the proposal if there is one
+\return whether the proposal is valid: the edge and the tip are on the interface, and the topology
+        stays. Both new triangles are positively oriented, and the worst quality rises. The
+        interface moves by the area of the cap.
+*/
+template <class Complex>
+bool propose_cap_flip(const Complex& complex, typename Complex::Cell_handle cell, int i,
+                      Deformable_simplicial_complexes::Cavity<Complex>& cavity) {
+  const auto other = cell->neighbor(i);
+  if (complex.is_infinite(other) || other->label() == cell->label() ||
+      !cell->vertex(i)->is_interface() || !relabeling_keeps_topology(complex, cell, other->label()))
+    return false;
+  internal::plan_flip(cell, i, other, cavity);
+  return cavity.quality_after() > cavity.quality_before() && cavity.is_positive();
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Proposes to remove a triangle with a small angle. Of a *cap*, a triangle with an obtuse angle, the
+longest edge is flipped, with `propose_cap_flip()` if it is on the interface. If this is not
+possible, or if the triangle is a *needle*, the shortest edge is collapsed. Section 3.1 of the
+paper. The complexity is that of these functions.
+
+\param complex the complex; it is not changed
+\param cell a triangle
+\param cosine only triangles with an angle of larger cosine are considered. The paper uses 0.99 for
+       minus the cosine of the obtuse angle of a cap, and an angle of 0.01 &pi; for needles.
+\param minimum_quality lower bound of the quality of the new triangles of a collapse
+\param cavity filled with the proposal if there is one
+\return whether the triangle is finite, has a small angle, and there is a proposal. The topology of
+        the interface stays. The interface is unchanged, or moves by the triangles that are
+        replaced.
+*/
+template <class Complex>
+bool propose_degenerate_triangle_removal(const Complex& complex, typename Complex::Cell_handle cell,
+                                         double cosine, double minimum_quality,
+                                         Deformable_simplicial_complexes::Cavity<Complex>& cavity) {
+  if (complex.is_infinite(cell))
+    return false;
+  std::array<double, 3> squared; // of the lengths of the edges opposite to the three vertices
+  for (int i = 0; i < 3; ++i)
+    squared[i] =
+        complex.displacement(cell->vertex((i + 1) % 3), cell->vertex((i + 2) % 3)).squared_length();
+  const int shortest = int(std::min_element(squared.begin(), squared.end()) - squared.begin()),
+            longest = int(std::max_element(squared.begin(), squared.end()) - squared.begin());
+  const auto cosine_at = [&](int i) {
+    const double p = squared[(i + 1) % 3], q = squared[(i + 2) % 3];
+    return (p + q - squared[i]) / (2 * std::sqrt(p * q));
+  };
+  if (!(cosine_at(shortest) > cosine))
+    return false;
+  return (cosine_at(longest) < 0 && (propose_edge_flip(complex, cell, longest, cavity) ||
+                                     propose_cap_flip(complex, cell, longest, cavity))) ||
+         internal::propose_collapse_either_way(complex, cell, (shortest + 1) % 3,
+                                               (shortest + 2) % 3, minimum_quality, cavity);
+}
+
+// Degenerate simplices: edges of almost zero length, facets of almost zero area, and tetrahedra of
+// almost zero volume ("degeneracy removal", section 3.2.1 of the paper). The paper splits an edge
+// and collapses the new vertex into a vertex c of the ring. This is edge removal with a fan around
+// c as the triangulation of the ring. Edge removal uses the best of all triangulations instead.
+
+namespace internal {
+
+// Proposes to remove an edge of a flat cell. If the interface bends around the cell at the edge, it
+// may be moved to the other side of the cell.
+template <class Complex>
+bool propose_removal_from_flat_cell(const Complex& complex, typename Complex::Cell_handle cell,
+                                    int i, int j, Cavity<Complex>& cavity) {
+  bool is_bend = true;
+  for (int k = 0; k < 4; ++k)
+    is_bend = is_bend && (k == i || k == j || complex.is_interface(std::make_pair(cell, k)));
+  return is_bend ? propose_interface_edge_flip(complex, cell, i, j, cavity)
+                 : propose_edge_removal(complex, cell, i, j, cavity);
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Proposes to remove a facet with a small angle. Of a *cap*, the longest edge is removed, or flipped
+if the facet is on the interface. Of a *needle*, the shortest edge is collapsed. A facet is a cap if
+its largest angle is above 120 degrees and its longest edge is 1.03 times as long as the second one.
+For facets with the smallest angle of the paper, the lengths alone decide, as in the paper. Section
+3.2.1 of the paper, degeneracy removal (b). The complexity is that of the functions below.
+
+\param complex the complex; it is not changed
+\param cell, i a finite facet
+\param cosine only facets with an angle of larger cosine are considered; the paper uses 0.999
+\param minimum_quality lower bound of the quality of the new tetrahedra of a collapse
+\param cavity filled with the proposal if there is one
+\return whether the facet has a small angle, and `propose_edge_removal()`,
+        `propose_interface_edge_flip()` or `propose_edge_collapse()` makes the proposal described
+        above. The interface is unchanged, or moves by the volume next to its nearly flat facets.
+*/
+template <class Complex>
+bool propose_degenerate_facet_removal(const Complex& complex, typename Complex::Cell_handle cell,
+                                      int i, double cosine, double minimum_quality,
+                                      Cavity<Complex>& cavity) {
+  using namespace internal;
+  static constexpr double cap_cosine = -.5, cap_ratio = 1.03;
+  const std::array<int, 3> v = {(i + 1) % 4, (i + 2) % 4, (i + 3) % 4};
+  std::array<double, 3> squared; // of the lengths of the edges opposite to the three vertices
+  for (int k = 0; k < 3; ++k)
+    squared[k] = complex.displacement(cell->vertex(v[(k + 2) % 3]), cell->vertex(v[(k + 1) % 3]))
+                     .squared_length();
+  const int shortest = int(std::min_element(squared.begin(), squared.end()) - squared.begin());
+  const int longest = int(std::max_element(squared.begin(), squared.end()) - squared.begin());
+  const auto cosine_at = [&](int k) {
+    const double p = squared[(k + 1) % 3], q = squared[(k + 2) % 3];
+    return (p + q - squared[k]) / (2 * std::sqrt(p * q));
+  };
+  if (!(cosine_at(shortest) > cosine))
+    return false;
+
+  const double second = (std::max)(squared[(longest + 1) % 3], squared[(longest + 2) % 3]);
+  const bool is_cap =
+      cosine_at(longest) < cap_cosine && squared[longest] > cap_ratio * cap_ratio * second;
+  const int opposite = is_cap ? longest : shortest;
+  const int a = v[(opposite + 1) % 3], b = v[(opposite + 2) % 3];
+  if (!is_cap)
+    return propose_collapse_either_way(complex, cell, a, b, minimum_quality, cavity);
+  return complex.is_interface(std::make_pair(cell, i))
+             ? propose_interface_edge_flip(complex, cell, a, b, cavity)
+             : propose_edge_removal(complex, cell, a, b, cavity);
+}
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Proposes to remove a nearly flat cell (section 3.2.1 of the paper, degeneracy removal (a)). The
+operation depends on the projection of the apex, which is the vertex opposite to the largest facet.
+If the cell were pressed flat, it would become
+
+- *three facets* around the apex if it projects into the largest facet, which is removed;
+- *two facets* if the apex projects to an edge of the largest facet, within a tenth of the height of
+  the facet; this edge is removed;
+- *four facets* if the apex projects beyond an edge: this edge and the opposite edge of the cell
+  cross. One of them is removed, the one whose removal gives the better worst quality;
+- *one facet* if the apex projects to a vertex, within a tenth of the height; the edge between the
+  apex and this vertex is collapsed.
+
+These are all cases, since the facet is the largest one. The complexity is that of the functions
+below.
+
+\param complex the complex; it is not changed
+\param cell the cell
+\param threshold only cells of lower quality are considered; the paper uses 0.005. It is also the
+       lower bound of the quality of the new tetrahedra of a collapse.
+\param cavity filled with the proposal if there is one
+\return whether the cell is finite and nearly flat, and `propose_multi_face_removal()`,
+        `propose_edge_removal()` or `propose_edge_collapse()` makes the proposal described above. If
+        two facets of the cell at the edge are on the interface, `propose_interface_edge_flip()`
+        makes the proposal. The topology of the interface stays. The interface is unchanged, or
+        moves by the cell. Cells whose removal changes more are left to `propose_relabeling()`.
+*/
+template <class Complex>
+bool propose_degenerate_tetrahedron_removal(const Complex& complex,
+                                            typename Complex::Cell_handle cell, double threshold,
+                                            Cavity<Complex>& cavity) {
+  using namespace internal;
+  static constexpr double at_edge = .1;
+  if (complex.is_infinite(cell) || !(cell->quality() < threshold))
+    return false;
+
+  const Facet_normals<Complex> normals(complex, cell);
+  const int apex = normals.largest();
+  // Vertices of the largest facet: the apex projects to or beyond the edge opposite to the tip, but
+  // not to or beyond the edge opposite to the base.
+  int tip = -1, base = -1, number_of_edges = 0;
+  for (int i = 0; i < 4; ++i) {
+    if (i == apex)
+      continue;
+    const double coordinate = normals.coordinate_of_projection(apex, i);
+    if (coordinate > at_edge) {
+      base = i;
+    } else {
+      tip = i;
+      number_of_edges += coordinate >= -at_edge ? 1 : 0;
+    }
+  }
+  if (number_of_edges == 2)
+    return propose_collapse_either_way(complex, cell, apex, base, threshold, cavity);
+  if (tip < 0)
+    return propose_multi_face_removal(complex, cell, apex, cavity);
+
+  std::array<int, 2> edge; // edge of the largest facet opposite to the tip
+  int* end = edge.data();
+  for (int i = 0; i < 4; ++i)
+    if (i != apex && i != tip)
+      *end++ = i;
+  const bool proposed = propose_removal_from_flat_cell(complex, cell, edge[0], edge[1], cavity);
+  if (number_of_edges == 1)
+    return proposed;
+  Cavity<Complex> other(complex);
+  if (!propose_removal_from_flat_cell(complex, cell, tip, apex, other))
+    return proposed;
+  if (!proposed || other.quality_after() > cavity.quality_after())
+    std::swap(cavity, other);
+  return true;
+}
+
+} // namespace CGAL::Deformable_simplicial_complexes
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DEGENERACY_REMOVAL_H

@@ -1,0 +1,321 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Deformable_simplicial_complexes, written for CGAL
+// (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DEFORMATION_DEFORMATION_REMESHER_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DEFORMATION_DEFORMATION_REMESHER_H
+
+#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
+#include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
+#include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/balance/Destinations.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/sort_by_time_stamp.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/deformation/Small_angle_remover_2.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/deformation/Small_angle_remover_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_operations.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Rigid_components.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/operations/triangle_quality.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
+#include <CGAL/Deformable_simplicial_complexes/neighbor_exchange_2.h>
+#include <CGAL/Deformable_simplicial_complexes/star_union.h>
+#include <CGAL/Mesh_support/For_each_index.h>
+
+#include <CGAL/number_utils.h>
+
+#include <boost/container/flat_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Deformable_simplicial_complexes::internal {
+
+// The remeshing of a deformation in 2D: Algorithm 3, and the removal of short edges, trapped free
+// vertices and small angles.
+template <class Complex> class Deformation_remesher_2
+{
+public:
+  using Vertex_handle = typename Complex::Vertex_handle;
+  using Cell_handle = typename Complex::Cell_handle;
+  using Cells = Work_list<Cell_handle>;
+
+  Deformation_remesher_2(Complex& complex, Any_visitor<Complex>& visitor,
+                         const Destinations<Complex>& destinations,
+                         const Rigid_components<Complex>& rigid_components,
+                         const Deformation_options<Complex>& options,
+                         const For_each_index& for_each_index)
+      : m_complex(complex), m_visitor(visitor), m_topology_control(options.topology_control),
+        m_energy(options.interface_energy), m_relabeling_threshold(options.relabeling_threshold),
+        m_cavity(complex),
+        m_improver(complex, visitor, destinations, options.quality_threshold, for_each_index),
+        m_small_angles(complex, visitor, rigid_components, options.minimum_angle,
+                       options.quality_threshold, for_each_index) {}
+
+  void begin_pass(unsigned pass) { m_improver.begin_pass(pass); }
+  bool is_bad(Cell_handle c) const { return m_improver.is_bad(c); }
+
+  void open_obstructing_cell(Cell_handle c, Cells& touched) {
+    m_improver.open_obstructing_cell(c, touched);
+  }
+
+  void remove_obstacle(Cell_handle c, bool may_remove_facets, Cells& touched) {
+    if (may_remove_facets && m_improver.remove_short_edge(c, touched))
+      return;
+    if (c->quality() < m_relabeling_threshold)
+      m_improver.remove_trapped_vertex(c, touched);
+  }
+
+  void remove_degenerating_facets(Cells&) {}
+
+  void improve(Cells cells) {
+    static constexpr unsigned rounds = 3;
+    m_improver.improve(std::move(cells), rounds);
+  }
+
+  // Exchanges neighbors at interface edges that end in moved vertices and are short compared with
+  // the edges around them.
+  template <class Log> void exchange_neighbors(const std::vector<Vertex_handle>& moved, Log& log) {
+    static constexpr unsigned junction = 3; // minimum number of interface edges at a junction
+    for (Vertex_handle v : moved) {
+      if (v->interface_degree() < junction)
+        continue;
+      m_complex.star(v, m_star);
+      for (Cell_handle c : m_star) {
+        if (m_complex.is_infinite(c))
+          continue;
+        const int i = (c->index(v) + 2) % 3; // the edge from `v` with the cell on its left
+        const Vertex_handle w = c->vertex((i + 2) % 3);
+        if ((w->interface_degree() >= junction || m_complex.is_boundary(w)) &&
+            exchange_neighbors(c, i, log))
+          break;
+      }
+    }
+  }
+
+  const std::vector<Neighbor_exchange<Complex>>& exchanges() const { return m_exchanges; }
+
+  Cells cells_with_small_angles() const { return m_small_angles.bad_cells(); }
+  template <class Relabel> void remove_small_angles(const Relabel&) { m_small_angles.run(); }
+
+  Improvement_report report() const { return m_improver.report() + m_small_angles.report(); }
+  std::size_t number_of_relocated() const { return 0; }
+
+private:
+  template <class Log> bool exchange_neighbors(Cell_handle c, int i, Log& log) {
+    // maximum length of an exchanged edge, relative to the edges around it
+    static constexpr double longest = .5;
+    const auto exchange = propose_neighbor_exchange(m_complex, c, i, longest, m_cavity, m_energy);
+    if (!exchange)
+      return false;
+    for (Cell_handle side : {c, c->neighbor(i)})
+      for (auto label : exchange->joined)
+        if (m_topology_control && !m_topology_control(m_complex, side, label))
+          return false;
+    log.record(c, exchange->joined[0]);
+    const auto labels = {exchange->parted[0], exchange->parted[1], exchange->joined[0],
+                         exchange->joined[1]};
+    boost::container::flat_map<typename Complex::Label, double> areas;
+    for (auto label : labels)
+      areas.emplace(label, m_complex.measure(label));
+    replace_cavity(m_complex, m_cavity, m_visitor);
+    for (const auto& [label, area] : areas)
+      log.record_exchange(label, m_complex.measure(label) - area);
+    m_visitor.after_flip(m_cavity.created());
+    m_exchanges.push_back(*exchange);
+    return true;
+  }
+
+  Complex& m_complex;
+  Any_visitor<Complex>& m_visitor;
+  const typename Deformation_options<Complex>::Topology_control& m_topology_control;
+  const Interface_energy& m_energy;
+  double m_relabeling_threshold;
+  Cavity<Complex> m_cavity;
+  Mesh_improver<Complex> m_improver;
+  Small_angle_remover_2<Complex> m_small_angles;
+  std::vector<Cell_handle> m_star;
+  std::vector<Neighbor_exchange<Complex>> m_exchanges;
+};
+
+// The remeshing of a deformation in 3D: Algorithm 3, and the removal of small angles.
+template <class Complex> class Deformation_remesher_3
+{
+public:
+  using Vertex_handle = typename Complex::Vertex_handle;
+  using Cell_handle = typename Complex::Cell_handle;
+  using Cells = Work_list<Cell_handle>;
+
+  Deformation_remesher_3(Complex& complex, Any_visitor<Complex>& visitor,
+                         const Destinations<Complex>& destinations,
+                         const Rigid_components<Complex>& rigid_components,
+                         const Deformation_options<Complex>& options,
+                         const For_each_index& for_each_index)
+      : m_complex(complex), m_destinations(destinations), m_for_each_index(for_each_index),
+        m_relabeling_threshold(options.relabeling_threshold),
+        m_degenerate_cosine(std::cos(options.minimum_facet_angle * (CGAL_PI / 180))),
+        m_improver(complex, visitor, destinations, options.quality_threshold, for_each_index),
+        m_small_angles(complex, visitor, destinations, rigid_components, options.minimum_angle,
+                       options.quality_threshold, for_each_index) {}
+
+  // Collects the interface facets that will have a small angle at their destinations, smaller than
+  // before the motion. Facets of regions that move rigidly are thus not collected.
+  void begin_pass(unsigned pass) {
+    m_improver.begin_pass(pass);
+    const std::vector<Vertex_handle>& unfinished = m_destinations.unfinished();
+    m_degenerating.clear();
+    const Vertex_numbers numbers(m_complex, unfinished);
+    std::vector<typename Complex::Approximate_point> destinations;
+    for (std::size_t k = 0; k < unfinished.size(); ++k)
+      destinations.push_back(m_complex.approximate(m_destinations.destination(k)));
+    const auto final = [&](Vertex_handle v) {
+      const std::uint32_t number = numbers(v);
+      return number != Vertex_numbers::none ? destinations[number] : m_complex.position(v);
+    };
+    const auto degenerates = [&](Cell_handle c, int i) {
+      return is_interface_from(c, i) && will_degenerate({c, i}, final);
+    };
+    std::vector<Cell_handle> cells = star_union_if(
+        m_complex, unfinished,
+        [&](Cell_handle c) {
+          return degenerates(c, 0) || degenerates(c, 1) || degenerates(c, 2) || degenerates(c, 3);
+        },
+        m_for_each_index);
+    sort_by_time_stamp(cells);
+    for (Cell_handle c : cells)
+      for (int i = 0; i < 4; ++i)
+        if (degenerates(c, i))
+          m_degenerating.push_back({c, c->time_stamp(), i});
+  }
+
+  bool is_bad(Cell_handle c) const { return m_improver.is_bad(c); }
+
+  void open_obstructing_cell(Cell_handle c, Cells& touched) {
+    m_improver.open_obstructing_cell(c, touched);
+  }
+
+  void remove_obstacle(Cell_handle c, bool may_remove_facets, Cells& touched) {
+    static constexpr double cosine = .94; // the cosine of 20 degrees
+    if (may_remove_facets &&
+        (remove_degenerate_facet(c, cosine, touched) || m_improver.remove_short_edge(c, touched)))
+      return;
+    if (c->quality() < m_relabeling_threshold)
+      m_improver.remove_trapped_vertex(c, touched);
+  }
+
+  void remove_degenerating_facets(Cells& touched) {
+    for (const Facet_item& item : m_degenerating)
+      if (m_complex.is_alive(item.cell, item.time_stamp))
+        m_improver.remove_degenerate_facet(item.cell, item.index, m_degenerate_cosine, touched);
+  }
+
+  void improve(Cells cells) {
+    static constexpr unsigned rounds = 3;
+    m_improver.improve(std::move(cells), rounds);
+  }
+
+  template <class Log> void exchange_neighbors(const std::vector<Vertex_handle>&, Log&) {}
+
+  Cells cells_with_small_angles() const { return m_small_angles.bad_cells(); }
+
+  template <class Relabel> void remove_small_angles(const Relabel& relabel) {
+    m_small_angles.run(relabel);
+  }
+
+  Improvement_report report() const { return m_improver.report() + m_small_angles.report(); }
+  std::vector<Neighbor_exchange<Complex>> exchanges() const { return {}; }
+  std::size_t number_of_relocated() const { return m_small_angles.number_of_relocated(); }
+
+private:
+  struct Facet_item
+  {
+    Cell_handle cell;
+    std::size_t time_stamp; // used to detect that the cell was replaced
+    int index;
+  };
+
+  // Returns whether a facet lies on the interface and its cell is on the side with the larger
+  // label.
+  bool is_interface_from(Cell_handle c, int i) const {
+    const Cell_handle n = c->neighbor(i);
+    return n->label() < c->label() && !m_complex.is_infinite(n);
+  }
+
+  // Returns whether a facet will have a small angle that is clearly smaller than before the motion:
+  // a needle of the input that keeps its shape stays. `final` returns destinations of vertices.
+  template <class Final>
+  bool will_degenerate(const typename Complex::Facet& f, const Final& final) const {
+    using Triangle = std::array<typename Complex::Approximate_point, 3>;
+    const auto v = m_complex.facet_vertices(f);
+    const auto cosine_with = [&](const auto& position_of) {
+      const auto p = position_of(v[0]);
+      return largest_cosine(Triangle{p, m_complex.domain().near(p, position_of(v[1])),
+                                     m_complex.domain().near(p, position_of(v[2]))});
+    };
+    const double after = cosine_with(final);
+    if (!(after > m_degenerate_cosine))
+      return false;
+    const bool is_old =
+        std::all_of(v.begin(), v.end(), [&](Vertex_handle w) { return m_destinations.had(w); });
+    const double before = cosine_with([&](Vertex_handle w) {
+      return is_old ? m_destinations.position_before(w) : m_complex.position(w);
+    });
+    return std::sqrt(1 - after * after) < reduction_of_angles * std::sqrt(1 - before * before);
+  }
+
+  // Removes one degenerate interface facet of a cell. Returns whether there was one that could be
+  // removed.
+  bool remove_degenerate_facet(Cell_handle c, double cosine, Cells& touched) {
+    for (int i = 0; i < 4; ++i)
+      if (m_improver.remove_degenerate_facet(c, i, cosine, touched))
+        return true;
+    return false;
+  }
+
+  Complex& m_complex;
+  const Destinations<Complex>& m_destinations;
+  const For_each_index& m_for_each_index;
+  double m_relabeling_threshold;
+  double m_degenerate_cosine; // cosine of the bound on angles of facets
+  Mesh_improver_3<Complex> m_improver;
+  Small_angle_remover_3<Complex> m_small_angles;
+  std::vector<Facet_item> m_degenerating;
+};
+
+/*
+The remeshing of a deformation, composed of dimension-specific operations:
+- `begin_pass(pass)`: prepares a pass; some vertices have not reached their destinations
+- `is_bad(c)`: returns whether a cell should be improved
+- `open_obstructing_cell(c, touched)`: changes a cell that keeps the interface from moving rigidly
+- `remove_obstacle(c, may_remove_facets, touched)`: removes a cell that keeps a vertex from its
+  destination
+- `remove_degenerating_facets(touched)`: removes interface facets that the pass made degenerate
+- `improve(cells)`: improves the cells that the pass touched
+- `exchange_neighbors(moved, log)`: after the passes, exchanges neighbors where interface edges
+  between regions have become short
+- `cells_with_small_angles()`, `remove_small_angles(relabel)`: find and remove small angles after
+the passes
+- `report()`, `number_of_relocated()`, `exchanges()`: results
+
+Cells that an operation creates or changes are appended to `touched`.
+*/
+template <class Complex>
+using Deformation_remesher =
+    std::conditional_t<Complex::dimension == 2, Deformation_remesher_2<Complex>,
+                       Deformation_remesher_3<Complex>>;
+
+} // namespace CGAL::Deformable_simplicial_complexes::internal
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DEFORMATION_DEFORMATION_REMESHER_H

@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Deformable_simplicial_complexes, written for CGAL
+// (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_CELL_CORNERS_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_CELL_CORNERS_H
+
+#include <array>
+
+namespace CGAL::Deformable_simplicial_complexes::internal {
+
+template <class Complex>
+using Cell_corners = std::array<typename Complex::Approximate_point, Complex::corners>;
+
+// Returns the positions of the vertices of a finite cell. In a periodic domain, the images nearest
+// to `near` are returned.
+template <class Complex>
+Cell_corners<Complex> cell_corners(const Complex& complex, typename Complex::Cell_handle c,
+                                   const typename Complex::Approximate_point& near) {
+  Cell_corners<Complex> result;
+  for (int i = 0; i < Complex::corners; ++i)
+    result[i] = complex.position_near(near, c->vertex(i));
+  return result;
+}
+
+// Returns the positions of the vertices of a finite cell. In a periodic domain, the images nearest
+// to the first vertex are returned.
+template <class Complex>
+Cell_corners<Complex> cell_corners(const Complex& complex, typename Complex::Cell_handle c) {
+  return cell_corners(complex, c, complex.position(c->vertex(0)));
+}
+
+} // namespace CGAL::Deformable_simplicial_complexes::internal
+
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_CELL_CORNERS_H

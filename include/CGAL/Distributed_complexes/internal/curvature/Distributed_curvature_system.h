@@ -1,0 +1,192 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Interface_flows, written for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISTRIBUTED_COMPLEXES_INTERNAL_CURVATURE_DISTRIBUTED_CURVATURE_SYSTEM_H
+#define CGAL_DISTRIBUTED_COMPLEXES_INTERNAL_CURVATURE_DISTRIBUTED_CURVATURE_SYSTEM_H
+
+#include <CGAL/Distributed_complexes/Distributed_complex.h>
+#include <CGAL/Interface_flows/internal/curvature/Interface_forces.h>
+#include <CGAL/Mesh_support/Error.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Deformable_simplicial_complexes::internal {
+
+// The system of `Curvature_system` on several ranks: each rank has the rows of its own vertices.
+// The conjugate gradient method with the diagonal as preconditioner solves it. Scalar products do
+// not depend on the ranks, so the solution has the same bits for any number of ranks.
+template <class Complex> class Distributed_curvature_system
+{
+public:
+  static constexpr int d = Complex::dimension;
+  using Distributed = Distributed_complex<Complex>;
+  using Interface = typename Distributed::Interface;
+  using Forces = Interface_forces<Complex>;
+  using Vector = typename Forces::Vector;
+  using Vectors = std::vector<Vector>; // one for each vertex of the interface here
+
+  // \throws Error on all ranks if all facets of a vertex have area zero
+  Distributed_curvature_system(const Distributed& dsc, const Interface& interface_,
+                               const Forces& forces, double dt)
+      : m_dsc(dsc), m_interface(interface_), m_forces(forces), m_dt(dt),
+        m_is_own(interface_.indices.size()), m_diagonal(interface_.indices.size()) {
+    bool is_flat = false;
+    for (std::size_t v = 0; v < m_is_own.size(); ++v) {
+      m_is_own[v] = dsc.mesh().is_own(interface_.indices[v]);
+      const auto* const constraint = forces.constraint(v);
+      is_flat = is_flat || (m_is_own[v] && !(forces.share(v) > 0) &&
+                            !(constraint != nullptr && constraint->isZero(0)));
+      m_diagonal[v] = forces.mass(v).diagonal();
+    }
+    dsc.communicator().agree_on_error(
+        is_flat ? "the step of mean curvature flow cannot be computed: all facets of a vertex have "
+                  "area zero; use a shorter time step"
+                : "");
+    for (const auto& pull : forces.pulls())
+      for (std::size_t v : {pull.from, pull.to})
+        m_diagonal[v] += Vector::Constant(dt * pull.weight);
+  }
+
+  // Returns the solution for a right-hand side, also for ghosts.
+  // \throws Error on all ranks if the method does not converge
+  Vectors solve(Vectors right) const {
+    static constexpr double tolerance = 1e-13, sufficient = 1e-9; // of the relative residual
+    const std::size_t n = right.size();
+    for (std::size_t v = 0; v < n; ++v)
+      right[v] = constrained(v, right[v]);
+    Vectors solution(n, Vector::Zero()), residuals = right, preconditioned(n), directions(n);
+    const auto precondition = [&] {
+      for (std::size_t v = 0; v < n; ++v)
+        preconditioned[v] = constrained(v, residuals[v].cwiseQuotient(m_diagonal[v]).eval());
+    };
+    precondition();
+    directions = preconditioned;
+    const double size = product(right, right);
+    double energy = product(residuals, preconditioned), rest = size;
+    const std::size_t most =
+        2 * d *
+        std::size_t(m_dsc.communicator().reduced(Communicator::Operation::sum, number_of_own()));
+    for (std::size_t i = 0; i < most && rest > tolerance * tolerance * size; ++i) {
+      m_dsc.communicator().check_progress();
+      const Vectors products = apply(directions);
+      const double curvature = product(directions, products);
+      if (!(curvature > 0))
+        break;
+      const double step = energy / curvature;
+      for (std::size_t v = 0; v < n; ++v) {
+        solution[v] += step * directions[v];
+        residuals[v] -= step * products[v];
+      }
+      precondition();
+      const double next = product(residuals, preconditioned);
+      for (std::size_t v = 0; v < n; ++v)
+        directions[v] = preconditioned[v] + next / energy * directions[v];
+      energy = next;
+      rest = product(residuals, residuals);
+    }
+    if (!(rest <= sufficient * sufficient * size)) // equal on all ranks
+      throw Error(
+          "the step of mean curvature flow cannot be computed: the linear system is too ill "
+          "conditioned; use a shorter time step");
+    share(solution);
+    return solution;
+  }
+
+private:
+  Vector constrained(std::size_t v, const Vector& x) const {
+    const auto* const constraint = m_forces.constraint(v);
+    return constraint != nullptr ? (*constraint * x).eval() : x;
+  }
+
+  std::int64_t number_of_own() const {
+    return std::count(m_is_own.begin(), m_is_own.end(), char(true));
+  }
+
+  // Replaces the vectors of ghosts by those of their owners.
+  void share(Vectors& vectors) const {
+    std::vector<std::array<double, d>> values(vectors.size());
+    for (std::size_t v = 0; v < vectors.size(); ++v)
+      std::copy_n(vectors[v].data(), d, values[v].begin());
+    m_dsc.share(m_interface, values);
+    for (std::size_t v = 0; v < vectors.size(); ++v)
+      vectors[v] = Vector(values[v].data());
+  }
+
+  // Returns the product of the rows of own vertices with vectors, whose ghosts are replaced.
+  Vectors apply(Vectors& x) const {
+    share(x);
+    Vectors result(x.size(), Vector::Zero());
+    for (std::size_t v = 0; v < x.size(); ++v)
+      result[v] = m_forces.mass(v) * x[v];
+    for (const auto& pull : m_forces.pulls()) {
+      const Vector difference = m_dt * pull.weight * (x[pull.from] - x[pull.to]);
+      result[pull.from] += difference;
+      result[pull.to] -= difference;
+    }
+    for (std::size_t v = 0; v < x.size(); ++v)
+      result[v] = constrained(v, result[v]);
+    return result;
+  }
+
+  // Returns the scalar product over the own vertices of all ranks.
+  double product(const Vectors& x, const Vectors& y) const {
+    std::vector<std::array<double, 1>> terms;
+    for (std::size_t v = 0; v < x.size(); ++v)
+      if (m_is_own[v])
+        terms.push_back({x[v].dot(y[v])});
+    return Exact_sums<1>(m_dsc.communicator())(terms)[0];
+  }
+
+  const Distributed& m_dsc;
+  const Interface& m_interface;
+  const Forces& m_forces;
+  double m_dt;
+  std::vector<char> m_is_own;
+  Vectors m_diagonal;
+};
+
+// Returns the destinations of the vertices of the interface here after a step of mean curvature
+// flow, as `Mean_curvature_flow` computes them.
+template <class Complex>
+std::vector<typename Complex::Approximate_point>
+mean_curvature_destinations(const Distributed_complex<Complex>& dsc,
+                            const typename Distributed_complex<Complex>::Interface& interface_,
+                            const Interface_energy& energy, double dt) {
+  using System = Distributed_curvature_system<Complex>;
+  using Points = std::vector<typename Complex::Approximate_point>;
+  std::vector<Boundary_class::Bits> sides;
+  for (auto v : interface_.indices)
+    sides.push_back(dsc.mesh().piece.vertex(v).boundary_class);
+  const auto implicit_step = [&](const Points& positions, double time) {
+    const Interface_forces<Complex> forces(interface_.snapshot, positions, energy, sides);
+    const System system(dsc, interface_, forces, time);
+    typename System::Vectors right;
+    for (std::size_t v = 0; v < positions.size(); ++v)
+      right.push_back(time * forces.force(v));
+    const auto motion = system.solve(right);
+    Points result;
+    for (std::size_t v = 0; v < positions.size(); ++v)
+      result.push_back(positions[v] + Interface_forces<Complex>::vector(motion[v]));
+    return result;
+  };
+  const Points whole = implicit_step(interface_.positions, dt);
+  Points result = implicit_step(implicit_step(interface_.positions, dt / 2), dt / 2);
+  for (std::size_t v = 0; v < result.size(); ++v)
+    result[v] = result[v] + (result[v] - whole[v]);
+  return result;
+}
+
+} // namespace CGAL::Deformable_simplicial_complexes::internal
+
+#endif // CGAL_DISTRIBUTED_COMPLEXES_INTERNAL_CURVATURE_DISTRIBUTED_CURVATURE_SYSTEM_H

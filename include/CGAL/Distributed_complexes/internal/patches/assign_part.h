@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Distributed_complexes, written for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISTRIBUTED_COMPLEXES_INTERNAL_PATCHES_ASSIGN_PART_H
+#define CGAL_DISTRIBUTED_COMPLEXES_INTERNAL_PATCHES_ASSIGN_PART_H
+
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/Complex_builder.h>
+#include <CGAL/Distributed_complexes/Part_domain.h>
+#include <CGAL/Mesh_support/coordinates.h>
+
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Deformable_simplicial_complexes::internal {
+
+// Makes the infinite cells of a part adjacent across the ridges of its boundary: edges in 3D,
+// vertices in 2D. Two infinite cells at a ridge are adjacent if finite cells lie between them.
+template <class Space>
+void join_infinite_cells(typename Space::Triangulation_data_structure& tds,
+                         typename Space::Vertex_handle infinite,
+                         const std::vector<typename Space::Cell_handle>& cells) {
+  using Cell_handle = typename Space::Cell_handle;
+  for (Cell_handle c : cells) {
+    int outside = 0;
+    const bool is_infinite = c->has_vertex(infinite, outside);
+    for (int i = 0; is_infinite && i <= Space::dimension; ++i) {
+      if (i == outside)
+        continue;
+      Cell_handle previous = c, next = c->neighbor(outside);
+      auto left = c->vertex(i); // vertex of the facet through which the turn entered `next`
+      while (!next->has_vertex(infinite)) {
+        const auto apex = next->vertex(next->index(previous));
+        previous = next;
+        next = next->neighbor(next->index(left));
+        left = apex;
+      }
+      tds.set_adjacency(c, i, next, next->index(left));
+    }
+  }
+}
+
+// Replaces a complex by some cells of another one. Time stamps follow the order of vertices and
+// cells. n log n in the number of cells. Returns the vertices, in their order.
+// \param state points, boundary classes and spacings of the vertices, where `Part_domain::cut` marks
+//        the vertices around which cells are missing; vertices, labels, noted qualities and
+//        failures of the finite cells, where `i + 1` is the vertex `i`; lengths and normalization
+//        of the other complex. Other members are not used.
+// \throws Invalid_cells_error if more than two cells share a facet, or two cells overlap; the complex
+//         is then unchanged
+// \pre Each vertex has a cell. The cells are positively oriented. The cells around a vertex are
+//      connected through facets.
+template <class Part>
+std::vector<typename Part::Vertex_handle> assign_part(Part& part,
+                                                      const typename Part::State& state) {
+  using Space = typename Part::Space;
+  static_assert(std::is_same_v<typename Part::Domain, Part_domain>);
+  Part result(part.geom_traits(), part.quality_measure(), part.domain());
+  result.set_normalization(
+      {vector_of<Part>(state.normalization_translation), state.normalization_scale});
+  Complex_builder<Part> builder(result, state);
+  const auto vertices = builder.create_vertices();
+  auto cell_vertices = builder.cell_vertices();
+  append_infinite_cells(cell_vertices);
+  const auto cells = builder.create_unsewn_cells(vertices, cell_vertices);
+  // Facets of infinite cells, which come first, may have more than two cells.
+  const auto facets = sorted_facets(cell_vertices);
+  std::size_t first = 0;
+  while (first < facets.size() && facets[first].vertices[0] == 0)
+    ++first;
+  sew_facets<Space>(builder.tds(), cells, facets, first);
+  join_infinite_cells<Space>(builder.tds(), vertices[0], cells);
+  for (std::size_t i = 0; i < state.cells.size(); ++i) {
+    cells[i]->set_label(state.cell_labels[i]);
+    cells[i]->set_failures(state.failures[i]);
+    cells[i]->set_noted_quality(state.noted_qualities[i]);
+  }
+  builder.finish();
+  part = std::move(result);
+  return {vertices.begin() + 1, vertices.end()};
+}
+
+} // namespace CGAL::Deformable_simplicial_complexes::internal
+
+#endif // CGAL_DISTRIBUTED_COMPLEXES_INTERNAL_PATCHES_ASSIGN_PART_H

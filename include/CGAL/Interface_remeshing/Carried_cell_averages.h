@@ -1,0 +1,183 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Interface_remeshing, written for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTERFACE_REMESHING_CARRIED_CELL_AVERAGES_H
+#define CGAL_INTERFACE_REMESHING_CARRIED_CELL_AVERAGES_H
+
+#include <CGAL/license/Interface_remeshing.h>
+
+#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/cell_corners.h>
+#include <CGAL/Interface_remeshing/internal/values/redistribute_contents.h>
+
+#include <CGAL/property_map.h>
+
+#include <array>
+#include <vector>
+
+namespace CGAL::Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgInterfaceRemeshingRef
+
+Visitor that transfers averages over cells, such as densities or concentrations, when the mesh
+changes. The transfer is conservative: the integral over the domain, which is the sum of averages
+times volumes, stays the same up to rounding.
+
+<b>While such a visitor exists, the map holds integrals over cells.</b> The constructor multiplies
+all averages by the volumes of their cells. The destructor divides by the volumes at that time. In
+between, the map must not be written to. During a deformation, each cell keeps its integral. The
+average of a compressed cell thus rises, and the content of a relabeled cell goes to the other
+phase. A time step of a simulation constructs a visitor, deforms and improves the mesh, and destroys
+the visitor.
+
+When cells are replaced or a vertex is smoothed, the content of the old cells goes to the new cells
+of the same label. A new cell takes from each old cell the content of their intersection. If the
+interface has changed, some content lies in parts of old cells outside the new cells of their label.
+This content fills, evenly, the parts of the new cells outside the old cells of the label. If there
+are no such parts, the content is distributed over all new cells of the label by volume. If there is
+no new cell of the label, the cells of the other labels take the content. Hence:
+
+- each phase keeps its integral in all changes of the mesh that leave it a cell there;
+- where volumes of phases stay the same, a constant stays the same, up to rounding;
+- where the interface stays the same, averages stay within the bounds of the averages that they
+  replace.
+
+The rounding errors are those of the volumes. For averages, they are relative to the quality of the
+thinnest cells; for the integral, relative to the largest magnitude.
+
+\tparam Complex an instance of `Deformable_simplicial_complex_2` or
+        `Deformable_simplicial_complex_3`
+\tparam CellValueMap model of `ReadWritePropertyMap` with the key type `Complex::Cell_handle`. The
+        visitor copies the map. Reads and writes for existing cells must not throw. Removed cells
+        keep their values, and handles of new cells may equal those of removed cells; identify cells
+        by their time stamps. Values can be added, `v + w`, and multiplied, `2. * v`.
+
+\cgalModels `DeformationVisitor`
+*/
+template <class Complex, class CellValueMap>
+class Carried_cell_averages : public Deformation_visitor
+{
+public:
+  using Cell_handle = typename Complex::Cell_handle;     ///< cell of the complex
+  using Vertex_handle = typename Complex::Vertex_handle; ///< vertex of the complex
+  using Point = typename Complex::Point;                 ///< point of the complex
+  using Cavity = typename Complex::Cavity;               ///< cavity of the complex
+  using Value = typename boost::property_traits<CellValueMap>::value_type; ///< average over a cell
+
+  /// Turns the averages of all finite cells into integrals. Linear in the number of cells. The
+  /// complex must outlive the visitor.
+  /// \pre each finite cell has a value
+  Carried_cell_averages(const Complex& complex, const CellValueMap& averages)
+      : m_complex(complex), m_values(averages) {
+    for (Cell_handle c : m_complex.finite_cells())
+      multiply(c, volume(c));
+  }
+
+  /// Turns the integrals into averages again, also after an exception. Linear in the number of
+  /// cells.
+  ~Carried_cell_averages() {
+    for (Cell_handle c : m_complex.finite_cells())
+      multiply(c, 1 / volume(c));
+  }
+
+  /// Not copyable; pass the visitor by `std::ref()`.
+  Carried_cell_averages(const Carried_cell_averages&) = delete;
+  /// Not copyable; pass the visitor by `std::ref()`.
+  Carried_cell_averages& operator=(const Carried_cell_averages&) = delete;
+
+  /// Computes the contents of the new cells. n log n in the number of old and new cells, plus the
+  /// number of pairs that overlap along the x-axis.
+  void before_replacement(const Cavity& cavity) {
+    begin(cavity.removed());
+    for (const auto& t : cavity.planned())
+      if (!cavity.is_infinite(t.vertices)) {
+        Corners corners;
+        for (int i = 0; i < Complex::corners; ++i)
+          corners[i] = near(cavity.vertices()[t.vertices[i]].position);
+        add_target(corners, t.parent->label());
+      }
+    redistribute();
+  }
+  /// Stores the contents of the new cells.
+  void after_replacement(const Cavity& cavity) { put_contents(cavity.created()); }
+
+  /// Computes the contents of the cells around `v` after the move. n log n in the number of these
+  /// cells, plus the number of pairs of old and new cells that overlap along the x-axis.
+  void before_smoothing(Vertex_handle v, const std::vector<Cell_handle>& star,
+                        const Point& target) {
+    begin(star);
+    const auto position = near(m_complex.approximate(target));
+    for (Cell_handle c : star)
+      if (!m_complex.is_infinite(c)) {
+        Corners moved = internal::cell_corners(m_complex, c, m_middle);
+        moved[c->index(v)] = position;
+        add_target(moved, c->label());
+      }
+    redistribute();
+  }
+  /// Stores the contents of the cells around the vertex.
+  void after_smoothing(Vertex_handle, const std::vector<Cell_handle>& star) { put_contents(star); }
+
+private:
+  using Space = typename Complex::Space;
+  using Simplex = internal::Filled_simplex<Space, Value>;
+  using Clipping = internal::Clipping_simplex<Space>;
+  using Corners = internal::Cell_corners<Complex>;
+
+  double volume(Cell_handle c) const {
+    return internal::positive_measure<Space>(internal::cell_corners(m_complex, c));
+  }
+
+  // Returns the image of p nearest to `m_middle`: on a torus, all images are taken near one place.
+  typename Complex::Approximate_point near(const typename Complex::Approximate_point& p) const {
+    return m_complex.domain().near(m_middle, p);
+  }
+
+  void multiply(Cell_handle c, double factor) {
+    const Value product = factor * get(m_values, c);
+    put(m_values, c, product);
+  }
+
+  // Starts a transfer with the contents of the given cells, and without targets.
+  void begin(const std::vector<Cell_handle>& cells) {
+    m_from.clear();
+    m_to.clear();
+    for (Cell_handle c : cells) {
+      if (m_complex.is_infinite(c))
+        continue;
+      if (m_from.empty())
+        m_middle = m_complex.position(c->vertex(0));
+      m_from.push_back(
+          {Clipping(internal::cell_corners(m_complex, c, m_middle)), c->label(), get(m_values, c)});
+    }
+  }
+
+  void add_target(const Corners& corners, int label) {
+    const Value nothing = 0. * m_from.front().content;
+    m_to.push_back({Clipping(corners), label, nothing});
+  }
+
+  void redistribute() { internal::redistribute_contents(m_from, m_to); }
+
+  // Stores the contents of the finite cells, in the order in which they were planned.
+  void put_contents(const std::vector<Cell_handle>& cells) {
+    auto next = m_to.begin();
+    for (Cell_handle c : cells)
+      if (!m_complex.is_infinite(c))
+        put(m_values, c, (next++)->content);
+  }
+
+  const Complex& m_complex;
+  CellValueMap m_values;
+  std::vector<Simplex> m_from, m_to;
+  typename Complex::Approximate_point m_middle; // near the cells that are replaced
+};
+
+} // namespace CGAL::Deformable_simplicial_complexes
+
+#endif // CGAL_INTERFACE_REMESHING_CARRIED_CELL_AVERAGES_H

@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Interface_remeshing, written for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTERFACE_REMESHING_CONTROL_DETAIL_H
+#define CGAL_INTERFACE_REMESHING_CONTROL_DETAIL_H
+
+#include <CGAL/license/Interface_remeshing.h>
+
+#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Interface_remeshing/Detail_options.h>
+#include <CGAL/Interface_remeshing/internal/remeshing/Detail_controller.h>
+#include <CGAL/Mesh_support/named_parameters.h>
+#include <CGAL/Mesh_support/parameter_values.h>
+
+namespace CGAL::Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgInterfaceRemeshingRef
+
+Does the same as `control_detail()` with named parameters.
+
+\throws Error as that function does, see also `Detail_options::check()`
+*/
+template <class Complex>
+Improvement_report control_detail(Complex& dsc, const Detail_options<Complex>& options) {
+  return internal::run_detail_control(dsc, options);
+}
+
+/*!
+\ingroup PkgInterfaceRemeshingRef
+
+Splits long edges at their midpoints and collapses short ones ("detail control", sections 3.2.1 and
+3.2.2 of the paper). Lengths are given in units of the target edge length, which is a sizing field,
+or the mean edge length of the input's interface. Without a sizing field, an edge inside a label is
+split only if it connects the interface with itself or with the boundary of the domain. These splits
+give the interface room to move, and the mesh stays coarse elsewhere. Edges inside a label are
+collapsed if neither end is on the interface or on the boundary of the domain.
+
+Unless `change_interface` is set, the interface is bitwise unchanged. If it is set, the topology of
+the interface and the lines and points where labels meet stay. Splits move the interface by the
+rounding of the midpoints; collapses move it by the volume between the old and the new facets. No
+collapse creates an edge that would be split.
+
+\param dsc the complex
+\param np named parameters with the names of the members of `Detail_options`. Function objects
+       and a visitor, a model of `DeformationVisitor`, are given by value or by
+       `std::reference_wrapper`.
+
+\return the numbers of changes
+\throws Error if a parameter is out of its range, or there is an interface, but neither a sizing
+        field nor `dsc.mean_interface_edge()`. The complex is then unchanged.
+\throws Error if the sizing field has a value that is not positive. After this exception, or one of
+        the sizing field or of the visitor, the complex is valid.
+
+A pass over the cells, with the stars of the ends of edges to be collapsed; then n log n in the
+number of changed cells.
+*/
+template <class Complex, class NamedParameters = parameters::Default_named_parameters>
+Improvement_report control_detail(Complex& dsc, const NamedParameters& np = NamedParameters()) {
+  namespace tags = internal_np;
+  auto visitor = visitor_parameter<Complex>(np);
+  Detail_options<Complex> options;
+  options.visitor = &visitor.any();
+  replace_value(np, tags::sizing_field, options.sizing_field);
+  replace_value(np, tags::where, options.where);
+  replace_value(np, tags::split_length, options.split_length);
+  replace_value(np, tags::collapse_length, options.collapse_length);
+  replace_value(np, tags::collapse_quality, options.collapse_quality);
+  replace_value(np, tags::change_interface, options.change_interface);
+  replace_value(np, tags::interface_split_length, options.interface_split_length);
+  replace_value(np, tags::interface_collapse_length, options.interface_collapse_length);
+  replace_count(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
+                options.number_of_iterations);
+  return control_detail(dsc, options);
+}
+
+} // namespace CGAL::Deformable_simplicial_complexes
+
+#endif // CGAL_INTERFACE_REMESHING_CONTROL_DETAIL_H

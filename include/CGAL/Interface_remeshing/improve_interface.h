@@ -1,0 +1,86 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Interface_remeshing, written for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTERFACE_REMESHING_IMPROVE_INTERFACE_H
+#define CGAL_INTERFACE_REMESHING_IMPROVE_INTERFACE_H
+
+#include <CGAL/license/Interface_remeshing.h>
+
+#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Interface_remeshing/Interface_improvement_options.h>
+#include <CGAL/Interface_remeshing/internal/remeshing/Interface_improver.h>
+#include <CGAL/Mesh_support/named_parameters.h>
+#include <CGAL/Mesh_support/parameter_values.h>
+
+namespace CGAL::Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgInterfaceRemeshingRef
+
+Does the same as `improve_interface()` with named parameters.
+
+\throws Error as that function does, see also `Interface_improvement_options::check()`
+*/
+template <class Complex>
+Improvement_report improve_interface(Complex& dsc,
+                                     const Interface_improvement_options<Complex>& options) {
+  return internal::remesh_interface(dsc, options);
+}
+
+/*!
+\ingroup PkgInterfaceRemeshingRef
+
+Improves the facets of the interface, with small changes of its shape (section 3.2.2 of the paper).
+The function splits long edges, collapses short edges, and moves vertices along the interface
+(null-space smoothing). In 3D, it also flips edges that do not fulfill the Delaunay criterion, and
+removes facets with small angles. Cells around that become badly shaped are improved. A pass over
+the cells and the stars of the vertices of the interface for each iteration.
+
+The topology stays. Lines and points where more than two labels meet stay, except where edges or, on
+request, junctions are split. Sharp edges and corners keep their shape: sharp edges are not flipped,
+and their vertices move and collapse only along them. In 2D, corners stay. Smoothing keeps the
+volumes of labels up to rounding; flips, collapses and curved splits change them slightly.
+
+\param dsc the complex
+\param np named parameters with the names of the members of `Interface_improvement_options`. Function
+       objects and a visitor, a model of `DeformationVisitor`, are given by value or by
+       `std::reference_wrapper`.
+
+\return the numbers of changes
+\throws Error if a parameter is out of its range, or there is an interface, but neither a sizing
+        field nor `dsc.mean_interface_edge()`. The complex is then unchanged.
+\throws Error if the sizing field has a value that is not positive. After this exception, or one of
+        the sizing field, of `interface_energy` or of the visitor, the complex is valid.
+
+*/
+template <class Complex, class NamedParameters = parameters::Default_named_parameters>
+Improvement_report improve_interface(Complex& dsc, const NamedParameters& np = NamedParameters()) {
+  namespace tags = internal_np;
+  auto visitor = visitor_parameter<Complex>(np);
+  Interface_improvement_options<Complex> options;
+  options.visitor = &visitor.any();
+  replace_count(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
+                options.number_of_iterations);
+  replace_value(np, tags::aggressiveness, options.aggressiveness);
+  replace_value(np, tags::sizing_field, options.sizing_field);
+  replace_value(np, tags::interface_split_length, options.interface_split_length);
+  replace_value(np, tags::interface_collapse_length, options.interface_collapse_length);
+  replace_value(np, tags::swept_volume, options.swept_volume);
+  replace_value(np, tags::flip_angle, options.flip_angle);
+  replace_value(np, tags::feature_angle, options.feature_angle);
+  replace_value(np, tags::minimum_facet_angle, options.minimum_facet_angle);
+  replace_value(np, tags::quality_threshold, options.quality_threshold);
+  replace_value(np, tags::curved_splits, options.curved_splits);
+  replace_value(np, tags::split_junctions, options.split_junctions);
+  replace_value(np, tags::interface_energy, options.interface_energy);
+  return improve_interface(dsc, options);
+}
+
+} // namespace CGAL::Deformable_simplicial_complexes
+
+#endif // CGAL_INTERFACE_REMESHING_IMPROVE_INTERFACE_H

@@ -1,0 +1,394 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Mesh_files, written for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MESH_FILES_LABELED_SURFACE_3_H
+#define CGAL_MESH_FILES_LABELED_SURFACE_3_H
+
+#include <CGAL/license/Mesh_files.h>
+
+#include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Interface_remeshing/extract_interface_3.h>
+#include <CGAL/Mesh_files/File_error.h>
+#include <CGAL/Mesh_files/Mesh_arrays.h>
+#include <CGAL/Mesh_files/Unused_content.h>
+#include <CGAL/Mesh_files/internal/surfaces/read_polygons.h>
+#include <CGAL/Mesh_files/internal/surfaces/triangulated_polygon.h>
+#include <CGAL/Mesh_files/internal/text/File_scanner.h>
+#include <CGAL/Mesh_files/internal/text/files.h>
+#include <CGAL/Mesh_files/internal/text/open_input.h>
+#include <CGAL/Mesh_files/replace_file.h>
+#include <CGAL/Mesh_support/Progress_scope.h>
+#include <CGAL/Triangle_soup_repair/Labeled_surface_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/IO/OBJ.h>
+#include <CGAL/IO/OFF.h>
+#include <CGAL/IO/PLY.h>
+#include <CGAL/IO/STL.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <ios>
+#include <limits>
+#include <numeric>
+#include <ostream>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes::internal {
+
+// Returns the format by the extension of the file.
+inline Surface_format surface_format(const std::string& path) {
+  const std::string extension = lower_case_extension(path);
+  return extension == ".off"   ? Surface_format::off
+         : extension == ".obj" ? Surface_format::obj
+         : extension == ".ply" ? Surface_format::ply
+         : extension == ".stl" ? Surface_format::stl
+                               : Surface_format::none;
+}
+
+// Receiver of the contents of a file that stores the points, counts polygons and their triangles,
+// and records unused content.
+template <class Point> struct Point_sink
+{
+  const File_scanner& file;
+  std::size_t most_points; // upper bound by the size of the file
+  Unused_content* not_used;
+  std::vector<Point> points;
+  std::size_t number_of_polygons = 0, number_of_triangles = 0, number_of_normals = 0;
+
+  void expect_points(std::size_t n) {
+    if (points.empty())
+      points.reserve((std::min)(n, most_points));
+  }
+
+  void point(double x, double y, double z) {
+    Progress_scope::check();
+    if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z))
+      file.fail("a coordinate of point " + std::to_string(points.size()) +
+                " is not a finite number; correct it");
+    points.emplace_back(x, y, z);
+  }
+
+  void normal(double, double, double) { ++number_of_normals; }
+
+  void polygon(const std::vector<std::size_t>& corners) {
+    if (corners.size() < 3)
+      return unused("polygons with fewer than three corners", 1);
+    ++number_of_polygons;
+    number_of_triangles += corners.size() - 2;
+  }
+
+  void unused(const std::string& kind, std::size_t number) {
+    if (not_used)
+      not_used->add(kind, number);
+  }
+};
+
+// Receiver of the contents of a file that stores the triangles of the polygons. The points are
+// known.
+template <class Point> struct Triangle_sink
+{
+  const File_scanner& file;
+  Labeled_surface_3<Point>& surface;
+  std::vector<Point> points_of_polygon;
+  std::size_t number_of_polygons = 0;
+
+  void expect_points(std::size_t) {}
+  void point(double, double, double) {}
+  void normal(double, double, double) {}
+  void unused(const std::string&, std::size_t) {}
+
+  void polygon(const std::vector<std::size_t>& corners) {
+    Progress_scope::check();
+    points_of_polygon.clear();
+    for (const std::size_t corner : corners) {
+      if (corner >= surface.points.size())
+        fail("refers to a point that does not exist; correct the index");
+      points_of_polygon.push_back(surface.points[corner]);
+    }
+    const auto triangles = triangulated_polygon(points_of_polygon);
+    if (triangles.empty() && corners.size() >= 3)
+      fail("cannot be triangulated; replace it by triangles");
+    for (const auto& triangle : triangles)
+      surface.triangles.push_back(
+          {corners[triangle[0]], corners[triangle[1]], corners[triangle[2]]});
+    ++number_of_polygons;
+  }
+
+  [[noreturn]] void fail(const std::string& what) const {
+    file.fail("polygon " + std::to_string(number_of_polygons) + " " + what);
+  }
+};
+
+// Returns the number of points that are not corners of any triangle.
+template <class Point>
+std::size_t number_of_unused_points(const Labeled_surface_3<Point>& surface) {
+  std::vector<bool> is_used(surface.points.size());
+  for (const auto& triangle : surface.triangles)
+    for (const std::size_t corner : triangle)
+      is_used[corner] = true;
+  return static_cast<std::size_t>(std::count(is_used.begin(), is_used.end(), false));
+}
+
+// Merges points with the same coordinates. The order is that of the first points.
+template <class Point> void merge_equal_points(Labeled_surface_3<Point>& surface) {
+  std::vector<Point>& points = surface.points;
+  std::vector<std::size_t> order(points.size()), place(points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return points[a] == points[b] ? a < b : points[a] < points[b];
+  });
+  for (std::size_t i = 0, first = 0; i < order.size(); ++i) {
+    if (points[order[i]] != points[order[first]])
+      first = i;
+    place[order[i]] = order[first];
+  }
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (place[i] == i) {
+      points[n] = points[i];
+      place[i] = n++;
+    } else
+      place[i] = place[place[i]];
+  points.resize(n);
+  points.shrink_to_fit();
+  for (auto& triangle : surface.triangles)
+    for (auto& corner : triangle)
+      corner = place[corner];
+}
+
+template <class Points, class Polygons>
+bool write_soup(std::ostream& out, Surface_format format, const Points& points,
+                const Polygons& polygons) {
+  switch (format) {
+  case Surface_format::off:
+    return IO::write_OFF(out, points, polygons);
+  case Surface_format::obj:
+    return IO::write_OBJ(out, points, polygons);
+  case Surface_format::ply:
+    return IO::write_PLY(out, points, polygons);
+  case Surface_format::stl:
+    return IO::write_STL(out, points, polygons);
+  case Surface_format::none:
+    break;
+  }
+  return false;
+}
+
+// Writes a surface with a property of its vertices for each array, as PLY text.
+template <class Surface>
+void write_ply_with_properties(std::ostream& out, const Surface& surface,
+                               const std::vector<Mesh_array>& arrays) {
+  out << "ply\nformat ascii 1.0\nelement vertex " << surface.points.size()
+      << "\nproperty double x\nproperty double y\nproperty double z\n";
+  for (const Mesh_array& array : arrays)
+    out << "property float " << array.name << '\n';
+  out << "element face " << surface.triangles.size()
+      << "\nproperty list uchar int vertex_indices\nend_header\n";
+  for (std::size_t i = 0; i < surface.points.size(); ++i) {
+    const auto& p = surface.points[i];
+    out << p.x() << ' ' << p.y() << ' ' << p.z();
+    for (const Mesh_array& array : arrays)
+      out << ' ' << static_cast<float>(array.values[i]);
+    out << '\n';
+  }
+  for (const auto& [a, b, c] : surface.triangles)
+    out << "3 " << a << ' ' << b << ' ' << c << '\n';
+}
+
+} // namespace Deformable_simplicial_complexes::internal
+
+namespace IO {
+
+/*!
+\ingroup PkgMeshFilesRef
+
+Reads a surface from a file in one of the formats OFF, OBJ, PLY and STL, chosen by the extension.
+Linear in the size of the file; n log n for STL. Memory is allocated only for points and triangles
+that the file contains, for any number that it announces.
+
+Polygons with more than three vertices are triangulated one by one. Polygons with more than four
+vertices are projected along their normals, and their constrained Delaunay triangulations are used.
+In STL files, triangles share no points; points with the same coordinates are merged. The geometry
+of the surface is not checked here, but by `make_deformable_simplicial_complex_3()`.
+
+All other content of the file is added to `unused`: colors, normals, texture coordinates, materials,
+groups, names of several solids, lines, other elements, points without polygons, and polygons with
+fewer than three corners. Facet normals of STL files are redundant and not added.
+
+\tparam Point a point type of a \cgal kernel
+
+\param path name of the file
+\param label label of the solid that the surface bounds
+\param unused the unused content of the file is added to it, unless it is null. After an exception,
+       a part of the unused content may have been added.
+
+\throws Deformable_simplicial_complexes::File_error if the file cannot be opened or understood, has
+        no polygons or more elements than it announces, or describes a part of the surface without
+        polygons. Also if a coordinate is not finite, a polygon refers to a point that does not
+        exist, or a polygon intersects itself and cannot be triangulated.
+*/
+template <class Point = Exact_predicates_inexact_constructions_kernel::Point_3>
+Deformable_simplicial_complexes::Labeled_surface_3<Point>
+read_labeled_surface(const std::string& path, int label = 1,
+                     Deformable_simplicial_complexes::Unused_content* unused = nullptr) {
+  namespace internal = Deformable_simplicial_complexes::internal;
+  const auto require = [&](bool condition, const char* message) {
+    if (!condition)
+      throw Deformable_simplicial_complexes::File_error(path + ": " + message, path);
+  };
+  const internal::Surface_format format = internal::surface_format(path);
+  require(format != internal::Surface_format::none,
+          "the extension is not a surface format; choose a .off, .obj, .ply or .stl file");
+  const Deformable_simplicial_complexes::Progress_phase phase("reading a surface");
+  std::ifstream in = internal::open_input(path, internal::lower_case_extension(path));
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  require(!error, "cannot read the file; check its permissions");
+
+  // Polygons may precede their points in a file. The file is therefore read twice: first the
+  // points, then the polygons.
+  constexpr std::size_t least_bytes_of_point = 3;
+  internal::File_scanner first_scanner(in, path), second_scanner(in, path);
+  internal::Point_sink<Point> points{
+      first_scanner, static_cast<std::size_t>(size) / least_bytes_of_point, unused, {}};
+  internal::read_polygons(in, format, first_scanner, points);
+  points.unused("normals of points", points.number_of_normals);
+  require(points.number_of_polygons != 0, "there are no polygons; choose a file with polygons");
+  Deformable_simplicial_complexes::Labeled_surface_3<Point> surface;
+  surface.label = label;
+  surface.points.swap(points.points);
+  surface.triangles.reserve(points.number_of_triangles);
+  in.clear();
+  in.seekg(0);
+  internal::Triangle_sink<Point> triangles{second_scanner, surface, {}};
+  internal::read_polygons(in, format, second_scanner, triangles);
+  if (format == internal::Surface_format::stl)
+    internal::merge_equal_points(surface);
+  else if (unused)
+    unused->add("points without polygons", internal::number_of_unused_points(surface));
+  return surface;
+}
+
+/*!
+\ingroup PkgMeshFilesRef
+
+Writes an extracted and possibly subdivided interface to a file in one of the formats OFF, OBJ, PLY
+and STL, chosen by the extension.
+
+All formats are written as text, in user coordinates with 17 significant digits. Triangles keep
+their order and their orientation. A temporary file in the same folder is written and renamed when
+complete.
+
+\param path name of the file; its folder must exist
+\param surface a result of `extract_interface()` or `subdivide_interface()`
+
+\throws Deformable_simplicial_complexes::File_error if the extension is not one of these or the file
+        cannot be written; an older file of that name is then unchanged
+*/
+template <class Complex>
+void write_interface(const std::string& path,
+                     const Deformable_simplicial_complexes::Interface_surface_3<Complex>& surface) {
+  namespace internal = Deformable_simplicial_complexes::internal;
+  const internal::Surface_format format = internal::surface_format(path);
+  if (format == internal::Surface_format::none)
+    throw Deformable_simplicial_complexes::File_error(
+        path + " does not have the extension of a surface format: choose .off, .obj, .ply or .stl",
+        path);
+  Deformable_simplicial_complexes::replace_file_by_stream(path, [&](std::ostream& out) {
+    out.precision(std::numeric_limits<double>::max_digits10);
+    if (!internal::write_soup(out, format, surface.points, surface.triangles))
+      out.setstate(std::ios::failbit);
+  });
+}
+
+/*!
+\ingroup PkgMeshFilesRef
+
+Writes an extracted and possibly subdivided interface to a PLY file, with values at its points, such
+as the velocities for motion blur. Each array is a property of type `float` of the vertices.
+Otherwise the function is the same as the overload above.
+
+\param path name of the file, with the extension `.ply`; its folder must exist
+\param surface a result of `extract_interface()` or `subdivide_interface()`
+\param arrays arrays with one number for each point of the surface. Their types are ignored.
+
+\throws Deformable_simplicial_complexes::File_error if the extension is not `.ply`, or the file
+        cannot be written; an older file of that name is then unchanged
+
+\pre Each array has one component and as many rows as the surface has points. Names consist of
+     letters, digits and underscores, are not x, y or z, and differ from each other.
+*/
+template <class Complex>
+void write_interface(const std::string& path,
+                     const Deformable_simplicial_complexes::Interface_surface_3<Complex>& surface,
+                     const std::vector<Deformable_simplicial_complexes::Mesh_array>& arrays) {
+  namespace internal = Deformable_simplicial_complexes::internal;
+  if (internal::surface_format(path) != internal::Surface_format::ply)
+    throw Deformable_simplicial_complexes::File_error(
+        path + " cannot contain values at points: choose the extension .ply", path);
+  Deformable_simplicial_complexes::replace_file_by_stream(path, [&](std::ostream& out) {
+    out.precision(std::numeric_limits<double>::max_digits10);
+    internal::write_ply_with_properties(out, surface, arrays);
+  });
+}
+
+/*!
+\ingroup PkgMeshFilesRef
+
+Writes the whole interface to a file in one of the formats OFF, OBJ, PLY and STL, chosen by the
+extension.
+
+All formats are written as text, in user coordinates with 17 significant digits. Normals point out
+of the larger label. A temporary file in the same folder is written and renamed when complete.
+
+\param path name of the file; its folder must exist
+\param dsc the complex
+
+\throws Deformable_simplicial_complexes::File_error if the extension is not one of these or the file
+        cannot be written; an older file of that name is then unchanged
+
+\sa `extract_interface()`
+*/
+template <class Traits, class Tds, class QualityMeasure>
+void write_interface(const std::string& path,
+                     const Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure>& dsc) {
+  write_interface(path, Deformable_simplicial_complexes::extract_interface(dsc));
+}
+
+/*!
+\ingroup PkgMeshFilesRef
+
+Writes the interface between two labels, with normals out of `a` into `b`. Otherwise the function is
+the same as the overload for the whole interface.
+
+\param path name of the file; its folder must exist
+\param dsc the complex
+\param a, b different labels
+
+\throws Deformable_simplicial_complexes::File_error as above
+*/
+template <class Traits, class Tds, class QualityMeasure>
+void write_interface(
+    const std::string& path,
+    const Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure>& dsc,
+    typename Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure>::Label a,
+    typename Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure>::Label b) {
+  write_interface(path, Deformable_simplicial_complexes::extract_interface(dsc, a, b));
+}
+
+} // namespace IO
+} // namespace CGAL
+
+#endif // CGAL_MESH_FILES_LABELED_SURFACE_3_H

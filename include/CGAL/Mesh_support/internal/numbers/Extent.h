@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Mesh_support, written for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_MESH_SUPPORT_INTERNAL_NUMBERS_EXTENT_H
+#define CGAL_MESH_SUPPORT_INTERNAL_NUMBERS_EXTENT_H
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace CGAL::Deformable_simplicial_complexes::internal {
+
+// The smallest axis-aligned box in d dimensions that contains given points.
+template <int d> class Extent
+{
+public:
+  Extent() {
+    m_lower.fill(std::numeric_limits<double>::infinity());
+    m_upper.fill(-std::numeric_limits<double>::infinity());
+  }
+
+  template <class Point> void add(const Point& p) {
+    for (int axis = 0; axis < d; ++axis) {
+      m_lower[axis] = (std::min)(m_lower[axis], double(p[axis]));
+      m_upper[axis] = (std::max)(m_upper[axis], double(p[axis]));
+    }
+  }
+
+  // Returns whether the longest side is in a range in which products of several lengths neither
+  // overflow nor underflow.
+  bool is_measurable() const {
+    // The products have up to three factors.
+    static constexpr double shortest = 1e-30, longest = 1e30;
+    double side = 0;
+    for (int axis = 0; axis < d; ++axis)
+      side = (std::max)(side, m_upper[axis] - m_lower[axis]);
+    return side >= shortest && side <= longest;
+  }
+
+  double lower(int axis) const { return m_lower[axis]; }
+  double upper(int axis) const { return m_upper[axis]; }
+
+  // Returns the area or the volume of the box.
+  double measure() const {
+    double result = 1;
+    for (int axis = 0; axis < d; ++axis)
+      result *= m_upper[axis] - m_lower[axis];
+    return result;
+  }
+
+private:
+  std::array<double, d> m_lower, m_upper;
+};
+
+template <int d, class Points> Extent<d> extent_of(const Points& points) {
+  Extent<d> result;
+  for (const auto& p : points)
+    result.add(p);
+  return result;
+}
+
+} // namespace CGAL::Deformable_simplicial_complexes::internal
+
+#endif // CGAL_MESH_SUPPORT_INTERNAL_NUMBERS_EXTENT_H

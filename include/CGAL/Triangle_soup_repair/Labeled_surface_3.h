@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Triangle_soup_repair, written for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TRIANGLE_SOUP_REPAIR_LABELED_SURFACE_3_H
+#define CGAL_TRIANGLE_SOUP_REPAIR_LABELED_SURFACE_3_H
+
+#include <CGAL/license/Triangle_soup_repair.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgTriangleSoupRepairRef
+
+A triangle soup that bounds a solid, and the label of the solid. The triangles need not be
+consistently oriented, and need not share points. A point is inside if a path from the outside
+crosses the surface an odd number of times.
+
+\tparam Point a point type, such as `Deformable_simplicial_complex_3::Point_3`
+*/
+template <class Point> struct Labeled_surface_3
+{
+  std::vector<Point> points;                         ///< corners of the triangles
+  std::vector<std::array<std::size_t, 3>> triangles; ///< indices into `points`
+  int label = 1;                                     ///< label of the solid; 0 is the outside
+};
+
+} // namespace CGAL::Deformable_simplicial_complexes
+
+#endif // CGAL_TRIANGLE_SOUP_REPAIR_LABELED_SURFACE_3_H

@@ -1,0 +1,164 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Triangle_soup_repair, written for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TRIANGLE_SOUP_REPAIR_INTERNAL_CHECKS_CHECK_SURFACES_3_H
+#define CGAL_TRIANGLE_SOUP_REPAIR_INTERNAL_CHECKS_CHECK_SURFACES_3_H
+
+#include <CGAL/Mesh_support/coordinates.h>
+#include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
+#include <CGAL/Triangle_soup_repair/internal/checks/refuse_surface.h>
+#include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
+#include <CGAL/Triangle_soup_repair/internal/soups/edge_crossings_3.h>
+#include <CGAL/Triangle_soup_repair/internal/soups/soup_intersections_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Deformable_simplicial_complexes::internal {
+
+// Checks a soup before any geometric predicate is evaluated. Throws `Invalid_surface_error` if the
+// soup has no triangles, coordinates that are not finite, or invalid indices.
+inline void check_numbers(const Triangle_soup_3& soup, std::size_t surface) {
+  using Reason = Invalid_surface_error::Reason;
+  if (soup.triangles.empty())
+    refuse_surface(Reason::empty, surface);
+
+  std::vector<std::size_t> vertices;
+  for (std::size_t i = 0; i < soup.points.size(); ++i)
+    if (!has_finite_coordinates(soup.points[i]))
+      vertices.push_back(i);
+  if (!vertices.empty())
+    refuse_surface(Reason::not_finite, surface, {}, std::move(vertices));
+
+  std::vector<std::size_t> facets;
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+    const Triangle_indices& v = soup.triangles[t];
+    if (*std::max_element(v.begin(), v.end()) >= soup.points.size())
+      facets.push_back(t);
+  }
+  if (!facets.empty())
+    refuse_surface(Reason::bad_index, surface, std::move(facets));
+}
+
+// Throws `Invalid_surface_error` if triangles are degenerate.
+inline void check_areas(const Merged_soup_3& soup, std::size_t surface) {
+  std::vector<std::size_t> facets;
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t)
+    if (exact_triangle(soup, t).is_degenerate())
+      facets.push_back(t);
+  if (!facets.empty())
+    refuse_surface(Invalid_surface_error::Reason::degenerate_facet, surface, std::move(facets));
+}
+
+// Throws `Invalid_surface_error` unless each edge has an even number of triangles. Then every path
+// from the outside to a given point crosses the same number of triangles modulo 2, and the inside
+// is well defined.
+inline void check_closedness(const Merged_soup_3& soup, std::size_t surface) {
+  struct Offenders
+  {
+    std::vector<std::size_t> facets, vertices;
+
+    void refuse(Invalid_surface_error::Reason reason, std::size_t surface) {
+      if (facets.empty())
+        return;
+      std::sort(facets.begin(), facets.end());
+      facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
+      refuse_surface(reason, surface, std::move(facets), std::move(vertices));
+    }
+  };
+  using Reason = Invalid_surface_error::Reason;
+
+  Offenders open, odd;
+  const std::vector<Triangle_side> sides = sorted_sides(soup.triangles);
+  for (auto side = sides.begin(); side != sides.end();) {
+    const auto end = end_of_edge(side, sides.end());
+    if ((end - side) % 2 == 1) {
+      Offenders& offenders = end - side == 1 ? open : odd;
+      for (std::size_t v : side->vertices)
+        offenders.vertices.push_back(soup.input_points[v]);
+      std::for_each(side, end, [&offenders](const Triangle_side& s) {
+        offenders.facets.push_back(s.triangle);
+      });
+    }
+    side = end;
+  }
+  open.refuse(Reason::open, surface);
+  odd.refuse(Reason::non_manifold_edge, surface);
+}
+
+// Throws `Invalid_surface_error` if pairs of intersecting triangles are given. It reports the first
+// surface that intersects itself, or else the first two surfaces that intersect.
+inline void refuse_crossings(const Joined_soup_3& soup,
+                             const std::vector<std::pair<std::size_t, std::size_t>>& pairs) {
+  if (pairs.empty())
+    return;
+
+  const std::vector<Joined_soup_3::Origin>& facets = soup.triangle_origins;
+  using Surfaces = std::array<std::size_t, 2>;
+  const auto surfaces = [&](const std::pair<std::size_t, std::size_t>& pair) -> Surfaces {
+    return {facets[pair.first].surface, facets[pair.second].surface};
+  };
+  Surfaces first = surfaces(pairs.front());
+  for (const auto& pair : pairs) {
+    const Surfaces s = surfaces(pair);
+    const bool s_differ = s[0] != s[1], first_differ = first[0] != first[1];
+    if (s_differ != first_differ ? first_differ : s < first)
+      first = s;
+  }
+  std::vector<std::size_t> offenders;
+  for (const auto& pair : pairs)
+    if (surfaces(pair) == first) {
+      offenders.push_back(facets[pair.first].index);
+      offenders.push_back(facets[pair.second].index);
+    }
+  using Reason = Invalid_surface_error::Reason;
+  refuse_surface(first[0] == first[1] ? Reason::self_intersection : Reason::crossing_surfaces,
+                 first[0], first[1], std::move(offenders), {});
+}
+
+// Returns the union of closed soups. Equal points of a soup are merged. Throws
+// `Invalid_surface_error` unless each soup bounds a solid and no two soups cross. Complexity: O(n
+// log n).
+inline Joined_soup_3 check_surfaces(const std::vector<Triangle_soup_3>& surfaces) {
+  if (surfaces.empty())
+    refuse_surface(Invalid_surface_error::Reason::empty, 0);
+  std::vector<Merged_soup_3> merged;
+  for (std::size_t s = 0; s < surfaces.size(); ++s) {
+    check_numbers(surfaces[s], s);
+    merged.push_back(merge_points(surfaces[s]));
+    check_areas(merged.back(), s);
+    check_closedness(merged.back(), s);
+  }
+  Joined_soup_3 joined = join(merged);
+  refuse_crossings(joined, crossing_triangles(joined));
+  refuse_crossings(joined, crossings_at_edges(joined));
+  return joined;
+}
+
+// Returns the union of soups, which may be open. Equal points of a soup are merged. Throws
+// `Invalid_surface_error` unless triangles meet only in common vertices and edges. Complexity: O(n
+// log n).
+inline Joined_soup_3 check_patches(const std::vector<Triangle_soup_3>& patches) {
+  if (patches.empty())
+    refuse_surface(Invalid_surface_error::Reason::empty, 0);
+  std::vector<Merged_soup_3> merged;
+  for (std::size_t s = 0; s < patches.size(); ++s) {
+    check_numbers(patches[s], s);
+    merged.push_back(merge_points(patches[s]));
+    check_areas(merged.back(), s);
+  }
+  Joined_soup_3 joined = join(merged);
+  refuse_crossings(joined, crossing_triangles(joined));
+  return joined;
+}
+
+} // namespace CGAL::Deformable_simplicial_complexes::internal
+
+#endif // CGAL_TRIANGLE_SOUP_REPAIR_INTERNAL_CHECKS_CHECK_SURFACES_3_H

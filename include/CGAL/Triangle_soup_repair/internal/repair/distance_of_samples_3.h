@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Triangle_soup_repair, written for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TRIANGLE_SOUP_REPAIR_INTERNAL_REPAIR_DISTANCE_OF_SAMPLES_3_H
+#define CGAL_TRIANGLE_SOUP_REPAIR_INTERNAL_REPAIR_DISTANCE_OF_SAMPLES_3_H
+
+#include <CGAL/Mesh_support/Progress_scope.h>
+#include <CGAL/Mesh_support/internal/cgal/cgal_compat.h>
+#include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
+
+#include <CGAL/AABB_tree.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Deformable_simplicial_complexes::internal {
+
+// Returns the largest distance of a sample of a soup from the triangles of another soup. The
+// samples are the corners of the triangles and, where edges are longer than `spacing`, the points
+// of a grid in the triangle.
+inline double distance_of_samples(const Triangle_soup_3& soup, const Triangle_soup_3& other,
+                                  double spacing) {
+  using Kernel = Predicates_kernel;
+  using Triangles = std::vector<Kernel::Triangle_3>;
+  static constexpr double most_parts = 20; // maximum along an edge, for needles
+  Triangles triangles;
+  for (std::size_t t = 0; t < other.triangles.size(); ++t)
+    if (!exact_triangle(other, t).is_degenerate())
+      triangles.push_back(exact_triangle(other, t));
+  AABB_tree<Tree_traits_3<Kernel, Triangles::const_iterator>> tree(triangles.cbegin(),
+                                                                   triangles.cend());
+  tree.do_not_accelerate_distance_queries(); // does not terminate for many equal corners
+
+  double largest = 0;
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+    Progress_scope::check();
+    const Kernel::Triangle_3 triangle = exact_triangle(soup, t);
+    const auto a = triangle[0];
+    const auto ab = triangle[1] - a, ac = triangle[2] - a;
+    const double longest = std::sqrt(std::max(
+        {ab.squared_length(), ac.squared_length(), (triangle[2] - triangle[1]).squared_length()}));
+    const int n = int(std::clamp(std::ceil(longest / spacing), 1., most_parts));
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; i + j <= n; ++j)
+        largest = std::max(largest,
+                           tree.squared_distance(a + (double(i) / n) * ab + (double(j) / n) * ac));
+  }
+  return std::sqrt(largest);
+}
+
+} // namespace CGAL::Deformable_simplicial_complexes::internal
+
+#endif // CGAL_TRIANGLE_SOUP_REPAIR_INTERNAL_REPAIR_DISTANCE_OF_SAMPLES_3_H

@@ -1,0 +1,164 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Triangle_soup_repair, written for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TRIANGLE_SOUP_REPAIR_INTERNAL_SOUPS_TRIANGLE_SOUP_3_H
+#define CGAL_TRIANGLE_SOUP_REPAIR_INTERNAL_SOUPS_TRIANGLE_SOUP_3_H
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Deformable_simplicial_complexes::internal {
+
+// The types in which soups are passed to tetrahedralizers.
+using Coordinates_3 = std::array<double, 3>;
+using Triangle_indices = std::array<std::size_t, 3>;
+
+template <class Point> Coordinates_3 coordinates(const Point& p) {
+  return {to_double(p.x()), to_double(p.y()), to_double(p.z())};
+}
+
+struct Triangle_soup_3
+{
+  std::vector<Coordinates_3> points;
+  std::vector<Triangle_indices> triangles;
+};
+
+// The kernel of exact predicates on soups.
+using Predicates_kernel = Exact_predicates_inexact_constructions_kernel;
+
+inline Predicates_kernel::Point_3 exact_point(const Coordinates_3& p) { return {p[0], p[1], p[2]}; }
+
+inline Predicates_kernel::Triangle_3 exact_triangle(const Triangle_soup_3& soup, std::size_t i) {
+  const Triangle_indices& t = soup.triangles[i];
+  return {exact_point(soup.points[t[0]]), exact_point(soup.points[t[1]]),
+          exact_point(soup.points[t[2]])};
+}
+
+// A soup with unique points. Triangle i is triangle i of the input, point j is point
+// `input_points[j]` of the input.
+struct Merged_soup_3 : Triangle_soup_3
+{
+  std::vector<std::size_t> input_points; // in increasing order
+};
+
+// Merges equal points, keeping the first one, and removes points that belong to no triangle. Takes
+// time O(n log n).
+// \pre indices are valid and coordinates are finite
+inline Merged_soup_3 merge_points(const Triangle_soup_3& input) {
+  std::vector<char> is_used(input.points.size(), 0);
+  for (const Triangle_indices& t : input.triangles)
+    for (std::size_t i : t)
+      is_used[i] = 1;
+
+  std::vector<std::size_t> order(input.points.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  order.erase(
+      std::remove_if(order.begin(), order.end(), [&](std::size_t i) { return !is_used[i]; }),
+      order.end());
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t i, std::size_t j) { return input.points[i] < input.points[j]; });
+  std::vector<std::size_t> first(input.points.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool is_equal = i > 0 && input.points[order[i - 1]] == input.points[order[i]];
+    first[order[i]] = is_equal ? first[order[i - 1]] : order[i];
+  }
+
+  Merged_soup_3 merged;
+  std::vector<std::size_t> index(input.points.size());
+  for (std::size_t i = 0; i < input.points.size(); ++i)
+    if (is_used[i] && first[i] == i) {
+      index[i] = merged.points.size();
+      merged.points.push_back(input.points[i]);
+      merged.input_points.push_back(i);
+    }
+  merged.triangles.reserve(input.triangles.size());
+  for (const Triangle_indices& t : input.triangles)
+    merged.triangles.push_back({index[first[t[0]]], index[first[t[1]]], index[first[t[2]]]});
+  return merged;
+}
+
+// Appends the points and triangles of another soup.
+inline void append(Triangle_soup_3& soup, const Triangle_soup_3& other) {
+  const std::size_t offset = soup.points.size();
+  soup.points.insert(soup.points.end(), other.points.begin(), other.points.end());
+  for (const Triangle_indices& t : other.triangles)
+    soup.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
+}
+
+// The triangles of several surfaces, one surface after the other. Equal points are merged, also
+// points of different surfaces.
+struct Joined_soup_3 : Triangle_soup_3
+{
+  // The origin of a point or triangle: item `index` of surface `surface` of the input.
+  struct Origin
+  {
+    std::size_t surface, index;
+  };
+  std::vector<Origin> point_origins; // the first of equal points; surfaces increase
+  std::vector<Origin> triangle_origins;
+};
+
+inline Joined_soup_3 join(const std::vector<Merged_soup_3>& surfaces) {
+  Triangle_soup_3 all;
+  Joined_soup_3 joined;
+  std::vector<Joined_soup_3::Origin> points;
+  for (std::size_t s = 0; s < surfaces.size(); ++s) {
+    append(all, surfaces[s]);
+    for (std::size_t i : surfaces[s].input_points)
+      points.push_back({s, i});
+    for (std::size_t t = 0; t < surfaces[s].triangles.size(); ++t)
+      joined.triangle_origins.push_back({s, t});
+  }
+  Merged_soup_3 merged = merge_points(all);
+  joined.points = std::move(merged.points);
+  joined.triangles = std::move(merged.triangles);
+  for (std::size_t i : merged.input_points)
+    joined.point_origins.push_back(points[i]);
+  return joined;
+}
+
+// A side of a triangle.
+struct Triangle_side
+{
+  std::array<std::size_t, 2> vertices; // in increasing order
+  std::size_t triangle, opposite_vertex;
+};
+
+// Returns the sides of all triangles, sorted so that the sides on an edge are consecutive, by
+// increasing triangle index.
+inline std::vector<Triangle_side> sorted_sides(const std::vector<Triangle_indices>& triangles) {
+  std::vector<Triangle_side> sides;
+  sides.reserve(3 * triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [a, b] = std::minmax(triangles[t][i], triangles[t][(i + 1) % 3]);
+      sides.push_back({{a, b}, t, triangles[t][(i + 2) % 3]});
+    }
+  std::sort(sides.begin(), sides.end(), [](const Triangle_side& a, const Triangle_side& b) {
+    return a.vertices != b.vertices ? a.vertices < b.vertices : a.triangle < b.triangle;
+  });
+  return sides;
+}
+
+// Returns the end of the range of sides on the same edge as `first`, in a range of sorted sides.
+inline std::vector<Triangle_side>::const_iterator
+end_of_edge(std::vector<Triangle_side>::const_iterator first,
+            std::vector<Triangle_side>::const_iterator end) {
+  return std::find_if(
+      first, end, [first](const Triangle_side& side) { return side.vertices != first->vertices; });
+}
+
+} // namespace CGAL::Deformable_simplicial_complexes::internal
+
+#endif // CGAL_TRIANGLE_SOUP_REPAIR_INTERNAL_SOUPS_TRIANGLE_SOUP_3_H

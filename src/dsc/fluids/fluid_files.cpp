@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "fluids/fluid_files.h"
+
+#include "programs/errors.h"
+
+#include <filesystem>
+#include <vector>
+
+namespace dsc {
+
+std::string place_of(const std::string& file, const std::string& folder) {
+  const std::filesystem::path path(file);
+  return path.is_absolute() || folder.empty() ? file
+                                              : (std::filesystem::path(folder) / path).string();
+}
+
+void require_files(const Fluid_scene& scene, const std::string& folder) {
+  std::vector<std::string> files;
+  for (const auto& filling : shapes_of(scene))
+    if (const auto* shape = std::get_if<File_shape>(filling.second))
+      files.push_back(shape->file);
+  for (const Scene_solid& solid : scene.solids)
+    if (solid.kind == Scene_solid::Kind::mesh)
+      files.push_back(solid.file);
+  if (files.empty() && !folder.empty())
+    throw Usage_error("--data has no effect because the scene names no files; leave it out");
+  for (const std::string& file : files)
+    if (const std::string place = place_of(file, folder); !std::filesystem::exists(place))
+      throw Input_error("the file '" + place +
+                        "' of the scene does not exist; give its folder by --data");
+}
+
+} // namespace dsc

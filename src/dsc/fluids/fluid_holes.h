@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DSC_FLUID_HOLES_H
+#define DSC_FLUID_HOLES_H
+
+#include "fluids/fluid_scene.h"
+#include "input/start_curves.h"
+#include "input/surface.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace dsc {
+
+/// The region of a solid at the start. Liquids have a hole there.
+struct Hole
+{
+  std::size_t solid; ///< index in the scene
+  Fluid_shape shape; ///< a box or a ball
+};
+
+/// Returns the holes of a scene: the regions of boxes and balls with liquids outside, at time 0.
+/// \throws Input_error if a box is rotated at time 0
+std::vector<Hole> holes_of(const Fluid_scene& scene);
+
+/// Returns the label of the cells in holes: 0, or a label without liquid and gas if label 0 is a
+/// liquid.
+int label_of_holes(const Fluid_scene& scene);
+
+/// Returns whether a hole contains a part of a shape, or may contain it. The domain of the scene
+/// bounds the shape.
+bool may_meet(const Hole& hole, const Fluid_shape& shape, const Fluid_scene& scene);
+
+/// Returns whether a point is in a hole.
+bool is_in_hole(const Hole& hole, const std::array<double, 3>& p, int dimension);
+
+/// Returns the vector from a point to the nearest point of the boundary of a hole.
+std::array<double, 3> to_boundary(const Hole& hole, const std::array<double, 3>& p, int dimension);
+
+/// Return whether a hole is in a liquid: whether the innermost boundary around it is the boundary
+/// of a liquid, or whether label 0 is a liquid and there is no boundary around it.
+/// \param boundary the boundary of the hole
+/// \param others labeled boundaries
+/// \throws Input_error if the boundary of the hole crosses the boundary of a liquid, or is around
+/// it
+bool is_in_liquid(const Fluid_scene& scene, const Hole& hole, const Curve& boundary,
+                  const std::vector<Curve>& others);
+bool is_in_liquid(const Fluid_scene& scene, const Hole& hole, const Surface& boundary,
+                  const std::vector<Surface>& others);
+
+/// Moves the points of a curve or surface to a circle or sphere, in the directions from its center.
+template <class Boundary> void put_on_ball(const Ball_shape& ball, Boundary& boundary) {
+  for (auto& p : boundary.points) {
+    std::array<double, 3> from_center = {};
+    double length = 0;
+    for (int i = 0; i < p.dimension(); ++i) {
+      from_center[std::size_t(i)] = p[i] - ball.center[std::size_t(i)];
+      length = std::hypot(length, from_center[std::size_t(i)]);
+    }
+    for (std::size_t i = 0; i < 3; ++i)
+      from_center[i] = ball.center[i] + from_center[i] * (ball.radius / length);
+    using Point = std::decay_t<decltype(p)>;
+    if constexpr (Point::Ambient_dimension::value == 2)
+      p = Point(from_center[0], from_center[1]);
+    else
+      p = Point(from_center[0], from_center[1], from_center[2]);
+  }
+}
+
+} // namespace dsc
+
+#endif // DSC_FLUID_HOLES_H

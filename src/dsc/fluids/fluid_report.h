@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DSC_FLUID_REPORT_H
+#define DSC_FLUID_REPORT_H
+
+#include "fluids/fluid_of_dimension.h"
+#include "fluids/fluid_scene.h"
+#include "output/report_json.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dsc {
+
+/// Returns the report of a state: after a step, or before the first step if there is no `report`.
+/// Points and vectors have three coordinates, also in the plane.
+template <class Complex>
+Json step_json(
+    const Fluid<Complex>& fluid, const Fluid_scene& scene, unsigned step,
+    const std::optional<CGAL::Deformable_simplicial_complexes::Fluid_report<Complex>>& report);
+
+/// A counter of repeated steps, and of rejected attempts by their cause.
+class Repetitions
+{
+public:
+  void add(const std::vector<CGAL::Deformable_simplicial_complexes::Fluid_repetition>& repetitions);
+  Json json() const { return {{"steps", m_steps}, {"attempts", m_attempts}}; }
+  /// Returns the text for the summary; empty if no step was repeated.
+  std::string text() const;
+
+private:
+  unsigned m_steps = 0;
+  std::map<std::string, unsigned> m_attempts; // number by cause
+};
+
+} // namespace dsc
+
+#endif // DSC_FLUID_REPORT_H

@@ -1,0 +1,189 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "fluids/fluid_scene_parts.h"
+
+#include "input/files.h"
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+namespace dsc {
+namespace {
+
+constexpr double most_amplitude = .5; // in radii
+constexpr std::size_t highest_mode = 100;
+
+double read_amplitude(const Json_fields& shape) {
+  const double result = shape.number("amplitude", 0);
+  if (!(std::abs(result) <= most_amplitude))
+    shape.refuse("amplitude", "must be from -0.5 to 0.5");
+  return result;
+}
+
+/// Throws if only one of two fields is given that have an effect only together.
+void require_both_or_none(const Json_fields& shape, const char* a, const char* b) {
+  if (shape.has(a) != shape.has(b)) {
+    const bool has_a = shape.has(a);
+    shape.refuse(has_a ? a : b,
+                 std::string("has no effect without the field '") + (has_a ? b : a) + "'");
+  }
+}
+
+/// Throws if the field `triangles` is given in the plane.
+void require_no_triangles_in_plane(const Json_fields& shape) {
+  if (shape.dimension() == 2 && shape.has("triangles"))
+    shape.refuse("triangles", "applies only in space; use the field 'edge' of the scene");
+}
+
+Ball_shape read_ball(const Json_fields& shape) {
+  shape.require_known({"type", "center", "radius", "mode", "amplitude", "triangles"});
+  require_both_or_none(shape, "mode", "amplitude");
+  require_no_triangles_in_plane(shape);
+  return {shape.point("center"), shape.positive("radius"), read_mode(shape), read_amplitude(shape),
+          shape.count("triangles", 0)};
+}
+
+Box_shape read_box(const Json_fields& shape) {
+  shape.require_known({"type", "from", "to"});
+  return read_corners(shape);
+}
+
+Cylinder_shape read_cylinder(const Json_fields& shape) {
+  if (shape.dimension() == 2)
+    shape.refuse("type", "a cylinder exists only in space; use a ball or a box in the plane");
+  shape.require_known({"type", "from", "to", "radius", "amplitude", "wave_length"});
+  require_both_or_none(shape, "amplitude", "wave_length");
+  const Cylinder_shape column{shape.point("from"), shape.point("to"), shape.positive("radius"),
+                              read_amplitude(shape),
+                              shape.has("wave_length") ? shape.positive("wave_length") : 0};
+  if (column.from == column.to)
+    shape.refuse("to", "must differ from 'from': the cylinder has no length");
+  return column;
+}
+
+File_shape read_file(const Json_fields& shape) {
+  shape.require_known({"type", "file", "center", "radius", "triangles"});
+  require_no_triangles_in_plane(shape);
+  const File_shape result{shape.text("file"),
+                          {shape.point("center"), shape.positive("radius")},
+                          shape.count("triangles", 0)};
+  if (shape.dimension() == 2 && extension(result.file) != "wkt")
+    shape.refuse("file", "must be a .wkt file in the plane");
+  return result;
+}
+
+Pool_shape read_pool(const Json_fields& shape) {
+  shape.require_known({"type", "level", "height"});
+  Pool_shape result{shape.number("level"), {}};
+  if (!shape.has("height"))
+    return result;
+  if (shape.dimension() == 2)
+    result.height = shape.expression("height", {"x"}, 1, "an expression in x like '1+0.1*cos(x)'");
+  else
+    result.height =
+        shape.expression("height", {"x", "y"}, 1, "an expression in x and y like '1+0.1*cos(x)'");
+  return result;
+}
+
+} // namespace
+
+std::size_t read_mode(const Json_fields& json) {
+  const std::size_t result = json.count("mode", 0);
+  if (result > highest_mode)
+    json.refuse("mode", "must be at most 100");
+  return result;
+}
+
+Expression read_vector_expression(const Json_fields& json, const std::string& field) {
+  return json.expression(field, {"t"}, json.dimension(),
+                         json.dimension() == 2 ? "two expressions in t like '0,0.1*sin(t)'"
+                                               : "three expressions in t like '0,0,0.1*sin(t)'");
+}
+
+Box_shape read_corners(const Json_fields& json) {
+  const Box_shape box{json.point("from"), json.point("to")};
+  for (std::size_t i = 0; i < std::size_t(json.dimension()); ++i)
+    if (!(box.to[i] > box.from[i]))
+      json.refuse("to", "must be larger than 'from' in each coordinate: the box is empty");
+  return box;
+}
+
+Fluid_shape read_shape(const Json_fields& shape) {
+  shape.require_known({"type", "center", "radius", "mode", "amplitude", "triangles", "from", "to",
+                       "wave_length", "file", "level", "height"}); // "type" may be misspelt
+  const std::string type =
+      shape.choice("type", {"ball", "box", "cylinder", "file", "pool", "surroundings"});
+  if (type == "ball")
+    return read_ball(shape);
+  if (type == "box")
+    return read_box(shape);
+  if (type == "cylinder")
+    return read_cylinder(shape);
+  if (type == "file")
+    return read_file(shape);
+  if (type == "pool")
+    return read_pool(shape);
+  shape.require_known({"type"});
+  return Surroundings();
+}
+
+namespace {
+
+/// Returns the field for the label of a probe, and checks that the probe has no other field.
+Scene_probe probe_of_label(const Json_fields& probe, const char* field, Scene_probe::Kind kind) {
+  probe.require_known({"name", field});
+  Scene_probe result;
+  result.name = probe.text("name");
+  result.kind = kind;
+  probe.any(field);
+  result.label = int(probe.count(field, 0));
+  return result;
+}
+
+} // namespace
+
+Scene_probe read_probe(const Json_fields& probe) {
+  using Kind = Scene_probe::Kind;
+  const bool has_mode = probe.has("mode");
+  if (has_mode && probe.has("height_at"))
+    probe.refuse("height_at", "a probe measures either a mode or a height; write two probes");
+  if (probe.has("circularity_of"))
+    return probe_of_label(probe, "circularity_of", Kind::circularity);
+  if (probe.has("centroid_of"))
+    return probe_of_label(probe, "centroid_of", Kind::centroid);
+  if (probe.has("velocity_of"))
+    return probe_of_label(probe, "velocity_of", Kind::velocity);
+  if (has_mode)
+    probe.require_known({"name", "mode", "center"});
+  else if (probe.has("at"))
+    probe.require_known({"name", "at"});
+  else
+    probe.require_known({"name", "at", "height_at", "mode", "center", "circularity_of",
+                         "centroid_of", "velocity_of"});
+  Scene_probe result;
+  result.name = probe.text("name");
+  if (probe.has("at")) {
+    result.kind = Kind::point;
+    result.point = probe.point("at");
+    return result;
+  }
+  if (has_mode) {
+    result.kind = Kind::mode;
+    result.mode = read_mode(probe);
+    result.center = probe.point("center");
+    return result;
+  }
+  if (probe.has("center"))
+    probe.refuse("center", "has no effect without the field 'mode'");
+  result.kind = Kind::height;
+  if (probe.dimension() == 2)
+    result.place = {probe.number("height_at"), 0};
+  else
+    result.place = probe.numbers<2>("height_at");
+  return result;
+}
+
+} // namespace dsc

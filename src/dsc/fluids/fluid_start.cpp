@@ -1,0 +1,273 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "fluids/fluid_start.h"
+
+#include "fluids/fluid_shapes.h"
+#include "fluids/fluid_solids.h"
+#include "programs/errors.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace dsc {
+namespace {
+
+bool is_in_source(const Scene_source& source, const std::array<double, 3>& p) {
+  const auto& c = source.center;
+  return std::hypot(p[0] - c[0], p[1] - c[1], p[2] - c[2]) < source.radius;
+}
+
+template <class Complex> void add_sources(const Fluid_scene& scene, Fluid<Complex>& fluid) {
+  using Point = typename Fluid<Complex>::Point;
+  const auto has_rate = [](const Scene_source& source) { return source.rate != 0; };
+  if (std::any_of(scene.sources.begin(), scene.sources.end(), has_rate))
+    fluid.set_sources([sources = scene.sources](const Point& p, double) {
+      double rate = 0;
+      for (const Scene_source& source : sources)
+        if (is_in_source(source, coordinates_of(p)))
+          rate += source.rate;
+      return rate;
+    });
+  for (const Scene_source& source : scene.sources)
+    if (source.flux)
+      fluid.add_source([source](const Point& p) { return is_in_source(source, coordinates_of(p)); },
+                       [flux = *source.flux](double t) { return *flux.at({t}); });
+}
+
+template <class Complex> void add_inflows(const Fluid_scene& scene, Fluid<Complex>& fluid) {
+  for (std::size_t side = 0; side < scene.inflows.size(); ++side)
+    if (const auto& inflow = scene.inflows[side])
+      fluid.set_side(int(side / 2), side % 2 == 1,
+                     {std::nullopt,
+                      [given = *inflow](const std::array<double, 3>& p,
+                                        double t) -> std::optional<std::array<double, 3>> {
+                        for (std::size_t i = 0; i < 3; ++i)
+                          if (p[i] < given.box[i] || p[i] > given.box[i + 3])
+                            return std::nullopt;
+                        return given.velocity.at(t);
+                      },
+                      {}});
+}
+
+template <class Complex> void add_openings(const Fluid_scene& scene, Fluid<Complex>& fluid) {
+  for (std::size_t side = 0; side < scene.openings.size(); ++side)
+    if (const auto& opening = scene.openings[side])
+      fluid.set_side(
+          int(side / 2), side % 2 == 1,
+          {opening->velocity, {}, [given = *opening](const std::array<double, 3>& p, double t) {
+             return given.at(p, t, Complex::dimension);
+           }});
+}
+
+/// Returns the value of an expression at a point, and at a time if it is given.
+template <class Point, class... Time>
+double value_at(const Expression& expression, const Point& p, Time... t) {
+  if constexpr (Point::Ambient_dimension::value == 2)
+    return *expression.at({p.x(), p.y(), t...});
+  else
+    return *expression.at({p.x(), p.y(), p.z(), t...});
+}
+
+template <class Complex>
+void set_field(const Scene_field& field, const Fluid_scene& scene, Fluid<Complex>& fluid) {
+  using Point = typename Fluid<Complex>::Point;
+  fluid.set_field([&](const Point& p) { return value_at(field.initial, p); });
+  static constexpr double rounding = 1e-9; // relative to the edge length
+  fluid.fix_field([field, domain = scene.domain, near = rounding * scene.edge](
+                      const Point& p, double t) -> std::optional<double> {
+    bool is_on_side = false;
+    for (std::size_t side = 0; side < 2 * std::size_t(Complex::dimension); ++side)
+      if (std::abs(p[int(side / 2)] - domain[side / 2 + 3 * (side % 2)]) <= near) {
+        is_on_side = true;
+        if (field.on_sides[side])
+          return value_at(*field.on_sides[side], p, t);
+      }
+    if (is_on_side || !field.on_surface)
+      return std::nullopt;
+    return value_at(*field.on_surface, p, t);
+  });
+}
+
+} // namespace
+
+template <class Complex>
+std::unique_ptr<Fluid<Complex>> fluid_of_scene(const Fluid_scene& scene, const std::string& folder,
+                                               Complex& complex) {
+  using namespace CGAL::Deformable_simplicial_complexes;
+  Fluid_properties properties;
+  for (const Scene_liquid& liquid : scene.liquids)
+    properties.set_liquid(
+        liquid.label, {liquid.density,
+                       liquid.viscosity,
+                       {},
+                       liquid.diffusivity.value_or(scene.field ? scene.field->diffusivity : 0)});
+  for (const Scene_gas& gas : scene.gases)
+    properties.set_gas(gas.label, {gas.pressure, gas.exponent});
+  for (const auto& tension : scene.tensions)
+    if (tension.expression)
+      properties.set_surface_tension(tension.labels[0], tension.labels[1],
+                                     [at = *tension.expression](double c) { return *at.at({c}); });
+    else
+      properties.set_surface_tension(tension.labels[0], tension.labels[1], tension.value);
+  auto result = std::make_unique<Fluid<Complex>>(complex, properties);
+  Fluid<Complex>& fluid = *result;
+  add_sources(scene, fluid);
+  add_solids(scene, folder, fluid);
+  add_inflows(scene, fluid);
+  add_openings(scene, fluid);
+  if (scene.field)
+    set_field(*scene.field, scene, fluid);
+  set_time(scene, 0, fluid);
+  return result;
+}
+
+template <class Complex> void set_time(const Fluid_scene& scene, double t, Fluid<Complex>& fluid) {
+  fluid.set_gravity(scene.gravity.at(t));
+  for (std::size_t side = 0; side < scene.sides.size(); ++side)
+    if (const auto& given = scene.sides[side]) {
+      const auto velocity = given->at(t);
+      if (velocity[side / 2] != 0)
+        given->expression->refuse("must be a velocity along the side");
+      fluid.set_side(int(side / 2), side % 2 == 1, {velocity});
+    }
+}
+
+namespace {
+
+/// Throws unless every liquid and gas has cells. Where shapes of one label overlap, the cells
+/// belong to the last shape.
+template <class Complex>
+void require_cells_of_all(const Fluid_scene& scene, const Complex& complex) {
+  const auto shapes = shapes_of(scene);
+  std::vector<std::size_t> cells(shapes.size(), 0);
+  for (const auto c : complex.cells()) {
+    const auto middle = middle_of(complex, c);
+    for (std::size_t i = shapes.size(); i-- > 0;)
+      if (shapes[i].first == c->label() &&
+          is_about(*shapes[i].second, middle, Complex::dimension)) {
+        ++cells[i];
+        break;
+      }
+  }
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    if (cells[i] == 0) {
+      const bool is_liquid = i < scene.liquids.size();
+      throw Input_error((is_liquid ? "liquids[" + std::to_string(i)
+                                   : "gases[" + std::to_string(i - scene.liquids.size())) +
+                        "] of the scene has no cells: other shapes or solids cover it, or it is "
+                        "outside the domain; move it or remove it");
+    }
+}
+
+template <class Complex>
+void require_liquid_at_sources(const Fluid_scene& scene, const Complex& complex) {
+  std::vector<bool> meets_liquid(scene.sources.size(), false);
+  for (const auto c : complex.cells())
+    if (is_liquid(scene, c->label()))
+      for (std::size_t i = 0; i < scene.sources.size(); ++i)
+        if (!meets_liquid[i])
+          meets_liquid[i] = is_in_source(scene.sources[i], middle_of(complex, c));
+  for (std::size_t i = 0; i < scene.sources.size(); ++i)
+    if (!meets_liquid[i])
+      throw Input_error("sources[" + std::to_string(i) +
+                        "] of the scene contains no liquid; move it or choose a larger radius");
+}
+
+template <class Complex>
+void require_liquid_at_sides(const Fluid_scene& scene, const Complex& complex) {
+  unsigned met = 0; // sides as bits
+  for (const auto c : complex.cells())
+    if (is_liquid(scene, c->label()))
+      for (int i = 0; i < Complex::corners; ++i)
+        met |= c->vertex(i)->boundary_class();
+  for (std::size_t side = 0; side < scene.sides.size(); ++side)
+    if ((scene.sides[side] || scene.inflows[side] || scene.openings[side]) && !(met >> side & 1))
+      throw Input_error("no liquid touches the side '" + std::string(names_of_sides[side]) +
+                        "' of the domain, so its condition has no effect; remove it");
+  for (std::size_t side = 0; scene.field && side < scene.sides.size(); ++side)
+    if (scene.field->on_sides[side] && !(met >> side & 1))
+      throw Input_error("no liquid touches the side '" + std::string(names_of_sides[side]) +
+                        "' of the domain, so the field fixed there has no effect; remove it");
+}
+
+} // namespace
+
+template <class Complex> void require_effect(const Fluid_scene& scene, const Complex& complex) {
+  require_cells_of_all(scene, complex);
+  require_liquid_at_sources(scene, complex);
+  require_liquid_at_sides(scene, complex);
+}
+
+template <class Complex>
+void require_outside_of_solids(const Fluid_scene& scene, const Fluid<Complex>& fluid) {
+  static constexpr double rounding = 1e-6; // relative to the edge length
+  if (fluid.depth_in_solids() > rounding * scene.edge)
+    throw Input_error("a liquid of the scene is inside a solid at the start, at a depth of " +
+                      Json(fluid.depth_in_solids()).dump() + "; move the liquid or the solid");
+}
+
+template <class Complex> void set_velocities(const Fluid_scene& scene, Fluid<Complex>& fluid) {
+  const Complex& complex = fluid.complex();
+  // A connected component gets the velocity of the liquid of its label that contains most of its
+  // cells.
+  std::map<std::uint32_t, std::vector<std::size_t>> cells; // by component and liquid
+  for (const auto c : complex.cells()) {
+    std::vector<std::size_t>& of_component = cells[c->component()];
+    of_component.resize(scene.liquids.size(), 0);
+    const auto middle = middle_of(complex, c);
+    for (std::size_t i = 0; i < scene.liquids.size(); ++i)
+      of_component[i] += scene.liquids[i].label == c->label() &&
+                         is_about(scene.liquids[i].shape, middle, Complex::dimension);
+  }
+  using Vertex_handle = typename Complex::Vertex_handle;
+  using Vector = typename Fluid<Complex>::Vector;
+  std::map<std::pair<Vertex_handle, int>, std::size_t> liquid_of; // of vertex and label
+  for (const auto c : complex.cells()) {
+    const std::vector<std::size_t>& of_component = cells[c->component()];
+    const auto most = std::max_element(of_component.begin(), of_component.end());
+    if (*most > 0)
+      for (int i = 0; i < Complex::corners; ++i)
+        liquid_of[{c->vertex(i), c->label()}] = std::size_t(most - of_component.begin());
+  }
+  fluid.set_velocities([&](Vertex_handle v, int label) {
+    const auto found = liquid_of.find({v, label});
+    if (found == liquid_of.end() || !scene.liquids[found->second].velocity)
+      return Vector(CGAL::NULL_VECTOR);
+    const Expression& velocity = *scene.liquids[found->second].velocity;
+    const auto p = complex.position(v);
+    if constexpr (Complex::dimension == 2) {
+      const double* u = velocity.at({p.x(), p.y()});
+      return Vector(u[0], u[1]);
+    } else {
+      const double* u = velocity.at({p.x(), p.y(), p.z()});
+      return Vector(u[0], u[1], u[2]);
+    }
+  });
+}
+
+template void require_effect(const Fluid_scene&, const Tracked_complex_2::Complex&);
+template std::unique_ptr<Fluid<Tracked_complex_2::Complex>>
+fluid_of_scene(const Fluid_scene&, const std::string&, Tracked_complex_2::Complex&);
+template void set_time(const Fluid_scene&, double, Fluid<Tracked_complex_2::Complex>&);
+template void require_outside_of_solids(const Fluid_scene&,
+                                        const Fluid<Tracked_complex_2::Complex>&);
+template void set_velocities(const Fluid_scene&, Fluid<Tracked_complex_2::Complex>&);
+template void require_effect(const Fluid_scene&, const Tracked_complex_3::Complex&);
+template std::unique_ptr<Fluid<Tracked_complex_3::Complex>>
+fluid_of_scene(const Fluid_scene&, const std::string&, Tracked_complex_3::Complex&);
+template void set_time(const Fluid_scene&, double, Fluid<Tracked_complex_3::Complex>&);
+template void require_outside_of_solids(const Fluid_scene&,
+                                        const Fluid<Tracked_complex_3::Complex>&);
+template void set_velocities(const Fluid_scene&, Fluid<Tracked_complex_3::Complex>&);
+
+} // namespace dsc

@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "input/Surface_inputs.h"
+
+#include "input/files.h"
+#include "input/start_complex.h"
+#include "input/tracked_checkpoint.h"
+#include "input/translations.h"
+#include "motions/run.h"
+#include "motions/start_distance.h"
+#include "programs/program.h"
+
+namespace dsc {
+namespace {
+
+constexpr char plane[] = "the commands for the plane",
+               repairs_of_surfaces[] = "the option --repair";
+
+[[noreturn]] void leave(const char* content) { throw Other_program{"dsc-full", content}; }
+
+/// Leaves surfaces that are repaired, curves, and what is no surface.
+void require_sound_surfaces(const Run_start& start) {
+  if (dimension_of(start) == 2)
+    leave(plane);
+  switch (input_kind(start)) {
+  case Input_kind::image:
+    leave("the reader of voxel images");
+  case Input_kind::tetrahedra:
+    leave("the readers of tetrahedra");
+  default:
+    break;
+  }
+  if (start.repairs)
+    leave(repairs_of_surfaces);
+}
+
+} // namespace
+
+void Surface_inputs::require_all() const { leave("the readers of other files"); }
+
+std::string Surface_inputs::native(const std::string& path, const std::string&,
+                                   const std::string& thresholds) const {
+  const std::string format = extension(path);
+  if (!thresholds.empty() || is_foreign(path) || format == "vtu" || format == "png")
+    leave("the readers of files of other programs");
+  return path;
+}
+
+std::unique_ptr<Tracked_complex> Surface_inputs::start(const Run_options& options, Repairs&) const {
+  require_sound_surfaces(options.start);
+  return track_in_space(options);
+}
+
+std::unique_ptr<Tracked_complex> Surface_inputs::resume(const std::string& path,
+                                                        std::string& metadata) const {
+  if (checkpoint_dimension(path) == 2)
+    leave(plane);
+  return track_checkpoint_3(path, metadata);
+}
+
+Start_distance Surface_inputs::distance_from(const Run_start& start) const {
+  require_sound_surfaces(start);
+  return Start_distance(start_surfaces(start));
+}
+
+void Surface_inputs::convert(const std::string&, const std::string&, const std::string&,
+                             const std::string&) const {
+  leave("conversions of files");
+}
+
+void Surface_inputs::convert_to_image(const std::string&, const std::string&,
+                                      const std::string&) const {
+  leave("conversions to images");
+}
+
+} // namespace dsc

@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "input/files.h"
+
+#include "programs/errors.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+namespace dsc {
+namespace fs = std::filesystem;
+namespace {
+
+/// Returns a canonical path of a file, which need not exist.
+fs::path canonical(const std::string& path) {
+  std::error_code error;
+  const fs::path result = fs::weakly_canonical(fs::absolute(path, error), error);
+  return error ? fs::path(path) : result;
+}
+
+} // namespace
+
+std::string extension(const std::string& path) {
+  std::string result = fs::path(path).extension().string();
+  if (!result.empty())
+    result.erase(0, 1);
+  std::transform(result.begin(), result.end(), result.begin(), [](char c) {
+    return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return result;
+}
+
+void require_writable(const std::string& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    throw Input_error("'" + path + "' is not a regular file; choose another name");
+  // Tests whether a file can be created in the folder, because results are written to a new file
+  // that is then renamed.
+  std::string probe = path + ".probe";
+  while (fs::exists(probe, error))
+    probe += '~';
+  if (!std::ofstream(probe))
+    throw Input_error("cannot write '" + path + "'; check that its folder exists and is writable");
+  fs::remove(probe, error);
+}
+
+bool is_same_file(const std::string& a, const std::string& b) {
+  std::error_code error;
+  return canonical(a) == canonical(b) || fs::equivalent(a, b, error);
+}
+
+void require_place(const std::string& option, const std::string& path,
+                   const std::vector<std::string>& others) {
+  if (path.empty())
+    return;
+  for (const std::string& other : others)
+    if (!other.empty() && is_same_file(path, other))
+      throw Usage_error(option + " would overwrite '" + path + "'; choose another name");
+  require_writable(path);
+}
+
+std::string unused_name(const std::string& stem, const std::string& extension) {
+  std::string name = stem + extension;
+  for (int number = 2; fs::exists(name); ++number)
+    name = stem + '_' + std::to_string(number) + extension;
+  return name;
+}
+
+} // namespace dsc

@@ -1,0 +1,75 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "input/gray_image.h"
+
+#include "input/files.h"
+#include "input/inr_image.h"
+#include "input/translations.h"
+
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace dsc {
+namespace {
+
+/// Returns the values of an image as numbers, the channels of a voxel next to each other.
+template <class Number> std::vector<float> values_of(const void* data, std::size_t n) {
+  const auto* const values = static_cast<const Number*>(data);
+  return std::vector<float>(values, values + n);
+}
+
+std::vector<float> values_of(const CGAL::Image_3& image, std::size_t channels) {
+  const std::size_t n = image.size() * channels;
+  const bool is_signed = image.image()->sign == SGN_SIGNED;
+  const void* const data = image.data();
+  if (image.image()->wordKind == WK_FLOAT)
+    return image.image()->wdim == 8 ? values_of<double>(data, n) : values_of<float>(data, n);
+  switch (image.image()->wdim) {
+  case 1:
+    return is_signed ? values_of<std::int8_t>(data, n) : values_of<std::uint8_t>(data, n);
+  case 2:
+    return is_signed ? values_of<std::int16_t>(data, n) : values_of<std::uint16_t>(data, n);
+  default:
+    return is_signed ? values_of<std::int32_t>(data, n) : values_of<std::uint32_t>(data, n);
+  }
+}
+
+} // namespace
+
+Read_image read_gray_image(const std::string& path, bool has_channels) {
+  static constexpr std::size_t most_channels = 16;
+  const std::string format = extension(path);
+  const bool is_native = format == "inr" || (format == "gz" && !is_foreign(path));
+  const std::string file = is_native ? path : translate_image(path, has_channels);
+  const CGAL::Image_3 image = read_inr(file, most_channels);
+  const std::size_t channels = image.image()->vdim;
+  const std::vector<float> values = values_of(image, channels);
+  Read_image result;
+  result.image.grid = grid_of(image);
+  result.image.channels.resize(channels);
+  for (std::size_t k = 0; k < channels; ++k)
+    for (std::size_t i = k; i < values.size(); i += channels)
+      result.image.channels[k].push_back(values[i]);
+  for (std::size_t i = 0; i < values.size() / channels; ++i)
+    for (std::size_t k = 0; k < channels; ++k)
+      if (!std::isfinite(values[i * channels + k])) {
+        result.image.mask.resize(values.size() / channels, 1);
+        result.number_without_values += result.image.mask[i];
+        result.image.mask[i] = 0;
+      }
+  return result;
+}
+
+CGAL::Deformable_simplicial_complexes::Gray_image<2> layer_of(Read_image image) {
+  const auto& grid = image.image.grid;
+  return {{{grid.size[0], grid.size[1]},
+           {grid.spacing[0], grid.spacing[1]},
+           {grid.origin[0], grid.origin[1]}},
+          std::move(image.image.channels),
+          std::move(image.image.mask)};
+}
+
+} // namespace dsc

@@ -1,0 +1,220 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "input/inr_image.h"
+
+#include "input/unused.h"
+#include "programs/errors.h"
+
+#include <CGAL/Mesh_files/internal/text/files.h>
+#include <CGAL/Mesh_files/internal/text/number_of_word.h>
+#include <CGAL/Mesh_support/Progress_scope.h>
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace dsc {
+namespace {
+
+namespace internal = CGAL::Deformable_simplicial_complexes::internal;
+
+/// A file of the INR format: lines KEY=VALUE, the line ##}, and the values of the voxels.
+class Inr_file
+{
+public:
+  explicit Inr_file(const std::string& path)
+      : m_path(path), m_file(gzopen(path.c_str(), "rb"), gzclose) {
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error))
+      fail("is a folder; name a file in it");
+    if (m_file == nullptr)
+      throw Input_error("cannot open " + path + "; check that the file exists and is readable");
+    read_header();
+  }
+
+  /// Checks the header and the number of bytes.
+  /// \throws Input_error if the header is wrong, or the number of bytes differs from the header
+  void check(std::size_t most_channels) {
+    std::uint64_t announced = bytes_of_voxel();
+    for (const char* key : {"XDIM", "YDIM", "ZDIM"})
+      announced *= dimension(key);
+    const std::string channels = take("VDIM").value_or("1");
+    const auto number_of_channels = internal::number_of_word<std::uint64_t>(channels);
+    if (!number_of_channels || *number_of_channels == 0)
+      fail("has VDIM=" + channels + " in its header; write a number of 1 or more");
+    if (*number_of_channels > most_channels)
+      fail(most_channels == 1 ? "has more than one value per voxel (VDIM); write only the label"
+                              : "has too many values per voxel (VDIM); write at most " +
+                                    std::to_string(most_channels));
+    announced *= *number_of_channels;
+    for (const char* key : {"VX", "VY", "VZ"})
+      if (!(number(key, "1") > 0))
+        fail("has an invalid voxel size: " + std::string(key) +
+             " is not positive; correct the header");
+    for (const char* key : {"TX", "TY", "TZ"})
+      number(key, "0");
+    for (const char* key : {"RX", "RY", "RZ"})
+      if (number(key, "0") != 0)
+        fail("has a rotation (" + std::string(key) + "), which is not supported; remove it");
+    const std::uint64_t size = count_bytes();
+    if (size < announced)
+      fail("lacks " + std::to_string(announced - size) + " of the " + std::to_string(announced) +
+           " bytes that its header announces; is it truncated?");
+    Unused_content unused;
+    for (const auto& [key, value] : m_values)
+      unused.add("header line " + internal::in_quotes(key));
+    unused.add(noun(size - announced, "byte after the last voxel", "bytes after the last voxel"),
+               size - announced);
+    print_unused(m_path, unused);
+  }
+
+private:
+  [[noreturn]] void fail(const std::string& what) const { throw Input_error(m_path + " " + what); }
+
+  /// Returns the next line, without its end; `nullopt` if there is none.
+  std::optional<std::string> line() {
+    std::string result;
+    constexpr std::size_t longest = 4096; // a file that is not an image may have no line ends
+    while (result.size() < longest) {
+      const int c = gzgetc(m_file.get());
+      if (c < 0)
+        return std::nullopt;
+      if (c == '\n')
+        return result;
+      result += static_cast<char>(c);
+    }
+    return std::nullopt;
+  }
+
+  void read_header() {
+    const std::string magic = "#INRIMAGE-4#{";
+    const std::optional<std::string> first = line();
+    if (first == magic + '\r')
+      fail("has Windows line endings, so its voxels are damaged, too; copy it in binary mode");
+    if (first != magic)
+      fail("does not begin with " + magic +
+           "; give an INR image (images in other formats cannot be compressed)");
+    bool has_values = true;
+    for (std::optional<std::string> text; (text = line());) {
+      if (text->compare(0, 3, "##}") == 0)
+        return;
+      has_values = has_values && !text->empty() && text->front() != '#';
+      const std::size_t mark = text->find('=');
+      if (has_values && mark == std::string::npos)
+        fail("has the header line " + internal::in_quotes(*text) + " without '='; correct it");
+      if (has_values)
+        m_values[text->substr(0, mark)] = text->substr(mark + 1);
+    }
+    fail("has a header without the line ##} at its end; is it truncated?");
+  }
+
+  /// Returns and removes the value of a key.
+  std::optional<std::string> take(const std::string& key) {
+    const auto found = m_values.find(key);
+    if (found == m_values.end())
+      return std::nullopt;
+    std::string value = found->second;
+    m_values.erase(found);
+    return value;
+  }
+
+  std::string need(const std::string& key) {
+    const std::optional<std::string> value = take(key);
+    if (!value)
+      fail("has no " + key + " in its header; add it");
+    return *value;
+  }
+
+  double number(const std::string& key, const std::string& otherwise) {
+    const std::string text = take(key).value_or(otherwise);
+    const std::optional<double> value = internal::number_of_word<double>(text);
+    if (!value)
+      fail("has " + key + '=' + text + " in its header, which " +
+           internal::why_no_number<double>(text));
+    return *value;
+  }
+
+  std::uint64_t dimension(const std::string& key) {
+    constexpr std::uint64_t largest = 1 << 20; // so that the number of bytes fits into 64 bits
+    const std::string text = need(key);
+    const auto value = internal::number_of_word<std::uint64_t>(text);
+    if (!value || *value == 0 || *value > largest)
+      fail("has " + key + '=' + text + " in its header; write a number from 1 to 1048576");
+    return *value;
+  }
+
+  std::uint64_t bytes_of_voxel() {
+    const std::string type = need("TYPE"), size = need("PIXSIZE"), order = need("CPU");
+    const auto begins_with = [](const std::string& text, const std::string& begin) {
+      return text.compare(0, begin.size(), begin) == 0;
+    };
+    const bool is_real = begins_with(type, "float");
+    if (!is_real && !begins_with(type, "signed fixed") && !begins_with(type, "unsigned fixed"))
+      fail("has the unknown voxel type " + internal::in_quotes(type) +
+           "; write unsigned fixed, signed fixed or float");
+    if (order != "decm" && order != "alpha" && order != "pc" && order != "sun" && order != "sgi")
+      fail("has the unknown byte order CPU=" + order + "; write decm or sun");
+    const std::array<std::uint64_t, 3> sizes = is_real ? std::array<std::uint64_t, 3>{32, 64, 64}
+                                                       : std::array<std::uint64_t, 3>{8, 16, 32};
+    for (const std::uint64_t bits : sizes)
+      if (begins_with(size, std::to_string(bits) + " bits"))
+        return bits / 8;
+    fail("has the unsupported voxel size " + internal::in_quotes(size) + "; write " +
+         (is_real ? "32 bits or 64 bits" : "8 bits, 16 bits or 32 bits"));
+  }
+
+  /// Counts the bytes behind the header.
+  std::uint64_t count_bytes() {
+    std::vector<char> buffer(1 << 20);
+    std::uint64_t result = 0;
+    int n = 0;
+    while ((n = gzread(m_file.get(), buffer.data(), static_cast<unsigned>(buffer.size()))) > 0) {
+      CGAL::Deformable_simplicial_complexes::Progress_scope::check();
+      result += static_cast<std::uint64_t>(n);
+    }
+    if (n < 0)
+      fail("has damaged or truncated compressed data; copy the file again");
+    return result;
+  }
+
+  std::string m_path;
+  std::unique_ptr<gzFile_s, int (*)(gzFile)> m_file;
+  std::map<std::string, std::string> m_values;
+};
+
+/// Checks whether an image of voxels (.inr, .inr.gz) can be read, and prints its unused contents.
+/// \param most_channels largest number of values of a voxel
+/// \throws Input_error with the cause if the image cannot be read
+void check_image(const std::string& path, std::size_t most_channels) {
+  Inr_file(path).check(most_channels);
+}
+
+} // namespace
+
+CGAL::Image_3 read_inr(const std::string& path, std::size_t most_channels) {
+  check_image(path, most_channels);
+  CGAL::Image_3 image;
+  if (!image.read(path))
+    throw Input_error("cannot read '" + path + "' as a voxel image; check its format");
+  return image;
+}
+
+CGAL::Deformable_simplicial_complexes::Sampling_grid<3> grid_of(const CGAL::Image_3& image) {
+  return {{image.xdim(), image.ydim(), image.zdim()},
+          {image.vx(), image.vy(), image.vz()},
+          {image.tx(), image.ty(), image.tz()}};
+}
+
+} // namespace dsc

@@ -1,0 +1,215 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "input/mesh_content.h"
+
+#include "input/cell_regions.h"
+#include "programs/errors.h"
+
+#include <CGAL/Mesh_files/internal/grids/write_vtu.h>
+#include <CGAL/Mesh_support/Progress_scope.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace dsc {
+namespace {
+
+using Complex = CGAL::Deformable_simplicial_complex_3<>;
+using Vertex_handle = Complex::Vertex_handle;
+using Cell_handle = Complex::Cell_handle;
+using CGAL::Deformable_simplicial_complexes::Progress_scope;
+
+/// Returns the indices of items, sorted by the key of each item.
+template <class Key> std::vector<std::size_t> sorted_by(std::size_t size, const Key& key) {
+  std::vector<std::size_t> result(size);
+  std::iota(result.begin(), result.end(), std::size_t(0));
+  std::sort(result.begin(), result.end(),
+            [&](std::size_t i, std::size_t j) { return key(i) < key(j); });
+  return result;
+}
+
+/// Returns, for each vertex, the point of the mesh with the same coordinates.
+std::vector<std::size_t> points_of(const std::vector<Vertex_handle>& vertices,
+                                   const Labeled_tetrahedra& mesh, const Complex& complex) {
+  const auto coordinates = [](const auto& p) {
+    return std::array<double, 3>{CGAL::to_double(p.x()), CGAL::to_double(p.y()),
+                                 CGAL::to_double(p.z())};
+  };
+  const auto points =
+      sorted_by(mesh.points.size(), [&](std::size_t i) { return coordinates(mesh.points[i]); });
+  const auto sorted = sorted_by(vertices.size(), [&](std::size_t i) {
+    return coordinates(complex.user_position(vertices[i]));
+  });
+  std::vector<std::size_t> result(vertices.size());
+  for (std::size_t k = 0; k < sorted.size(); ++k)
+    result[sorted[k]] = points[k];
+  return result;
+}
+
+/// Returns, for each cell, the corresponding tetrahedron of the mesh.
+/// \param vertex_of_point index of the vertex of each point
+std::vector<std::size_t> tetrahedra_of(const std::vector<Cell_handle>& cells,
+                                       const std::vector<Vertex_handle>& vertices,
+                                       const std::vector<std::size_t>& vertex_of_point,
+                                       const Labeled_tetrahedra& mesh) {
+  using Corners = std::array<std::size_t, 4>;
+  std::vector<Corners> expected, given;
+  for (const auto& tetrahedron : mesh.tetrahedra) {
+    given.emplace_back();
+    for (std::size_t i = 0; i < 4; ++i)
+      given.back()[i] = vertices[vertex_of_point[tetrahedron[i]]]->time_stamp();
+    std::sort(given.back().begin(), given.back().end());
+  }
+  for (const Cell_handle c : cells) {
+    expected.emplace_back();
+    for (int i = 0; i < 4; ++i)
+      expected.back()[std::size_t(i)] = c->vertex(i)->time_stamp();
+    std::sort(expected.back().begin(), expected.back().end());
+  }
+  const auto sorted_cells = sorted_by(cells.size(), [&](std::size_t i) { return expected[i]; });
+  const auto sorted_given = sorted_by(given.size(), [&](std::size_t i) { return given[i]; });
+  std::vector<std::size_t> result(cells.size());
+  for (std::size_t k = 0; k < cells.size(); ++k)
+    result[sorted_cells[k]] = sorted_given[k];
+  return result;
+}
+
+/// Removes simplices that are not in the complex. Returns their number.
+template <std::size_t n>
+std::size_t remove_foreign(std::vector<Mesh_entities::Simplex<n>>& simplices,
+                           const std::vector<std::vector<std::size_t>*>& lists,
+                           const std::vector<Vertex_handle>& vertices, const Complex& complex) {
+  std::vector<std::size_t> new_index(simplices.size());
+  std::vector<bool> is_foreign(simplices.size(), false);
+  std::size_t number = 0;
+  for (std::size_t i = 0; i < simplices.size(); ++i) {
+    Progress_scope::check();
+    new_index[i] = number;
+    is_foreign[i] = cells_around(complex, handles(vertices, simplices[i].vertices)).empty();
+    if (!is_foreign[i])
+      simplices[number++] = simplices[i];
+  }
+  const std::size_t removed = simplices.size() - number;
+  simplices.resize(number);
+  for (std::vector<std::size_t>* list : lists) {
+    list->erase(
+        std::remove_if(list->begin(), list->end(), [&](std::size_t i) { return is_foreign[i]; }),
+        list->end());
+    for (std::size_t& i : *list)
+      i = new_index[i];
+  }
+  return removed;
+}
+
+/// Returns whether an array has a different value for nearly each cell, like an array of cell
+/// numbers.
+bool differs_everywhere(const Mesh_array& array, const Complex& complex,
+                        const std::vector<std::size_t>& row_of_cell) {
+  static constexpr std::size_t few = 16, cells_of_region = 8;
+  const auto row = [&](Cell_handle c) {
+    return array.values.begin() +
+           static_cast<std::ptrdiff_t>(row_of_cell[c->id()] * array.components);
+  };
+  const Cell_regions<Complex> regions(complex, [&](Cell_handle c, int i) {
+    const auto a = row(c);
+    return !std::equal(a, a + static_cast<std::ptrdiff_t>(array.components), row(c->neighbor(i)));
+  });
+  const auto number = static_cast<std::size_t>(regions.number);
+  return number > few && number * cells_of_region > complex.number_of_cells();
+}
+
+/// Returns whether `write_VTU()` always writes an array of this name.
+bool is_computed(const Mesh_array& array) {
+  return CGAL::Deformable_simplicial_complexes::internal::is_computed_vtu_array(array.name);
+}
+
+/// Returns whether all computed arrays are present: the file was written by this package.
+bool has_computed_arrays(const Mesh_arrays& arrays) {
+  const auto number = std::count_if(arrays.points.begin(), arrays.points.end(), is_computed) +
+                      std::count_if(arrays.cells.begin(), arrays.cells.end(), is_computed);
+  return arrays.labels.name == "label" && number == 3;
+}
+
+template <class Is_unfit>
+void remove_arrays(std::vector<Mesh_array>& arrays, const std::string& reason,
+                   Unused_content* unused, const Is_unfit& is_unfit) {
+  const auto remove = [&](const Mesh_array& array) {
+    const bool result = is_unfit(array);
+    if (result && unused != nullptr)
+      unused->add("array " + reason + " ('" + array.name + "')");
+    return result;
+  };
+  arrays.erase(std::remove_if(arrays.begin(), arrays.end(), remove), arrays.end());
+}
+
+} // namespace
+
+bool Mesh_content::is_empty() const {
+  return arrays.points.empty() && arrays.cells.empty() && entities.vertex_references.empty() &&
+         entities.edges.empty() && entities.triangles.empty() && entities.corners.empty() &&
+         entities.required_vertices.empty();
+}
+
+Mesh_content content_of(Labeled_tetrahedra mesh, const Complex& complex, Unused_content& unused) {
+  Mesh_content content{std::move(mesh.arrays), std::move(mesh.entities)};
+  Unused_content* const told = has_computed_arrays(content.arrays) ? nullptr : &unused;
+  for (auto* arrays : {&content.arrays.points, &content.arrays.cells})
+    remove_arrays(*arrays, "that is computed again", told, is_computed);
+  if (content.is_empty())
+    return content;
+
+  const std::vector<Vertex_handle> vertices = complex.vertices();
+  const std::vector<Cell_handle> cells = complex.cells();
+  const std::vector<std::size_t> points = points_of(vertices, mesh, complex);
+  std::vector<std::size_t> vertex_of_point(points.size()), row_of_cell(complex.cell_id_bound());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    vertex_of_point[points[i]] = i;
+  const std::vector<std::size_t> tetrahedra = tetrahedra_of(cells, vertices, vertex_of_point, mesh);
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    row_of_cell[cells[i]->id()] = i;
+
+  for (Mesh_array& array : content.arrays.points)
+    array = array.selected(points);
+  for (Mesh_array& array : content.arrays.cells)
+    array = array.selected(tetrahedra);
+  remove_arrays(content.arrays.cells, "of cell numbers, which change", &unused,
+                [&](const Mesh_array& array) {
+                  return array.is_integer() && differs_everywhere(array, complex, row_of_cell);
+                });
+
+  Mesh_entities& entities = content.entities;
+  const std::vector<int> references = entities.vertex_references;
+  for (std::size_t i = 0; i < references.size(); ++i)
+    entities.vertex_references[i] = references[points[i]];
+  renumber_vertices(entities, vertex_of_point);
+  const std::size_t triangles =
+      remove_foreign(entities.triangles, {&entities.required_triangles}, vertices, complex);
+  unused.add(noun(triangles, "triangle without a tetrahedron", "triangles without a tetrahedron"),
+             triangles);
+  const std::size_t edges = remove_foreign(
+      entities.edges, {&entities.ridges, &entities.required_edges}, vertices, complex);
+  unused.add(noun(edges, "edge without a tetrahedron", "edges without a tetrahedron"), edges);
+  return content;
+}
+
+void renumber_vertices(Mesh_entities& entities, const std::vector<std::size_t>& new_indices) {
+  const auto renumber = [&](auto& indices) {
+    for (std::size_t& v : indices)
+      v = new_indices[v];
+  };
+  for (auto& edge : entities.edges)
+    renumber(edge.vertices);
+  for (auto& triangle : entities.triangles)
+    renumber(triangle.vertices);
+  renumber(entities.corners);
+  renumber(entities.required_vertices);
+}
+
+} // namespace dsc

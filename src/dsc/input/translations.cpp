@@ -1,0 +1,248 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "input/translations.h"
+
+#include "input/files.h"
+#include "input/unused.h"
+#include "programs/errors.h"
+#include "programs/interrupt.h"
+
+#include <CGAL/Mesh_files/replace_file.h>
+
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cerrno>
+#include <chrono>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+#include <system_error>
+#include <thread>
+#include <utility>
+#include <vector>
+
+extern char** environ;
+
+namespace dsc {
+namespace fs = std::filesystem;
+namespace {
+
+/// The temporary files of this process.
+struct Temporary_files
+{
+  std::string folder; ///< empty before the first file
+  int number = 0;
+  std::map<std::string, std::string> translations; ///< by the name of the user
+};
+
+Temporary_files& temporary_files() {
+  static Temporary_files files;
+  return files;
+}
+
+/// Returns a new, empty folder.
+std::string new_folder() {
+  Temporary_files& files = temporary_files();
+  if (files.folder.empty()) {
+    std::string name = (fs::temp_directory_path() / "dsc-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr)
+      throw Input_error("cannot create a temporary folder in " +
+                        fs::temp_directory_path().string() + ": " + std::strerror(errno));
+    files.folder = name;
+  }
+  const fs::path result = fs::path(files.folder) / std::to_string(files.number++);
+  fs::create_directory(result);
+  return result.string();
+}
+
+std::string content_of(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+/// Runs a program until it ends. Its output and messages are written to files.
+/// \return its exit code; -1 if it crashed
+int run_program_with(const std::vector<std::string>& arguments, const std::string& output,
+                     const std::string& messages) {
+  std::vector<char*> argv;
+  for (const std::string& argument : arguments)
+    argv.push_back(const_cast<char*>(argument.c_str()));
+  argv.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  static constexpr int flags = O_WRONLY | O_CREAT | O_TRUNC, mode = 0600;
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output.c_str(), flags, mode);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, messages.c_str(), flags, mode);
+  pid_t child = 0;
+  const int error = posix_spawn(&child, argv[0], &actions, nullptr, argv.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (error != 0)
+    throw std::system_error(error, std::generic_category());
+  int status = 0;
+  while (waitpid(child, &status, WNOHANG) == 0) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    if (!interrupted())
+      continue;
+    kill(child, SIGKILL);
+    waitpid(child, &status, 0);
+    throw CGAL::Deformable_simplicial_complexes::Interrupted_error();
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+/// Prints what a translation leaves out, and the choices that were made.
+/// \param answer output of dsc-files after the name of the translation
+void print_answer(const std::string& path, std::istream& answer) {
+  Unused_content unused;
+  const std::string unused_line = "unused ", note = "note ";
+  for (std::string line; std::getline(answer, line);)
+    if (line.compare(0, unused_line.size(), unused_line) == 0) {
+      std::istringstream content(line.substr(unused_line.size()));
+      std::size_t number = 1;
+      if (std::isdigit(content.peek()) != 0)
+        content >> number >> std::ws;
+      std::string kind;
+      std::getline(content, kind);
+      unused.add(kind, number);
+    } else {
+      print_note(path, line.substr(note.size()));
+    }
+  print_unused(path, unused);
+}
+
+/// Runs `dsc-files` for a file. Returns what it prints.
+std::string run_dsc_files(const std::string& path, std::vector<std::string> arguments) {
+  require_program("dsc-files", path);
+  const std::string program = path_of_program("dsc-files");
+  arguments.insert(arguments.begin(), program);
+  const std::string folder = new_folder(), output = folder + "/output",
+                    messages = folder + "/messages";
+  const int code = run_program_with(arguments, output, messages);
+  if (code == 0)
+    return content_of(output);
+  const std::string message = content_of(messages);
+  throw Input_error(path + ' ' +
+                    (code < 0 || message.empty()
+                         ? "crashes its reader or takes too long; is it damaged?"
+                         : message.substr(0, message.find('\n'))));
+}
+
+} // namespace
+
+std::string path_of_program(const std::string& name) {
+  std::error_code error;
+  const fs::path self = fs::read_symlink("/proc/self/exe", error);
+  if (error)
+    throw std::runtime_error("cannot find the folder of this program: " + error.message());
+  return (self.parent_path() / name).string();
+}
+
+void require_program(const std::string& name, const std::string& file) {
+  if (!fs::exists(path_of_program(name)))
+    throw Input_error(file + " needs the program " + name +
+                      ", which is built if VTK is found (Debian: libvtk9-dev); build it, or use "
+                      "another format");
+}
+
+bool is_foreign(const std::string& path) {
+  static constexpr std::array extensions = {"csv", "geojson", "mha", "mhd", "meshb", "msh", "nhdr",
+                                            "nii", "nrrd",    "pcd", "ppm", "pvtu",  "tif", "tiff",
+                                            "vti", "vtk",     "vtp", "vtr", "vts"};
+  const std::string format = extension(path);
+  return std::find(extensions.begin(), extensions.end(), format) != extensions.end() ||
+         (format == "gz" && extension(fs::path(path).stem().string()) == "nii");
+}
+
+namespace {
+
+/// Translates a file by `dsc-files` with options, as pairs of a name and a value.
+std::string translate_with(const std::string& path,
+                           const std::vector<std::pair<std::string, std::string>>& options,
+                           const std::function<bool(const std::string&)>& accepts) {
+  Temporary_files& files = temporary_files();
+  const auto known = files.translations.find(path);
+  if (known != files.translations.end())
+    return known->second;
+  if (!fs::exists(path))
+    throw Input_error("cannot open " + path + "; check that the file exists and is readable");
+  std::vector<std::string> arguments = {path, new_folder()};
+  for (const auto& [name, value] : options)
+    if (!value.empty())
+      arguments.insert(arguments.end(), {name, value});
+  std::istringstream answer(run_dsc_files(path, arguments));
+  std::string translation;
+  std::getline(answer, translation);
+  if (accepts && !accepts(translation))
+    throw Input_error(path + " has content that this program does not read");
+  print_answer(path, answer);
+  files.translations[path] = translation;
+  return translation;
+}
+
+} // namespace
+
+std::string translate(const std::string& path, const std::string& labels,
+                      const std::string& thresholds,
+                      const std::function<bool(const std::string&)>& accepts) {
+  return translate_with(path, {{"--labels", labels}, {"--threshold", thresholds}}, accepts);
+}
+
+std::string translate_image(const std::string& path, bool has_channels) {
+  return translate_with(path, {{"--values", has_channels ? "color" : "gray"}}, {});
+}
+
+void write_foreign(const std::string& input, const std::string& output, const std::string& like) {
+  const std::string written = new_folder() + '/' + fs::path(output).filename().string();
+  std::vector<std::string> arguments = {"--write", input, written};
+  if (!like.empty())
+    arguments.push_back(like);
+  run_dsc_files(output, arguments);
+  CGAL::Deformable_simplicial_complexes::replace_file_by_stream(
+      output, [&](std::ostream& out) { out << std::ifstream(written, std::ios::binary).rdbuf(); });
+}
+
+std::string with_user_names(std::string text) {
+  for (const auto& [user, translation] : temporary_files().translations)
+    for (std::size_t at = 0; (at = text.find(translation, at)) != std::string::npos;
+         at += user.size())
+      text.replace(at, translation.size(), user);
+  return text;
+}
+
+std::vector<std::string> with_user_names(const std::vector<std::string>& texts) {
+  std::vector<std::string> result;
+  for (const std::string& text : texts)
+    result.push_back(with_user_names(text));
+  return result;
+}
+
+void name_in_messages(const std::string& path, const std::string& name) {
+  temporary_files().translations[name] = path;
+}
+
+std::string temporary_file(const std::string& name) { return new_folder() + '/' + name; }
+
+void remove_temporary_files() {
+  Temporary_files& files = temporary_files();
+  std::error_code error;
+  if (!files.folder.empty())
+    fs::remove_all(files.folder, error);
+  files = Temporary_files();
+}
+
+} // namespace dsc

@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "motions/run_position.h"
+
+#include "input/translations.h"
+#include "motions/motion_json.h"
+
+#include <stdexcept>
+
+namespace dsc {
+
+std::string to_metadata(const Run_position& position, const Step_options& step) {
+  // Contains nothing that depends on interruptions or the number of threads, so that checkpoints of
+  // the same state are equal.
+  Json parameters = motion_json(step.motion);
+  parameters["grow_domain"] = step.grows_domain;
+  parameters["improve_interface"] = step.improves_interface;
+  if (step.largest_displacement)
+    parameters["largest_displacement"] = *step.largest_displacement;
+  parameters["aggressiveness"] = step.aggressiveness ? Json(*step.aggressiveness) : Json();
+  parameters["triangles"] = position.start.triangles;
+  parameters["segments"] = position.start.segments;
+  parameters["repair"] = position.start.repairs;
+  if (const std::optional<Distance>& hole = position.start.largest_hole)
+    parameters["largest_hole"] = {{"value", hole->value}, {"in_mean_edges", hole->in_mean_edges}};
+  parameters["figure"] = static_cast<int>(position.start.figure);
+  if (const std::optional<Ball>& ball = position.start.ball)
+    parameters["ball"] = {{"center", ball->center}, {"radius", ball->radius}};
+  return Json{{"step", position.step},
+              {"time", position.time},
+              {"input", with_user_names(position.start.inputs)},
+              {"parameters", parameters}}
+      .dump(-1, ' ', false, Json::error_handler_t::replace); // names may contain any bytes
+}
+
+std::optional<Saved_run> from_metadata(const std::string& metadata) {
+  try {
+    const Json json = Json::parse(metadata);
+    Saved_run run;
+    Run_position& position = run.position;
+    position.step = json.at("step");
+    position.time = json.at("time");
+    position.start.inputs = json.at("input").get<std::vector<std::string>>();
+    const Json& parameters = json.at("parameters");
+    position.start.triangles = parameters.at("triangles");
+    position.start.segments = parameters.at("segments");
+    position.start.repairs = parameters.value("repair", false); // missing in older checkpoints
+    position.start.figure = static_cast<Figure>(parameters.at("figure").get<int>());
+    if (parameters.contains("largest_hole")) {
+      const Json& hole = parameters.at("largest_hole");
+      position.start.largest_hole = Distance{hole.at("value"), hole.at("in_mean_edges")};
+    }
+    if (parameters.contains("ball")) {
+      const Json& ball = parameters.at("ball");
+      position.start.ball = Ball{ball.at("center"), ball.at("radius")};
+    }
+    run.step.motion = motion_from_json(parameters);
+    run.step.grows_domain = parameters.value("grow_domain", false); // missing in older checkpoints
+    if (parameters.contains("largest_displacement"))
+      run.step.largest_displacement = parameters.at("largest_displacement").get<double>();
+    run.step.improves_interface = parameters.at("improve_interface");
+    if (const Json& aggressiveness = parameters.at("aggressiveness"); !aggressiveness.is_null())
+      run.step.aggressiveness = aggressiveness.get<double>();
+    return run;
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  } catch (const std::out_of_range&) {
+    return std::nullopt;
+  }
+}
+
+} // namespace dsc

@@ -1,0 +1,40 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DSC_RUN_POSITION_H
+#define DSC_RUN_POSITION_H
+
+#include "input/run_start.h"
+#include "motions/motion.h"
+
+#include <optional>
+#include <string>
+
+namespace dsc {
+
+/// The current position of a run.
+struct Run_position
+{
+  unsigned step = 0;
+  double time = 0;
+  Run_start start;
+};
+
+/// The data of a checkpoint other than the complex.
+struct Saved_run
+{
+  Run_position position;
+  Step_options step;
+};
+
+/// Returns the metadata of a checkpoint, as JSON text.
+std::string to_metadata(const Run_position& position, const Step_options& step);
+
+/// Returns the run described by the metadata of a checkpoint; `nullopt` if another program wrote
+/// the checkpoint.
+std::optional<Saved_run> from_metadata(const std::string& metadata);
+
+} // namespace dsc
+
+#endif // DSC_RUN_POSITION_H

@@ -1,0 +1,15 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "motions/motion_step.h"
+#include "motions/tracked_complex_2.h"
+
+namespace dsc {
+
+Step_outcome Tracked_complex_2::advance(const Step_options& options, double time,
+                                        unsigned threads) {
+  return do_step(complex, options, time, threads);
+}
+
+} // namespace dsc

@@ -1,0 +1,164 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "output/frame_of_vtu.h"
+
+#include <CGAL/Mesh_files/internal/grids/Vtu_reader.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace dsc {
+namespace {
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+using DSC::internal::Vtu_reader;
+
+/// Returns the number of vertices of the simplices of a grid.
+/// \throws File_error if there are other cells than simplices of one dimension
+std::size_t corners_of(const Vtu_reader& reader, std::size_t number_of_cells) {
+  static constexpr std::array<std::pair<double, std::size_t>, 3> types = {
+      {{3, 2}, {5, 3}, {10, 4}}};
+  const std::vector<double> cells = reader.array("Cells", "types", number_of_cells);
+  const auto type = std::find_if(types.begin(), types.end(), [&](const auto& known) {
+    return !cells.empty() && known.first == cells.front();
+  });
+  if (type == types.end() ||
+      std::any_of(cells.begin(), cells.end(), [&](double cell) { return cell != type->first; }))
+    reader.fail("the cells are not tetrahedra, triangles or segments only; choose a file that dsc "
+                "wrote");
+  return type->second;
+}
+
+std::vector<std::array<std::uint32_t, 4>> simplices_of(const Vtu_reader& reader, std::size_t number,
+                                                       std::size_t corners,
+                                                       std::size_t number_of_points) {
+  const std::vector<double> indices = reader.array("Cells", "connectivity", number * corners);
+  std::vector<std::array<std::uint32_t, 4>> result(number);
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    if (!(indices[i] >= 0 && indices[i] < double(number_of_points)) ||
+        indices[i] != std::trunc(indices[i]))
+      reader.fail("cell " + std::to_string(i / corners) +
+                  " has a vertex that does not exist; correct the array 'connectivity'");
+    result[i / corners][i % corners] = std::uint32_t(indices[i]);
+  }
+  return result;
+}
+
+/// Returns whether the viewer computes this array, or does not need it.
+bool is_known_array(const std::string& name) {
+  return name == "label" || name == "label_pair" || name == "quality" || name == "boundary_class" ||
+         name == "interface";
+}
+
+/// Adds the arrays of numbers that are scalars or vectors. An array of cells is left out if points
+/// have an array of the same name, because a frame has one field of each name.
+/// \pre arrays of points are added before arrays of cells
+void add_fields(const Vtu_reader& reader, bool on_points, Read_frame& read) {
+  const std::string section = on_points ? "PointData" : "CellData";
+  const std::size_t rows = on_points ? read.frame.points.size() : read.frame.simplices.size();
+  for (const DSC::Mesh_array& array : reader.announced_arrays(section)) {
+    const bool is_added =
+        std::any_of(read.frame.fields.begin(), read.frame.fields.end(),
+                    [&](const Film_field& field) { return field.name == array.name; });
+    if (is_added || is_known_array(array.name) || (array.components != 1 && array.components != 3))
+      continue;
+    Film_field field{
+        array.name, on_points, array.components == 1 ? 1 : std::size_t(read.dimension), {}};
+    const std::vector<double> values = reader.array(section, array.name, rows, array.components);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (i % array.components < field.components)
+        field.values.push_back(values[i]);
+    if (!std::all_of(field.values.begin(), field.values.end(),
+                     [](double x) { return std::isfinite(x); }))
+      reader.fail("the array '" + array.name + "' of " + section +
+                  " has a value that is not finite; correct or remove it");
+    read.frame.fields.push_back(std::move(field));
+  }
+}
+
+/// Keeps the rows of a field of some points or simplices.
+void keep_rows(const std::vector<std::size_t>& rows, bool on_points,
+               std::vector<Film_field>& fields) {
+  for (Film_field& field : fields)
+    if (field.on_points == on_points) {
+      std::vector<double> values;
+      for (const std::size_t row : rows)
+        for (std::size_t i = 0; i < field.components; ++i)
+          values.push_back(field.values[row * field.components + i]);
+      field.values.swap(values);
+    }
+}
+
+} // namespace
+
+Read_frame frame_of_vtu(const std::string& path) {
+  const Vtu_reader reader(path);
+  const std::size_t cells = reader.number_of_cells(), points = reader.number_of_points();
+  const std::vector<DSC::Mesh_array> arrays = reader.announced_arrays("CellData");
+  const bool is_interface = std::any_of(arrays.begin(), arrays.end(), [](const auto& array) {
+    return array.name == "label_pair" && array.components == 2;
+  });
+  Read_frame result;
+  const std::size_t corners = cells == 0 ? 3 : corners_of(reader, cells);
+  result.content = is_interface ? Film::Content::facets : Film::Content::cells;
+  result.dimension = int(corners) - (is_interface ? 0 : 1);
+  Film_frame& frame = result.frame;
+  const std::vector<double> coordinates = reader.array("Points", "", points, 3);
+  for (std::size_t i = 0; i < coordinates.size(); i += 3)
+    frame.points.push_back({coordinates[i], coordinates[i + 1], coordinates[i + 2]});
+  frame.simplices = simplices_of(reader, cells, corners, points);
+  const std::vector<double> labels = is_interface ? reader.array("CellData", "label_pair", cells, 2)
+                                                  : reader.array("CellData", "label", cells);
+  for (const double label : labels)
+    if (!(std::abs(label) < 2147483648.) || label != std::trunc(label)) // 2^31
+      reader.fail("a label is not an integer of 32 bits; correct the array of the labels");
+  for (std::size_t i = 0; i < cells; ++i)
+    // The normals of a facet point out of the larger label, which is the first one in the file.
+    frame.labels.push_back(is_interface
+                               ? std::array<int, 2>{int(labels[2 * i + 1]), int(labels[2 * i])}
+                               : std::array<int, 2>{int(labels[i]), 0});
+  add_fields(reader, true, result);
+  add_fields(reader, false, result);
+  return result;
+}
+
+void leave_out(const std::vector<int>& labels, Read_frame& read) {
+  const bool has_facets = read.content == Film::Content::facets;
+  const std::size_t corners = std::size_t(read.dimension) + (has_facets ? 0 : 1);
+  Film_frame& frame = read.frame;
+  const auto is_left_out = [&](int label) {
+    return std::find(labels.begin(), labels.end(), label) != labels.end();
+  };
+  std::vector<std::size_t> simplices, points;
+  std::vector<bool> is_used(frame.points.size(), false);
+  for (std::size_t i = 0; i < frame.simplices.size(); ++i)
+    if (!is_left_out(frame.labels[i][0]) || (has_facets && !is_left_out(frame.labels[i][1]))) {
+      simplices.push_back(i);
+      for (std::size_t j = 0; j < corners; ++j)
+        is_used[frame.simplices[i][j]] = true;
+    }
+  std::vector<std::uint32_t> number(frame.points.size());
+  Film_frame kept;
+  for (std::size_t i = 0; i < is_used.size(); ++i)
+    if (is_used[i]) {
+      number[i] = std::uint32_t(points.size());
+      points.push_back(i);
+      kept.points.push_back(frame.points[i]);
+    }
+  for (const std::size_t i : simplices) {
+    kept.simplices.push_back(frame.simplices[i]);
+    for (std::size_t j = 0; j < corners; ++j)
+      kept.simplices.back()[j] = number[frame.simplices[i][j]];
+    kept.labels.push_back(frame.labels[i]);
+  }
+  keep_rows(points, true, frame.fields);
+  keep_rows(simplices, false, frame.fields);
+  kept.fields.swap(frame.fields);
+  frame = std::move(kept);
+}
+
+} // namespace dsc

@@ -1,0 +1,120 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "output/report.h"
+#include "input/translations.h"
+
+#include <utility>
+
+namespace dsc {
+namespace {
+
+Json parameters_json(const Run_options& options, const Run_start& start) {
+  Json json = motion_json(options.step.motion);
+  json["steps"] = options.steps;
+  json["triangles"] = value_or_null(start.triangles);
+  json["segments"] = value_or_null(start.segments);
+  json["edge_per_thickness"] = start.thin_parts.edge_per_thickness;
+  json["most_new_facets"] = start.thin_parts.most_new_facets;
+  json["repair"] = start.repairs;
+  json["fit"] = start.ball && !start.inputs.empty();
+  json["domain"] = options.domain ? Json(*options.domain) : Json();
+  json["grow_domain"] = options.step.grows_domain;
+  json["improve_interface"] = options.step.improves_interface;
+  json["aggressiveness"] =
+      options.step.aggressiveness ? Json(*options.step.aggressiveness) : Json();
+  json["threads"] = options.threads;
+  json["output"] = value_or_null(options.output.folder);
+  json["every"] = options.output.every;
+  json["resume"] = value_or_null(options.resume);
+  return json;
+}
+
+Json repairs_json(const Repairs& repairs) {
+  Json json = Json::array();
+  for (const auto& r : repairs)
+    json.push_back(
+        {{"merged_points", r.merged_points},
+         {"degenerate_triangles", r.degenerate_triangles},
+         {"repeated_triangles", r.repeated_triangles},
+         {"stitched_points", r.stitched_points},
+         {"split_edges", r.split_edges},
+         {"filled_holes", r.filled_holes},
+         {"crossing_pairs", r.crossing_pairs},
+         {"united_parts", r.united_parts},
+         {"removed_triangles", r.removed_triangles},
+         {"wrap", r.is_wrapped ? Json({{"alpha", r.alpha}, {"offset", r.offset}}) : Json()},
+         {"mean_edge", r.mean_edge},
+         {"distance_from_input", r.distance_from_input},
+         {"distance_to_input", r.distance_to_input}});
+  return json;
+}
+
+Json balances_json(const std::vector<Label_balance>& balances) {
+  Json json = Json::array();
+  for (const Label_balance& balance : balances)
+    json.push_back({{"label", balance.label},
+                    {"volume_before", balance.before},
+                    {"volume_after", balance.after},
+                    {"volume_swept", balance.swept},
+                    {"volume_of_overlaps", balance.overlaps},
+                    {"volume_unexplained", balance.unexplained}});
+  return json;
+}
+
+} // namespace
+
+Report::Report(const Run_options& options, const Run_start& start, const Repairs& repairs,
+               double sweep_seconds)
+    : m_path(options.output.report), m_sweep_seconds(sweep_seconds),
+      m_json({{"input", with_user_names(start.inputs)},
+              {"parameters", parameters_json(options, start)},
+              {"repairs", repairs_json(repairs)},
+              {"sweep_seconds", sweep_seconds},
+              {"steps", Json::array()}}) {}
+
+void Report::add(const Run_position& position, const Step_outcome& outcome,
+                 const Statistics& statistics) {
+  Json step = {{"step", position.step},
+               {"time", position.time},
+               {"seconds", outcome.seconds},
+               {"sweeps", outcome.seconds / m_sweep_seconds},
+               {"complete", outcome.complete},
+               {"unfinished_vertices", outcome.unfinished_vertices},
+               {"estimated_error", outcome.estimated_error},
+               {"stopped_at_boundary", outcome.stopped_at_boundary},
+               {"cells_below_floor", outcome.flat_cells},
+               {"parts", outcome.parts},
+               {"passes", outcome.passes}};
+  step.update(statistics_json(statistics));
+  step.update({{"split", outcome.split},
+               {"collapsed", outcome.collapsed},
+               {"flipped", outcome.flipped},
+               {"relabeled", outcome.relabeled}});
+  step["events"] = Json::array();
+  for (const Step_event& event : outcome.events)
+    step["events"].push_back(event_json(event.change, event.where, statistics.dimension));
+  step["balance"] = balances_json(outcome.balances);
+  if (outcome.distance_to_start)
+    step["distance_to_start"] = {{"mean", outcome.distance_to_start->mean},
+                                 {"maximum", outcome.distance_to_start->maximum}};
+  m_json["steps"].push_back(std::move(step));
+}
+
+void Report::set_balance(const Run_balance& balance) {
+  m_json["balance"] = balances_json(balance.labels());
+}
+
+void Report::write_now_and_then() {
+  if (std::chrono::steady_clock::now() >= m_next_write)
+    write();
+}
+
+void Report::write() {
+  write_json(m_path, m_json);
+  // Limits the frequency of writing, so that many short steps do not rewrite a long file each time.
+  m_next_write = std::chrono::steady_clock::now() + std::chrono::seconds(1);
+}
+
+} // namespace dsc

@@ -1,0 +1,205 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "programs/option_values.h"
+
+#include "input/files.h"
+#include "programs/errors.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+
+namespace dsc {
+namespace {
+
+/// Returns the number at the beginning of `text`, and removes it from `text`.
+double take_number(std::string& text, const std::string& option) {
+  if (!text.empty() && text[0] == '+')
+    text.erase(0, 1);
+  double number = 0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, number);
+  if (error != std::errc() || !std::isfinite(number))
+    throw Usage_error(option + " needs a finite number, not '" + text +
+                      "'; write a number like 1, -0.5 or 2e-3");
+  text.erase(0, rest - text.data());
+  return number;
+}
+
+void require_end(const std::string& text, const std::string& option, const std::string& form) {
+  if (!text.empty())
+    throw Usage_error(option + " ends with unexpected text '" + text + "'; write it like " + form);
+}
+
+template <std::size_t n>
+std::array<double, n> parse_numbers(std::string text, const std::string& option,
+                                    const std::string& form) {
+  std::array<double, n> numbers;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (i > 0) {
+      if (text.empty() || text[0] != ',')
+        throw Usage_error(option + " needs " + std::to_string(n) + " numbers; write it like " +
+                          form);
+      text.erase(0, 1);
+    }
+    numbers[i] = take_number(text, option);
+  }
+  require_end(text, option, form);
+  return numbers;
+}
+
+double parse_number(const std::string& text, const std::string& option, const std::string& form) {
+  return parse_numbers<1>(text, option, form)[0];
+}
+
+} // namespace
+
+std::array<double, 3> parse_axis(const std::string& text) {
+  const std::string form = "0,0,1";
+  const std::array<double, 3> axis = parse_numbers<3>(text, "--axis", form);
+  const double length = std::hypot(axis[0], axis[1], axis[2]);
+  if (!(length > 0) || !std::isfinite(length))
+    throw Usage_error("--axis must have a positive, finite length; write it like " + form);
+  return axis;
+}
+
+std::array<double, 6> parse_domain(const std::string& text, int dimension) {
+  const std::string form = dimension == 2 ? "-1,-1,1,1" : "-1,-1,-1,1,1,1";
+  std::array<double, 6> box = {};
+  if (dimension == 2) {
+    const std::array<double, 4> square = parse_numbers<4>(text, "--domain", form);
+    box = {square[0], square[1], 0, square[2], square[3], 0};
+  } else {
+    box = parse_numbers<6>(text, "--domain", form);
+  }
+  for (int i = 0; i < dimension; ++i)
+    if (!(box[i] < box[i + 3]))
+      throw Usage_error(
+          "--domain is empty; write the minimum coordinates, then the maximum coordinates, like " +
+          form);
+  return box;
+}
+
+bool take_growth(std::string& domain) {
+  const std::string word = "grow";
+  if (domain == word) {
+    domain.clear();
+    return true;
+  }
+  const std::string end = "," + word;
+  if (domain.size() < end.size() ||
+      domain.compare(domain.size() - end.size(), end.size(), end) != 0)
+    return false;
+  domain.erase(domain.size() - end.size());
+  return true;
+}
+
+std::array<double, 2> parse_pair(const std::string& text, const std::string& option) {
+  return parse_numbers<2>(text, option, "1.5,0");
+}
+
+std::vector<double> parse_point(const std::string& text) {
+  const std::string form = "0,0.3 or 1,0.5,0";
+  if (std::count(text.begin(), text.end(), ',') == 2) {
+    const std::array<double, 3> p = parse_numbers<3>(text, "--point", form);
+    return {p.begin(), p.end()};
+  }
+  const std::array<double, 2> p = parse_numbers<2>(text, "--point", form);
+  return {p.begin(), p.end()};
+}
+
+std::vector<double> parse_list(std::string text, const std::string& option) {
+  std::vector<double> result = {take_number(text, option)};
+  while (!text.empty() && text[0] == ',') {
+    text.erase(0, 1);
+    result.push_back(take_number(text, option));
+  }
+  require_end(text, option, "0.1,0.5");
+  return result;
+}
+
+double parse_angle(const std::string& text) { return parse_number(text, "--angle", "7.2"); }
+
+double parse_threshold(const std::string& text) {
+  const double threshold = parse_number(text, "--threshold", "0.4");
+  if (!(0 < threshold && threshold <= 1))
+    throw Usage_error("--threshold is out of range; choose a number greater than 0 and at most 1");
+  return threshold;
+}
+
+Distance parse_distance(const std::string& text) {
+  const bool in_mean_edges = !text.empty() && text.back() == 'e';
+  const std::string number = in_mean_edges ? text.substr(0, text.size() - 1) : text;
+  return {parse_number(number, "--distance", "0.1 or 0.25e"), in_mean_edges};
+}
+
+Distance parse_length(const std::string& text, const std::string& option) {
+  const bool in_mean_edges = !text.empty() && text.back() == 'e';
+  const std::string number = in_mean_edges ? text.substr(0, text.size() - 1) : text;
+  return {parse_positive(number, option), in_mean_edges};
+}
+
+double parse_positive(const std::string& text, const std::string& option) {
+  const double number = parse_number(text, option, "0.01");
+  if (!(number > 0))
+    throw Usage_error(option + " is not positive; choose a number greater than 0");
+  return number;
+}
+
+Cut parse_cut(const std::string& text) {
+  static const std::string axes = "xyz", form = "x=0.5";
+  const std::size_t axis = text.empty() ? std::string::npos : axes.find(text[0]);
+  if (axis == std::string::npos || text.size() < 2 || text[1] != '=')
+    throw Usage_error("--cut needs an axis and a coordinate, not '" + text + "'; write it like " +
+                      form);
+  return {axis, parse_number(text.substr(2), "--cut", form)};
+}
+
+double parse_not_negative(const std::string& text, const std::string& option,
+                          const std::string& example) {
+  const double number = parse_number(text, option, example);
+  if (!(number >= 0))
+    throw Usage_error(option + " is negative; choose 0 or more");
+  return number;
+}
+
+double parse_aggressiveness(const std::string& text) {
+  const std::string option = "--aggressiveness";
+  const double number = parse_number(text, option, "0.025");
+  if (!(0 <= number && number < 1))
+    throw Usage_error(option + " is out of range; choose a number from 0 to less than 1");
+  return number;
+}
+
+const std::map<std::string, CGAL::Deformable_simplicial_complexes::Integration_scheme>&
+integration_schemes() {
+  using CGAL::Deformable_simplicial_complexes::Integration_scheme;
+  static const std::map<std::string, Integration_scheme> schemes = {
+      {"euler", Integration_scheme::euler},
+      {"rk2", Integration_scheme::rk2},
+      {"rk4", Integration_scheme::rk4}};
+  return schemes;
+}
+
+const std::map<std::string, CGAL::Deformable_simplicial_complexes::Corner_rule>& corner_rules() {
+  using CGAL::Deformable_simplicial_complexes::Corner_rule;
+  static const std::map<std::string, Corner_rule> rules = {{"miter", Corner_rule::miter},
+                                                           {"round", Corner_rule::round}};
+  return rules;
+}
+
+void require_extension(const std::string& path, const std::initializer_list<const char*>& known) {
+  const std::string found = extension(path);
+  if (std::find(known.begin(), known.end(), found) != known.end())
+    return;
+  std::string list;
+  for (const char* name : known)
+    list += std::string(list.empty() ? "." : ", .") + name;
+  throw Usage_error("the extension of '" + path +
+                    "' is not supported; supported extensions: " + list);
+}
+
+} // namespace dsc
