@@ -261,8 +261,8 @@ public:
   /// first cell is `v->cell()`.
   void star(Vertex_handle v, std::vector<Cell_handle>& star) const;
 
-  /// Returns the map to user coordinates, which are used in files, see `Normalization`. Everything
-  /// else, including volumes and areas, is in the coordinates of the complex.
+  /// Returns the map to user coordinates, see `Normalization`. All other lengths, including volumes
+  /// and areas, are in the coordinates of the complex.
   const Normalization& normalization() const { return m_normalization; }
   /// Sets `normalization()`. Nothing moves.
   void set_normalization(const Normalization& n) { m_normalization = n; }

@@ -32,9 +32,9 @@ continues with bitwise equal results. This requires more than points and cells. 
 visited in their order. The walk around a vertex begins at the cell stored with it. Terms of a cell
 are summed in the order of its vertices.
 
-States are returned by `Labeled_complex::state()`, restored by `Labeled_complex::restore()`, and
-stored in files by `IO::write_checkpoint()`. Coordinates and lengths are those of the complex, not
-of the user, see `Labeled_complex::Normalization`.
+States are returned by `Labeled_complex::state()` and restored by `Labeled_complex::restore()`.
+Coordinates and lengths are those of the complex, not of the user, see
+`Labeled_complex::Normalization`.
 
 \tparam d the dimension
 */
@@ -87,7 +87,7 @@ template <int d> struct State
 
 namespace internal {
 
-// Returns references to all members. Comparison and files use this list only. The structured
+// Returns references to all members. All functions of states use this list only. The structured
 // binding fails to compile if a member is missing.
 template <class State_d> auto members(State_d& state) {
   auto& [points, boundary_classes, spacings, vertex_cells, cells, cell_labels, noted_qualities,
