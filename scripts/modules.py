@@ -328,15 +328,13 @@ def check_tables(headers, write):
         sys.exit(f"the tables of {CONTRIBUTING.name} are out of date: run scripts/modules.py table --write")
 
 
-# The picture shows the packages on top, with their modules and the number of kernel headers that they
-# include. Below is the kernel with a matrix of its modules. An entry is the number of includes of the
-# module of its row from the module of its column. All entries are below the diagonal if the rules hold.
-CELL, MARGIN, LABEL = 24, 20, 300
+# The picture shows a matrix of the packages, and below it a matrix of the modules of the kernel. An entry is
+# the number of includes of the headers of its row from those of its column. All entries are below the
+# diagonal if the rules hold.
+CELL, MARGIN, LABEL = 24, 20, 400
 STYLE = ("text{font:13px sans-serif}.t{font-weight:bold;font-size:14px}.n{fill:#555;font-size:11px}"
          ".m{text-anchor:middle;font-size:12px}.p{fill:#eef3f8;stroke:#4878a0}.w{fill:white;stroke:#999}"
-         ".d{fill:#888}.g{stroke:#ddd}.a{stroke:#4878a0;stroke-width:2;fill:none;marker-end:url(#h)}")
-ARROW = ('<defs><marker id="h" markerWidth="8" markerHeight="8" refX="6" refY="3" orient="auto">'
-         '<path d="M0 0L6 3L0 6z" fill="#4878a0"/></marker></defs>')
+         ".d{fill:#888}.g{stroke:#ddd}")
 
 
 def text(x, y, words, style=""):
@@ -351,63 +349,42 @@ def size_of(chosen):
     return f"{len(chosen)} headers, {rounded(sum(h.lines for h in chosen))} lines"
 
 
-def draw_package(headers, name, x, y, width, height):
-    """Yields the box of a package other than the kernel, and its arrow to the kernel."""
-    mine = [h for h in headers.values() if h.package == name]
-    yield box(x, y, width, height, "p") + text(x + 10, y + 22, name, "t")
-    yield text(x + 10, y + 42, "public: " + size_of([h for h in mine if not h.is_internal]), "n")
-    for i, module in enumerate(MODULES[name]):
-        top = y + 56 + 46 * i
-        yield box(x + 10, top, width - 20, 40, "w") + text(x + 20, top + 17, module)
-        yield text(x + 20, top + 33, size_of([h for h in mine if h.module == module]), "n")
-    used = {other for h in mine for other in h.includes
-            if other in headers and headers[other].package == KERNEL}
-    yield f'<path d="M{x + 30} {y + height}v44" class="a"/>'
-    yield text(x + 40, y + height + 27, f"uses {len(used)} public headers", "n")
-
-
-def draw_kernel(headers, x, y, width):
-    """Yields the box of the kernel with the matrix of its modules."""
-    mine = [h for h in headers.values() if h.package == KERNEL]
-    modules = list(MODULES[KERNEL])
-    top, left = y + 106, x + 10 + LABEL
-    yield box(x, y, width, 106 + CELL * len(modules) + 44, "p")
-    yield text(x + 10, y + 22, f"{KERNEL} (the kernel)", "t")
-    yield box(x + 10, y + 34, width - 20, 30, "w")
-    yield text(x + 20, y + 54, "public: " + size_of([h for h in mine if not h.is_internal]))
-    yield text(x + 10, top - 8, "internal modules, in the order of the data flow", "n")
-    for i, module in enumerate(modules):
-        row, of_module = top + CELL * i, [h for h in mine if h.module == module]
-        yield box(x + 10, row, LABEL + CELL * len(modules), CELL, "w")
-        yield text(x + 16, row + 17, f"{i + 1}&#160;&#160;{module}")
-        yield text(x + 140, row + 17, size_of(of_module), "n")
+def draw_matrix(title, groups, x, y, width):
+    """Yields the matrix of groups of headers, given by their names."""
+    group_of = {h.name: name for name, chosen in groups.items() for h in chosen}
+    top, left = y + 60, x + 10 + LABEL
+    yield box(x, y, width, 70 + CELL * len(groups), "p")
+    yield text(x + 10, y + 22, title, "t")
+    for i, (name, chosen) in enumerate(groups.items()):
+        row = top + CELL * i
+        yield box(x + 10, row, LABEL + CELL * len(groups), CELL, "w")
+        yield text(x + 16, row + 17, f"{i + 1}&#160;&#160;{name}")
+        yield text(x + 260, row + 17, size_of(chosen), "n")
         yield text(left + CELL * (i + .5), top - 8, i + 1, "m") + box(left + CELL * i, row, CELL, CELL, "d")
-        yield f'<path d="M{left + CELL * i} {top}v{CELL * len(modules)}" class="g"/>'
-        for j, other in enumerate(modules):
-            n = sum(name in headers and headers[name].package == KERNEL and headers[name].module == other
-                    for h in of_module for name in h.includes)
+        yield f'<path d="M{left + CELL * i} {top}v{CELL * len(groups)}" class="g"/>'
+        for j, other in enumerate(groups):
+            n = sum(group_of.get(include) == other for h in chosen for include in h.includes)
             if n and i != j:
                 fill = "#e06060" if j > i else f"rgb({max(120, 215 - 8 * n)},{max(170, 228 - 5 * n)},240)"
                 yield (f'<rect x="{left + CELL * j}" y="{row}" width="{CELL}" height="{CELL}" fill="{fill}"/>'
                        + text(left + CELL * (j + .5), row + 17, n, "m"))
-    broken = len(list(broken_rules(headers)))
-    yield text(x + 10, top + CELL * len(modules) + 28,
-               "A number counts the includes of the module of the row from the module of the column. "
-               f"Includes that break a rule: {broken}.", "n")
 
 
 def draw(headers, path):
-    others = [name for name in PACKAGES if name != KERNEL]
-    width = LABEL + CELL * len(MODULES[KERNEL]) + 20
-    of_package = (width - 12 * (len(others) - 1)) / len(others)
-    height = 60 + 46 * max(len(MODULES[name]) for name in others)
-    parts = [part for i, name in enumerate(others) for part in draw_package(
-        headers, name, round(MARGIN + i * (of_package + 12)), MARGIN, round(of_package), height)]
-    parts += draw_kernel(headers, MARGIN, MARGIN + height + 50, width)
-    total = 2 * MARGIN + height + 50 + 150 + CELL * len(MODULES[KERNEL])
+    packages = {name: [h for h in headers.values() if h.package == name and not h.is_license]
+                for name in PACKAGES}
+    modules = {name: [h for h in packages[KERNEL] if h.module == name] for name in MODULES[KERNEL]}
+    width = 20 + LABEL + CELL * max(len(packages), len(modules))
+    below = MARGIN + 90 + CELL * len(packages)
+    end = below + 110 + CELL * len(modules)
+    parts = [*draw_matrix("Packages", packages, MARGIN, MARGIN, width),
+             *draw_matrix(f"Internal modules of the kernel, {KERNEL}", modules, MARGIN, below, width),
+             text(MARGIN, end - MARGIN,
+                  "A number counts the includes of the headers of the row from those of the column. "
+                  f"Includes that break a rule: {len(list(broken_rules(headers)))}.", "n")]
     pathlib.Path(path).write_text(
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width + 2 * MARGIN}" height="{total}">\n'
-        f'<style>{STYLE}</style>{ARROW}\n<rect width="100%" height="100%" fill="white"/>\n'
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width + 2 * MARGIN}" height="{end}">\n'
+        f'<style>{STYLE}</style>\n<rect width="100%" height="100%" fill="white"/>\n'
         + "\n".join(parts) + "\n</svg>\n")
 
 
