@@ -57,28 +57,42 @@ public:
   ///       do not call their callbacks.
   template <class Function>
   void operator()(std::size_t n, const Function& function, std::size_t worthwhile = 2000) const {
+    const auto run_range = [&function](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i)
+        function(i);
+    };
 #ifdef CGAL_LINKED_WITH_TBB
     if (m_number_of_threads > 1 && n >= worthwhile) {
-      if (!m_arena.is_active())
-        m_arena.initialize(static_cast<int>(m_number_of_threads));
-      m_arena.execute([&] {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n),
-                          [&](const tbb::blocked_range<std::size_t>& range) {
-                            for (std::size_t i = range.begin(); i < range.end(); ++i)
-                              function(i);
-                          });
+      using Run_range = decltype(run_range);
+      share(n, &run_range, [](const void* run, std::size_t first, std::size_t last) {
+        (*static_cast<const Run_range*>(run))(first, last);
       });
       return;
     }
 #else
     static_cast<void>(worthwhile);
 #endif
-    for (std::size_t i = 0; i < n; ++i)
-      function(i);
+    run_range(0, n);
   }
 
 private:
   static constexpr unsigned maximum_number_of_threads = 1024;
+
+#ifdef CGAL_LINKED_WITH_TBB
+  // Runs ranges of [0, n) in the threads. No template, because the loops of TBB take long to
+  // compile.
+  void share(std::size_t n, const void* run,
+             void (*run_range)(const void*, std::size_t, std::size_t)) const {
+    if (!m_arena.is_active())
+      m_arena.initialize(static_cast<int>(m_number_of_threads));
+    m_arena.execute([&] {
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n),
+                        [&](const tbb::blocked_range<std::size_t>& range) {
+                          run_range(run, range.begin(), range.end());
+                        });
+    });
+  }
+#endif
 
   unsigned m_number_of_threads;
 #ifdef CGAL_LINKED_WITH_TBB
