@@ -11,14 +11,12 @@
 
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/deformation/deform.h>
 #include <CGAL/Deformable_simplicial_complexes/topology_control.h>
 #include <CGAL/Mesh_support/named_parameters.h>
-#include <CGAL/Mesh_support/parameter_values.h>
 
 #include <vector>
 
@@ -79,11 +77,9 @@ template <class Complex, class Destination,
           class NamedParameters = parameters::Default_named_parameters>
 Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& destination,
                                              const NamedParameters& np = NamedParameters()) {
-  auto visitor = visitor_parameter<Complex>(np);
-  Deformation_options<Complex> options;
-  options.visitor = &visitor.any();
-  read_parameters(dsc, np, options);
-  return deform_interface(dsc, destination, options);
+  return internal::call_with_parameters(
+      dsc, np, Deformation_options<Complex>(),
+      [&](const auto& options) { return deform_interface(dsc, destination, options); });
 }
 
 /*!
@@ -124,11 +120,10 @@ Deformation_report<Complex>
 deform_interface_to(Complex& dsc, const Interface_vertices<Complex>& interface_,
                     const std::vector<typename Complex::Approximate_point>& destinations,
                     const NamedParameters& np = NamedParameters()) {
-  auto visitor = visitor_parameter<Complex>(np);
-  Deformation_options<Complex> options;
-  options.visitor = &visitor.any();
-  read_parameters(dsc, np, options);
-  return deform_interface_to(dsc, interface_, destinations, options);
+  return internal::call_with_parameters(
+      dsc, np, Deformation_options<Complex>(), [&](const auto& options) {
+        return deform_interface_to(dsc, interface_, destinations, options);
+      });
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes

@@ -10,7 +10,6 @@
 
 #include <CGAL/license/Interface_flows.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Interface_flows/Integration_scheme.h>
 #include <CGAL/Interface_flows/advect_interface.h>
@@ -200,15 +199,9 @@ template <class Complex, class Velocity,
 Deformation_report<Complex> advect_adaptively(Complex& dsc, const Velocity& velocity, double t,
                                               double dt,
                                               const NamedParameters& np = NamedParameters()) {
-  namespace tags = internal_np;
-  auto visitor = visitor_parameter<Complex>(np);
-  Adaptive_advection_options<Complex> options(internal::contracts_interface<Velocity>);
-  options.advection.deformation.visitor = &visitor.any();
-  read_parameters(dsc, np, options.advection);
-  replace_value(np, tags::interface_tolerance, options.interface_tolerance);
-  replace_count(np, tags::adaptation_interval, "adaptation_interval", options.adaptation_interval);
-  replace_value(np, tags::feature_angle, options.feature_angle);
-  return advect_adaptively(dsc, velocity, t, dt, options);
+  return internal::call_with_parameters(
+      dsc, np, Adaptive_advection_options<Complex>(internal::contracts_interface<Velocity>),
+      [&](const auto& options) { return advect_adaptively(dsc, velocity, t, dt, options); });
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes

@@ -71,21 +71,6 @@ template <class Complex> struct Advection_options
   }
 };
 
-/*!
-\ingroup PkgInterfaceFlowsRef
-
-Replaces the options that are given as named parameters of `advect_interface()`, as the function for
-`Deformation_options` does.
-*/
-template <class Complex, class NamedParameters>
-void read_parameters(const Complex& complex, const NamedParameters& np,
-                     Advection_options<Complex>& options) {
-  read_parameters(complex, np, options.deformation);
-  replace_value(np, internal_np::scheme, options.scheme);
-  replace_value(np, internal_np::integration_tolerance, options.integration_tolerance);
-  replace_value(np, internal_np::largest_displacement, options.largest_displacement);
-}
-
 namespace internal {
 
 // Returns the volumes of all labels, as the beginning of their changes.
@@ -374,11 +359,9 @@ template <class Complex, class Velocity,
 Deformation_report<Complex> advect_interface(Complex& dsc, const Velocity& velocity, double t,
                                              double dt,
                                              const NamedParameters& np = NamedParameters()) {
-  auto visitor = visitor_parameter<Complex>(np);
-  Advection_options<Complex> options;
-  options.deformation.visitor = &visitor.any();
-  read_parameters(dsc, np, options);
-  return advect_interface(dsc, velocity, t, dt, options);
+  return internal::call_with_parameters(
+      dsc, np, Advection_options<Complex>(),
+      [&](const auto& options) { return advect_interface(dsc, velocity, t, dt, options); });
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes

@@ -12,6 +12,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
@@ -137,17 +138,9 @@ A pass over the cells, then n log n in the number of changed cells.
 template <class Complex, class NamedParameters = parameters::Default_named_parameters>
 Improvement_report remove_degeneracies(Complex& dsc,
                                        const NamedParameters& np = NamedParameters()) {
-  namespace tags = internal_np;
-  auto visitor = visitor_parameter<Complex>(np);
-  Degeneracy_options<Complex> options;
-  options.visitor = &visitor.any();
-  replace_value(np, tags::degenerate_quality, options.degenerate_quality);
-  replace_value(np, tags::degenerate_cosine, options.degenerate_cosine);
-  replace_value(np, tags::degenerate_length, options.degenerate_length);
-  replace_value(np, tags::sizing_field, options.sizing_field);
-  replace_count(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
-                options.number_of_iterations);
-  return remove_degeneracies(dsc, options);
+  return internal::call_with_parameters(
+      dsc, np, Degeneracy_options<Complex>(),
+      [&](const auto& options) { return remove_degeneracies(dsc, options); });
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes

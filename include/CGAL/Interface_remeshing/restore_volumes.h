@@ -10,7 +10,6 @@
 
 #include <CGAL/license/Interface_remeshing.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
@@ -143,14 +142,9 @@ template <class Complex, class NamedParameters = parameters::Default_named_param
 Volume_report<Complex> restore_volumes(Complex& dsc,
                                        const std::map<typename Complex::Label, double>& volumes,
                                        const NamedParameters& np = NamedParameters()) {
-  auto visitor = visitor_parameter<Complex>(np);
-  Volume_restoration_options<Complex> options;
-  options.deformation.visitor = &visitor.any();
-  read_parameters(dsc, np, options.deformation);
-  replace_value(np, internal_np::volume_tolerance, options.volume_tolerance);
-  replace_count(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
-                options.number_of_iterations);
-  return restore_volumes(dsc, volumes, options);
+  return internal::call_with_parameters(
+      dsc, np, Volume_restoration_options<Complex>(),
+      [&](const auto& options) { return restore_volumes(dsc, volumes, options); });
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes

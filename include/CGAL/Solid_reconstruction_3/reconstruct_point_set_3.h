@@ -155,16 +155,8 @@ interface.
 template <class Complex, class PointRange, class NP = parameters::Default_named_parameters>
 Complex reconstruct_point_set_3(const PointRange& points,
                                 const NP& np = parameters::default_values()) {
-  namespace tags = internal_np;
   Reconstruction_options_3<Complex> options;
-  replace_value(np, tags::fit_tolerance, options.fit_tolerance);
-  replace_value(np, tags::keep_open, options.keep_open);
-  replace_count(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
-                options.number_of_iterations);
-  replace_count(np, tags::number_of_threads, "number_of_threads", options.number_of_threads);
-  replace_value(np, tags::observer, options.observer);
-  if constexpr (is_given<NP, tags::report_t>)
-    options.report = &parameter(np, tags::report).get();
+  read_parameters(np, options);
   return internal::reconstruct(points, np, options);
 }
 
