@@ -20,6 +20,7 @@
 
 #include <functional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
@@ -185,16 +186,22 @@ void read_parameters(const Complex& complex, const NamedParameters& np, Options&
 
 namespace internal {
 
-// Calls a function with the options and the visitor that named parameters give.
-// \param options the options, with the default values
+// Calls a function with the options and the visitor that named parameters give, or with given
+// options.
+// \param np named parameters, or options
+// \param defaults the options, with the default values
 template <class Complex, class NamedParameters, class Options, class Call>
-auto call_with_parameters(const Complex& complex, const NamedParameters& np, Options options,
+auto call_with_parameters(const Complex& complex, const NamedParameters& np, Options defaults,
                           const Call& call) {
-  auto visitor = visitor_parameter<Complex>(np);
-  visit_option<internal_np::visitor_t>(
-      options, [&](const char*, auto& pointer) { pointer = &visitor.any(); });
-  read_parameters(complex, np, options);
-  return call(options);
+  if constexpr (std::is_same<NamedParameters, Options>::value)
+    return call(np);
+  else {
+    auto visitor = visitor_parameter<Complex>(np);
+    visit_option<internal_np::visitor_t>(
+        defaults, [&](const char*, auto& pointer) { pointer = &visitor.any(); });
+    read_parameters(complex, np, defaults);
+    return call(std::as_const(defaults));
+  }
 }
 
 } // namespace internal

@@ -21,18 +21,6 @@ namespace CGAL::Deformable_simplicial_complexes {
 /*!
 \ingroup PkgInterfaceRemeshingRef
 
-Does the same as `control_detail()` with named parameters.
-
-\throws Error as that function does, see also `Detail_options::check()`
-*/
-template <class Complex>
-Improvement_report control_detail(Complex& dsc, const Detail_options<Complex>& options) {
-  return internal::run_detail_control(dsc, options);
-}
-
-/*!
-\ingroup PkgInterfaceRemeshingRef
-
 Splits long edges at their midpoints and collapses short ones ("detail control", sections 3.2.1 and
 3.2.2 of the paper). Lengths are given in units of the target edge length, which is a sizing field,
 or the mean edge length of the input's interface. Without a sizing field, an edge inside a label is
@@ -46,7 +34,7 @@ rounding of the midpoints; collapses move it by the volume between the old and t
 collapse creates an edge that would be split.
 
 \param dsc the complex
-\param np named parameters with the names of the members of `Detail_options`. Function objects
+\param np a `Detail_options`, or named parameters with the names of its members. Function objects
        and a visitor, a model of `DeformationVisitor`, are given by value or by
        `std::reference_wrapper`.
 
@@ -63,7 +51,7 @@ template <class Complex, class NamedParameters = parameters::Default_named_param
 Improvement_report control_detail(Complex& dsc, const NamedParameters& np = NamedParameters()) {
   return internal::call_with_parameters(
       dsc, np, Detail_options<Complex>(),
-      [&](const auto& options) { return control_detail(dsc, options); });
+      [&](const auto& options) { return internal::run_detail_control(dsc, options); });
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes

@@ -21,19 +21,6 @@ namespace CGAL::Deformable_simplicial_complexes {
 /*!
 \ingroup PkgInterfaceRemeshingRef
 
-Does the same as `improve_interface()` with named parameters.
-
-\throws Error as that function does, see also `Interface_improvement_options::check()`
-*/
-template <class Complex>
-Improvement_report improve_interface(Complex& dsc,
-                                     const Interface_improvement_options<Complex>& options) {
-  return internal::remesh_interface(dsc, options);
-}
-
-/*!
-\ingroup PkgInterfaceRemeshingRef
-
 Improves the facets of the interface, with small changes of its shape (section 3.2.2 of the paper).
 The function splits long edges, collapses short edges, and moves vertices along the interface
 (null-space smoothing). In 3D, it also flips edges that do not fulfill the Delaunay criterion, and
@@ -46,7 +33,7 @@ and their vertices move and collapse only along them. In 2D, corners stay. Smoot
 volumes of labels up to rounding; flips, collapses and curved splits change them slightly.
 
 \param dsc the complex
-\param np named parameters with the names of the members of `Interface_improvement_options`. Function
+\param np a `Interface_improvement_options`, or named parameters with the names of its members. Function
        objects and a visitor, a model of `DeformationVisitor`, are given by value or by
        `std::reference_wrapper`.
 
@@ -61,7 +48,7 @@ template <class Complex, class NamedParameters = parameters::Default_named_param
 Improvement_report improve_interface(Complex& dsc, const NamedParameters& np = NamedParameters()) {
   return internal::call_with_parameters(
       dsc, np, Interface_improvement_options<Complex>(),
-      [&](const auto& options) { return improve_interface(dsc, options); });
+      [&](const auto& options) { return internal::remesh_interface(dsc, options); });
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes

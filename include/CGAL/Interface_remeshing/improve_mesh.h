@@ -21,18 +21,6 @@ namespace CGAL::Deformable_simplicial_complexes {
 /*!
 \ingroup PkgInterfaceRemeshingRef
 
-Does the same as `improve_mesh()` with named parameters.
-
-\throws Error as that function does, see also `Mesh_improvement_options::check()`
-*/
-template <class Complex>
-Improvement_report improve_mesh(Complex& dsc, const Mesh_improvement_options<Complex>& options) {
-  return internal::improve_whole_mesh(dsc, options);
-}
-
-/*!
-\ingroup PkgInterfaceRemeshingRef
-
 Improves the cells of a complex (Algorithm 3 of the paper; insertion: Klingner and Shewchuk 2007).
 The operations are reconnection, smoothing, collapses, insertion of vertices, and splits of long
 edges. Except for splits, each operation is done only if it raises the worst quality of the cells it
@@ -45,7 +33,7 @@ The quality is that of the complex's quality measure. If dihedral angles are imp
 seeds.
 
 \param dsc the complex
-\param np named parameters with the names of the members of `Mesh_improvement_options`. A visitor, a
+\param np a `Mesh_improvement_options`, or named parameters with the names of its members. A visitor, a
        model of `DeformationVisitor`, is given by value or by `std::reference_wrapper`.
 
 \return the numbers of changes
@@ -57,7 +45,7 @@ template <class Complex, class NamedParameters = parameters::Default_named_param
 Improvement_report improve_mesh(Complex& dsc, const NamedParameters& np = NamedParameters()) {
   return internal::call_with_parameters(
       dsc, np, Mesh_improvement_options<Complex>(),
-      [&](const auto& options) { return improve_mesh(dsc, options); });
+      [&](const auto& options) { return internal::improve_whole_mesh(dsc, options); });
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes

@@ -64,15 +64,12 @@ template <class Complex> struct Degeneracy_options
   }
 };
 
-/*!
-\ingroup PkgInterfaceRemeshingRef
+namespace internal {
 
-Does the same as `remove_degeneracies()` with named parameters.
-
-\throws Error as that function does, see also `Degeneracy_options::check()`
-*/
+// Implements `remove_degeneracies()`.
 template <class Complex>
-Improvement_report remove_degeneracies(Complex& dsc, const Degeneracy_options<Complex>& options) {
+Improvement_report remove_degenerate_simplices(Complex& dsc,
+                                               const Degeneracy_options<Complex>& options) {
   using Cell_handle = typename Complex::Cell_handle;
 
   options.check();
@@ -113,6 +110,8 @@ Improvement_report remove_degeneracies(Complex& dsc, const Degeneracy_options<Co
   return report;
 }
 
+} // namespace internal
+
 /*!
 \ingroup PkgInterfaceRemeshingRef
 
@@ -125,7 +124,7 @@ edges. The topology of the interface stays; the interface moves by the volume of
 A pass over the cells, then n log n in the number of changed cells.
 
 \param dsc the complex
-\param np named parameters with the names of the members of `Degeneracy_options`. Function objects
+\param np a `Degeneracy_options`, or named parameters with the names of its members. Function objects
        and a visitor, a model of `DeformationVisitor`, are given by value or by
        `std::reference_wrapper`.
 
@@ -140,7 +139,7 @@ Improvement_report remove_degeneracies(Complex& dsc,
                                        const NamedParameters& np = NamedParameters()) {
   return internal::call_with_parameters(
       dsc, np, Degeneracy_options<Complex>(),
-      [&](const auto& options) { return remove_degeneracies(dsc, options); });
+      [&](const auto& options) { return internal::remove_degenerate_simplices(dsc, options); });
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes

@@ -61,17 +61,13 @@ template <class Complex> struct Volume_restoration_options
   }
 };
 
-/*!
-\ingroup PkgInterfaceRemeshingRef
+namespace internal {
 
-Does the same as `restore_volumes()` with named parameters.
-
-\throws Error as that function does, see also `Volume_restoration_options::check()`
-*/
+// Implements `restore_volumes()`.
 template <class Complex>
-Volume_report<Complex> restore_volumes(Complex& dsc,
-                                       const std::map<typename Complex::Label, double>& volumes,
-                                       const Volume_restoration_options<Complex>& options) {
+Volume_report<Complex> restore_all_volumes(Complex& dsc,
+                                           const std::map<typename Complex::Label, double>& volumes,
+                                           const Volume_restoration_options<Complex>& options) {
   options.check();
   double domain = 0, target = 0;
   for (const auto label : dsc.labels())
@@ -115,6 +111,8 @@ Volume_report<Complex> restore_volumes(Complex& dsc,
   }
 }
 
+} // namespace internal
+
 /*!
 \ingroup PkgInterfaceRemeshingRef
 
@@ -127,8 +125,8 @@ the interface, plus the deformations.
 \param dsc the complex
 \param volumes target volumes of labels, positive, in the coordinates of the complex. Labels without
        a target volume share the rest of the domain.
-\param np named parameters: those of `deform_interface()`, and those with the names of the other
-       members of `Volume_restoration_options`
+\param np a `Volume_restoration_options`, or named parameters: those of `deform_interface()`, and
+       those with the names of the other members of `Volume_restoration_options`
 
 \return the deformations, and whether all volumes are correct within the tolerance. If they are not,
         the interface could not reach its destinations, a visitor ended the deformation, or there
@@ -144,7 +142,7 @@ Volume_report<Complex> restore_volumes(Complex& dsc,
                                        const NamedParameters& np = NamedParameters()) {
   return internal::call_with_parameters(
       dsc, np, Volume_restoration_options<Complex>(),
-      [&](const auto& options) { return restore_volumes(dsc, volumes, options); });
+      [&](const auto& options) { return internal::restore_all_volumes(dsc, volumes, options); });
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes
