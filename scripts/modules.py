@@ -15,8 +15,8 @@ The rules:
 - A module includes only itself and modules above it in the list of its package.
 - The kernel consists of three parts: complex, operations, deformation. PART_OF_MODULE and
   PART_OF_HEADER name the part of each header. A part includes only itself and parts above it.
-- A facade is a public header that reads named parameters, except headers of options and visitors. An internal
-  header of the kernel includes no facade.
+- A facade is a public header that reads named parameters, except headers of options. An internal header of
+  the kernel includes no facade.
 - Each internal header belongs to a module. A module has at most MAXIMUM_LINES lines.
 - Each path in backquotes in CONTRIBUTING.md exists, unless it has a placeholder.
 """
@@ -200,8 +200,8 @@ class Header:
         self.lines = text.count("\n")
         self.includes = includes_of(text)
         self.is_facade = (not self.is_internal and
-                          f"{SUPPORT}/parameter_values.h" in self.includes and
-                          not self.name.endswith(("_options.h", "Interface_adaptation.h", "Any_visitor.h")))
+                          f"{SUPPORT}/named_parameters.h" in self.includes and
+                          not self.name.endswith(("_options.h", "Interface_adaptation.h")))
 
     def part(self):
         """Returns the part of a header of the kernel; None if it has none."""

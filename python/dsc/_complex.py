@@ -47,7 +47,16 @@ Corners = Literal["miter", "round"]
 Self = TypeVar("Self", bound="Complex")
 
 
-def _given(**options: Any) -> dict[str, Any]:
+def _given(arguments: dict[str, Any], /, *others: str, **more: Any) -> dict[str, Any]:
+    """Returns the options of a function that are not None.
+
+    arguments: its `locals()` at the beginning: options, and `deformation`, which contains further ones
+    others: the arguments that are no options, in addition to `self`, `cls` and `progress`
+    more: further options, or values that replace those of arguments
+    """
+    skipped = {"self", "cls", "progress", "deformation", *others}
+    options = {name: value for name, value in arguments.items() if name not in skipped}
+    options.update(arguments.get("deformation", {}), **more)
     return {name: value for name, value in options.items() if value is not None}
 
 
@@ -448,17 +457,7 @@ class Complex:
 
         Raises `InvalidDestinationError` if a velocity is not finite; nothing has moved then.
         """
-        options = _given(
-            scheme=scheme,
-            integration_tolerance=integration_tolerance,
-            largest_displacement=largest_displacement,
-            adapt=adapt,
-            interface_tolerance=interface_tolerance,
-            adaptation_interval=adaptation_interval,
-            topology=topology,
-            threads=threads,
-            **deformation,
-        )
+        options = _given(locals(), "velocity", "t", "dt")
         return _report_with_warnings(
             self._compiled.advect(
                 _callable(velocity, "velocity"), _number(t, "t"), _number(dt, "dt"), options, progress
@@ -483,7 +482,7 @@ class Complex:
 
         A distance of several edges is divided into parts. Other parameters are those of `advect()`.
         """
-        options = _given(corners=corners, adapt=adapt, topology=topology, threads=threads, **deformation)
+        options = _given(locals(), "distance")
         return _report_with_warnings(self._compiled.offset(_number(distance, "distance"), options, progress))
 
     def mean_curvature(
@@ -515,13 +514,7 @@ class Complex:
         keep_volumes: whether the volume of each label stays the same
         Other parameters are those of `advect()`.
         """
-        options = _given(
-            **_energy(tension, mobility, density),
-            adapt=adapt,
-            topology=topology,
-            threads=threads,
-            **deformation,
-        )
+        options = _given(locals(), "dt", "keep_volumes", **_energy(tension, mobility, density))
         return _report_with_warnings(
             self._compiled.mean_curvature(_number(dt, "dt"), bool(keep_volumes), options, progress)
         )
@@ -572,18 +565,7 @@ class Complex:
         Raises `InvalidDestinationError` if a destination is not finite or not permitted; nothing has
         moved then.
         """
-        options = _given(
-            topology=topology,
-            threads=threads,
-            maximum_passes=maximum_passes,
-            quality_threshold=quality_threshold,
-            relabeling_threshold=relabeling_threshold,
-            minimum_angle=minimum_angle,
-            minimum_facet_angle=minimum_facet_angle,
-            manifold_interface=manifold_interface,
-            collision_order=collision_order,
-            domain=domain,
-        )
+        options = _given(locals(), "destinations")
         points = np.asarray(destinations, dtype=float)
         return _report_with_warnings(self._compiled.deform(points, options, progress))
 
@@ -600,11 +582,7 @@ class Complex:
 
         volume_tolerance: relative
         """
-        options = _given(
-            volume_tolerance=volume_tolerance,
-            number_of_iterations=number_of_iterations,
-            **deformation,
-        )
+        options = _given(locals(), "volumes")
         targets = {_integer(k, "a label"): _number(v, "a volume") for k, v in volumes.items()}
         return bool(self._compiled.restore_volumes(targets, options, progress))
 
@@ -627,14 +605,7 @@ class Complex:
         aggressive: whether the worst cells are improved with much more effort, in space
         smooth_interface: whether vertices may move where the interface is flat, in space
         """
-        options = _given(
-            quality_threshold=quality_threshold,
-            number_of_iterations=number_of_iterations,
-            aggressive=aggressive,
-            smooth_interface=smooth_interface,
-            threads=threads,
-        )
-        return Changes(**self._compiled.improve(options, progress))
+        return Changes(**self._compiled.improve(_given(locals()), progress))
 
     def improve_interface(
         self,
@@ -663,20 +634,7 @@ class Complex:
         curved_splits: whether new vertices are placed on the smooth surface
         split_junctions: whether junctions of more than three labels are split, in the plane
         """
-        options = _given(
-            number_of_iterations=number_of_iterations,
-            aggressiveness=aggressiveness,
-            split_length=split_length,
-            collapse_length=collapse_length,
-            feature_angle=feature_angle,
-            flip_angle=flip_angle,
-            swept_volume=swept_volume,
-            minimum_facet_angle=minimum_facet_angle,
-            quality_threshold=quality_threshold,
-            curved_splits=curved_splits,
-            split_junctions=split_junctions,
-        )
-        return Changes(**self._compiled.improve_interface(options, progress))
+        return Changes(**self._compiled.improve_interface(_given(locals()), progress))
 
     def control_detail(
         self,
@@ -697,16 +655,7 @@ class Complex:
         change_interface: whether edges of the interface are changed, too
         interface_split_length, interface_collapse_length: of edges of the interface
         """
-        options = _given(
-            split_length=split_length,
-            collapse_length=collapse_length,
-            collapse_quality=collapse_quality,
-            change_interface=change_interface,
-            interface_split_length=interface_split_length,
-            interface_collapse_length=interface_collapse_length,
-            number_of_iterations=number_of_iterations,
-        )
-        return Changes(**self._compiled.control_detail(options, progress))
+        return Changes(**self._compiled.control_detail(_given(locals()), progress))
 
 
 def _restored(
@@ -751,15 +700,9 @@ class Complex3(Complex):
         Raises `InvalidSurfaceError` if a surface is open or intersects itself or another one, and
         `TetrahedralizationError` if TetGen fails.
         """
+        options = _given(locals(), "surfaces", "labels", box=None if box is None else _box(box, 3))
         soups = [(np.asarray(p, dtype=float), np.asarray(t)) for p, t in surfaces]
         labeled = [(p, t, label) for (p, t), label in zip(soups, _labels(labels, len(soups)))]
-        options = _given(
-            box=None if box is None else _box(box, 3),
-            box_subdivision=box_subdivision,
-            improve=improve,
-            edge_per_thickness=edge_per_thickness,
-            most_new_facets=most_new_facets,
-        )
         compiled = _dsc.Complex3.from_surfaces(labeled, options, progress)
         return cls(_warn_of_thin_parts(compiled, edge_per_thickness))
 
@@ -790,11 +733,9 @@ class Complex3(Complex):
         Raises `InvalidCellsError` if the tetrahedra are no valid mesh.
         """
         options = _given(
+            locals(), "points", "tetrahedra", "labels", "surround",
             box=None if box is None else _box(box, 3),
-            improve=improve,
-            edge_per_thickness=edge_per_thickness,
-            most_new_facets=most_new_facets,
-        )
+        )  # fmt: skip
         compiled = _dsc.Complex3.from_tetrahedra(
             np.asarray(points, dtype=float),
             np.asarray(tetrahedra),
@@ -853,7 +794,7 @@ class Complex3(Complex):
                 _numbers((0, 0, 0) if origin is None else origin, 3, "origin"),
                 0.0 if edge is None else _number(edge, "edge"),
                 bool(fill),
-                _given(improve=improve),
+                _given({}, improve=improve),
                 progress,
             )
         )
@@ -912,14 +853,9 @@ class Complex2(Complex):
 
         Raises `InvalidSurfaceError` if polygons intersect themselves or each other.
         """
+        options = _given(locals(), "polygons", "labels", box=None if box is None else _box(box, 2))
         regions = [[np.asarray(ring, dtype=float) for ring in rings] for rings in polygons]
         labeled = list(zip(regions, _labels(labels, len(regions))))
-        options = _given(
-            box=None if box is None else _box(box, 2),
-            improve=improve,
-            edge_per_thickness=edge_per_thickness,
-            most_new_facets=most_new_facets,
-        )
         compiled = _dsc.Complex2.from_polygons(labeled, options, progress)
         return cls(_warn_of_thin_parts(compiled, edge_per_thickness))
 
@@ -944,11 +880,7 @@ class Complex2(Complex):
 
         Raises `InvalidCellsError` if the triangles are no valid mesh.
         """
-        options = _given(
-            improve=improve,
-            edge_per_thickness=edge_per_thickness,
-            most_new_facets=most_new_facets,
-        )
+        options = _given(locals(), "points", "triangles", "labels")
         compiled = _dsc.Complex2.from_triangles(
             np.asarray(points, dtype=float),
             np.asarray(triangles),

@@ -417,14 +417,7 @@ class Fluid(Solids):
 
         Raises `FluidStepError` if no attempt succeeds. The fluid is then as before.
         """
-        options = _given(
-            implicitness=implicitness,
-            interface_tolerance=interface_tolerance,
-            adaptation_interval=adaptation_interval,
-            topology=topology,
-            threads=threads,
-            **deformation,
-        )
+        options = _given(locals(), "dt")
         result = self._compiled.step(_number(dt, "dt"), options, progress)
         result["balance"] = Balance(**result["balance"])
         result["deformation"] = _report(result["deformation"])
@@ -441,4 +434,4 @@ class Fluid(Solids):
         """
         if _integer(steps, "steps") < 1:
             raise ValueError("steps must be at least 1")
-        return float(self._compiled.relax(_number(dt, "dt"), steps, _given(**options), progress))
+        return float(self._compiled.relax(_number(dt, "dt"), steps, _given({}, **options), progress))

@@ -69,6 +69,7 @@ class GrainGrowth:
         if not isinstance(complex, Complex):
             raise TypeError("complex must be a complex of this package")
         options = _given(
+            {},
             **_energy(tension, mobility, density),
             edges=_number(edges, "edges"),
             step=_number(step, "step"),

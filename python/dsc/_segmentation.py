@@ -116,6 +116,7 @@ def segment(
     if start is not None and not isinstance(start, Complex2 if d == 2 else Complex3):
         raise TypeError(f"start must be a Complex{d}")
     options = _given(
+        {},
         phases=None if phases is None else _integer(phases, "phases"),
         intensities=_intensities(intensities, phases, len(channels)),
         noise=None if noise is None else _repeated(noise, len(channels), "noise"),

@@ -166,7 +166,7 @@ class Solids:
 
     def _options(self, options: dict[str, Any]) -> dict[str, Any]:
         """Returns the options of a solid for the compiled part. Vectors have three coordinates."""
-        result = _given(**options)
+        result = _given({}, **options)
         step = _number(result.pop("motion_step", 1e-5), "motion_step")
         if not 0 < step < np.inf:
             raise ValueError("motion_step must be positive and finite")

@@ -69,12 +69,10 @@ def reconstruct(
 
     Raises `InvalidPointsError` if the points are not finite or enclose no solid.
     """
+    options = _given(locals(), "points", "normals")
     _not_masked(points, "points")
     positions = np.asarray(points, dtype=float)
     directions = None if normals is None else np.asarray(normals, dtype=float)
-    options = _given(
-        tolerance=tolerance, keep_open=keep_open, maximum_steps=maximum_steps, threads=threads
-    )
     compiled, report = _dsc.reconstruct(positions, directions, options, progress)
     return Reconstruction(Complex3(compiled), **report)
 

@@ -40,6 +40,23 @@
 
 namespace dsc_python {
 
+template <> struct Names_of<DSC::Domain_rule>
+{
+  inline static const std::map<std::string, DSC::Domain_rule> values = {
+      {"refuse", DSC::Domain_rule::refuse},
+      {"grow", DSC::Domain_rule::grow},
+      {"stop", DSC::Domain_rule::stop}};
+};
+
+template <> struct Names_of<DSC::Integration_scheme>
+{
+  inline static const std::map<std::string, DSC::Integration_scheme> values = {
+      {"euler", DSC::Integration_scheme::euler},
+      {"rk2", DSC::Integration_scheme::rk2},
+      {"rk4", DSC::Integration_scheme::rk4},
+      {"adaptive", DSC::Integration_scheme::adaptive}};
+};
+
 /// Returns a complex for Python. `make()` makes it, as a long function.
 template <class Make> auto guarded(const py::object& progress, const Make& make) {
   using Complex = decltype(make());
@@ -211,9 +228,7 @@ public:
     const Complex& complex = object.read();
     const Space<Complex> space(complex);
     DSC::Deformation_options<Complex> deformation;
-    Options rest(options);
-    read_deformation(rest, space, deformation);
-    rest.require_all_read();
+    read_motion(Options(options), space, deformation, deformation);
     const auto points = space.points(destinations, "destinations");
     const auto report = change(object, progress, deformation, [&](Complex& changed) {
       const DSC::Interface_vertices<Complex> interface_vertices(changed);
@@ -226,11 +241,7 @@ public:
                               const py::dict& options, const py::object& progress) {
     const Space<Complex> space(object.read());
     DSC::Volume_restoration_options<Complex> restoration;
-    Options rest(options);
-    rest.read("volume_tolerance", restoration.volume_tolerance);
-    rest.read("number_of_iterations", restoration.number_of_iterations);
-    read_deformation(rest, space, restoration.deformation);
-    rest.require_all_read();
+    read_motion(Options(options), space, restoration, restoration.deformation);
     for (auto& [label, volume] : volumes)
       volume /= space.measure(1);
     return change(object, progress, restoration.deformation, [&](Complex& complex) {
@@ -239,74 +250,34 @@ public:
   }
 
   static py::dict improve(Object& object, const py::dict& options, const py::object& progress) {
-    DSC::Mesh_improvement_options<Complex> improvement;
-    Options rest(options);
-    rest.read("quality_threshold", improvement.quality_threshold);
-    rest.read("number_of_iterations", improvement.number_of_iterations);
-    rest.read("aggressive", improvement.aggressive);
-    rest.read("smooth_interface", improvement.smooth_interface);
-    rest.read("threads", improvement.number_of_threads);
-    rest.require_all_read();
-    return report_to_dict(change(object, progress, improvement, [&](Complex& complex) {
-      return DSC::improve_mesh(complex, improvement);
-    }));
+    return remesh<DSC::Mesh_improvement_options<Complex>>(
+        object, options, {}, progress,
+        [](auto&... arguments) { return DSC::improve_mesh(arguments...); });
   }
 
   static py::dict improve_interface(Object& object, const py::dict& options,
                                     const py::object& progress) {
-    DSC::Interface_improvement_options<Complex> improvement;
-    Options rest(options);
-    rest.read("number_of_iterations", improvement.number_of_iterations);
-    rest.read("aggressiveness", improvement.aggressiveness);
-    rest.read("split_length", improvement.interface_split_length);
-    rest.read("collapse_length", improvement.interface_collapse_length);
-    rest.read("feature_angle", improvement.feature_angle);
-    rest.read("flip_angle", improvement.flip_angle);
-    rest.read("swept_volume", improvement.swept_volume);
-    rest.read("minimum_facet_angle", improvement.minimum_facet_angle);
-    rest.read("quality_threshold", improvement.quality_threshold);
-    rest.read("curved_splits", improvement.curved_splits);
-    rest.read("split_junctions", improvement.split_junctions);
-    rest.require_all_read();
-    return report_to_dict(change(object, progress, improvement, [&](Complex& complex) {
-      return DSC::improve_interface(complex, improvement);
-    }));
+    return remesh<DSC::Interface_improvement_options<Complex>>(
+        object, options,
+        {{"interface_split_length", "split_length"},
+         {"interface_collapse_length", "collapse_length"}},
+        progress, [](auto&... arguments) { return DSC::improve_interface(arguments...); });
   }
 
   static py::dict control_detail(Object& object, const py::dict& options,
                                  const py::object& progress) {
-    DSC::Detail_options<Complex> detail;
-    Options rest(options);
-    rest.read("split_length", detail.split_length);
-    rest.read("collapse_length", detail.collapse_length);
-    rest.read("collapse_quality", detail.collapse_quality);
-    rest.read("change_interface", detail.change_interface);
-    rest.read("interface_split_length", detail.interface_split_length);
-    rest.read("interface_collapse_length", detail.interface_collapse_length);
-    rest.read("number_of_iterations", detail.number_of_iterations);
-    rest.require_all_read();
-    return report_to_dict(change(object, progress, detail, [&](Complex& complex) {
-      return DSC::control_detail(complex, detail);
-    }));
+    return remesh<DSC::Detail_options<Complex>>(
+        object, options, {}, progress,
+        [](auto&... arguments) { return DSC::control_detail(arguments...); });
   }
 
-  /// Reads the options of deformations.
-  static void read_deformation(Options& options, const Space<Complex>& space,
-                               DSC::Deformation_options<Complex>& deformation) {
-    options.read("threads", deformation.number_of_threads);
-    options.read("maximum_passes", deformation.maximum_number_of_passes);
-    options.read("quality_threshold", deformation.quality_threshold);
-    options.read("relabeling_threshold", deformation.relabeling_threshold);
-    options.read("minimum_angle", deformation.minimum_angle);
-    options.read("minimum_facet_angle", deformation.minimum_facet_angle);
-    options.read("manifold_interface", deformation.manifold_interface);
-    options.read("collision_order", deformation.collision_order);
-    options.read_name<DSC::Domain_rule>("domain",
-                                        {{"refuse", DSC::Domain_rule::refuse},
-                                         {"grow", DSC::Domain_rule::grow},
-                                         {"stop", DSC::Domain_rule::stop}},
-                                        deformation.domain_rule);
-    read_topology(options.take("topology"), space, deformation);
+  /// Reads the options of a motion, and those of its deformations.
+  template <class Motion>
+  static void read_motion(Options rest, const Space<Complex>& space, Motion& motion,
+                          DSC::Deformation_options<Complex>& deformation) {
+    const py::object topology = rest.take("topology");
+    rest.read_all(motion);
+    read_topology(topology, space, deformation);
   }
 
 private:
@@ -324,6 +295,19 @@ private:
     });
   }
 
+  /// Reads options and changes the mesh.
+  /// \param names names of options that differ in Python
+  template <class Remeshing, class Remesh>
+  static py::dict remesh(Object& object, const py::dict& options,
+                         const std::map<std::string, std::string>& names,
+                         const py::object& progress, const Remesh& change_mesh) {
+    Remeshing remeshing;
+    Options(options).read_all(remeshing, names);
+    return report_to_dict(change(object, progress, remeshing, [&](Complex& complex) {
+      return change_mesh(complex, remeshing);
+    }));
+  }
+
   /// Moves the interface for one time step. With the option `adapt`, also adapts it.
   template <class Flow_in>
   static py::dict move(Object& object, bool contracts, Options rest, const py::object& progress,
@@ -335,38 +319,22 @@ private:
     rest.read("adapt", adapts);
     DSC::Adaptive_advection_options<Complex> adaptive(contracts);
     DSC::Advection_options<Complex> plain;
-    if (adapts) {
-      rest.read("interface_tolerance", adaptive.interface_tolerance);
-      rest.read("adaptation_interval", adaptive.adaptation_interval);
-      rest.read("feature_angle", adaptive.feature_angle);
-    }
     DSC::Advection_options<Complex>& advection = adapts ? adaptive.advection : plain;
     if (!object.has_values()) // a domain that grows gets other vertices and cells
       advection.deformation.domain_rule = DSC::Domain_rule::grow;
-    read_advection(rest, space, advection);
+    if (adapts)
+      read_motion(rest, space, adaptive, advection.deformation);
+    else
+      read_motion(rest, space, plain, advection.deformation);
     if (object.has_values() && advection.deformation.domain_rule == DSC::Domain_rule::grow)
       throw py::value_error(
           "the domain of a complex with values cannot grow: remove the values, or "
           "use a larger box");
-    rest.require_all_read();
     const auto report = change(object, progress, advection.deformation, [&](Complex& changed) {
       return adapts ? DSC::advect_adaptively(changed, flow, t, dt, adaptive)
                     : DSC::advect_interface(changed, flow, t, dt, plain);
     });
     return report_to_dict(report, complex);
-  }
-
-  static void read_advection(Options& options, const Space<Complex>& space,
-                             DSC::Advection_options<Complex>& advection) {
-    options.read_name<DSC::Integration_scheme>("scheme",
-                                               {{"euler", DSC::Integration_scheme::euler},
-                                                {"rk2", DSC::Integration_scheme::rk2},
-                                                {"rk4", DSC::Integration_scheme::rk4},
-                                                {"adaptive", DSC::Integration_scheme::adaptive}},
-                                               advection.scheme);
-    options.read("largest_displacement", advection.largest_displacement);
-    options.read("integration_tolerance", advection.integration_tolerance);
-    read_deformation(options, space, advection.deformation);
   }
 
   /// Reads 'allow', 'forbid', pairs of labels, or a function.

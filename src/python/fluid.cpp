@@ -323,12 +323,8 @@ private:
   static DSC::Fluid_step_options<Complex> step_options(const py::dict& options,
                                                        const Complex& complex) {
     DSC::Fluid_step_options<Complex> result;
-    Options rest(options);
-    rest.read("implicitness", result.implicitness);
-    rest.read("interface_tolerance", result.interface_tolerance);
-    rest.read("adaptation_interval", result.adaptation_interval);
-    Complex_functions<Complex>::read_deformation(rest, Space<Complex>(complex), result.deformation);
-    rest.require_all_read();
+    Complex_functions<Complex>::read_motion(Options(options), Space<Complex>(complex), result,
+                                            result.deformation);
     return result;
   }
 };

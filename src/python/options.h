@@ -5,16 +5,22 @@
 #ifndef DSC_PYTHON_OPTIONS_H
 #define DSC_PYTHON_OPTIONS_H
 
+#include <CGAL/Mesh_support/parameter_values.h>
+
 #include <pybind11/functional.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
 #include <map>
 #include <string>
+#include <type_traits>
 
 namespace dsc_python {
 
 namespace py = pybind11;
+
+/// The names of the values of an enumeration.
+template <class Enumeration> struct Names_of;
 
 /// The named options of a function. Each option is read once.
 class Options
@@ -24,22 +30,21 @@ public:
 
   /// Replaces `value` if the option is given and not None.
   /// \throws py::type_error if it is of another type
-  template <class T> void read(const char* name, T& value) {
+  template <class T> void read(const std::string& name, T& value) {
     const py::object option = take(name);
     if (option.is_none())
       return;
     try {
       value = option.cast<T>();
     } catch (const py::cast_error&) {
-      throw py::type_error(std::string(name) +
-                           " is of the wrong type: " + std::string(py::repr(option)));
+      throw py::type_error(name + " is of the wrong type: " + std::string(py::repr(option)));
     }
   }
 
   /// Replaces `value` if the option is given and not None, by the value with the name that is
   /// given. \throws py::value_error if there is no such name
   template <class T>
-  void read_name(const char* name, const std::map<std::string, T>& values, T& value) {
+  void read_name(const std::string& name, const std::map<std::string, T>& values, T& value) {
     std::string given;
     read(name, given);
     if (given.empty())
@@ -52,11 +57,32 @@ public:
     std::string names;
     for (const auto& known : values)
       names += (names.empty() ? "'" : ", '") + known.first + "'";
-    throw py::value_error(std::string(name) + " must be one of " + names + ", not '" + given + "'");
+    throw py::value_error(name + " must be one of " + names + ", not '" + given + "'");
+  }
+
+  /// Reads the numbers, truth values and names of a struct of options, and requires that no option
+  /// is left. \param names the names of members that have another name in Python
+  /// \throws py::type_error if an option is of another type or unknown
+  template <class Struct>
+  void read_all(Struct& options, std::map<std::string, std::string> names = {}) {
+    names.insert({{"number_of_threads", "threads"},
+                  {"maximum_number_of_passes", "maximum_passes"},
+                  {"domain_rule", "domain"}});
+    CGAL::Deformable_simplicial_complexes::for_each_option(
+        options, [&](const std::string& member, auto& value) {
+          using Value = std::decay_t<decltype(value)>;
+          const auto found = names.find(member);
+          const std::string& name = found == names.end() ? member : found->second;
+          if constexpr (std::is_enum<Value>::value)
+            read_name(name, Names_of<Value>::values, value);
+          else if constexpr (std::is_assignable<Value&, double>::value)
+            read(name, value);
+        });
+    require_all_read();
   }
 
   /// Removes and returns an option; None if it is not given.
-  py::object take(const char* name) {
+  py::object take(const std::string& name) {
     return m_rest.attr("pop")(name, py::none()).cast<py::object>();
   }
 

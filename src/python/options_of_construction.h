@@ -37,13 +37,7 @@ construction_options(const py::dict& options) {
   rest.read("box", box);
   if (box)
     result.enclosing_box = bbox_of(*box);
-  rest.read("box_subdivision", result.box_subdivision);
-  rest.read("edge_per_thickness", result.thin_parts.edge_per_thickness);
-  rest.read("most_new_facets", result.thin_parts.most_new_facets);
-  rest.read("improve", result.improve);
-  rest.read("quality_threshold", result.quality_threshold);
-  rest.read("number_of_iterations", result.number_of_iterations);
-  rest.require_all_read();
+  rest.read_all(result);
   return result;
 }
 

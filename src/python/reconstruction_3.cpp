@@ -73,12 +73,8 @@ py::dict report_to_dict(const Report& report, const Complex& complex) {
 py::tuple reconstruct(const Array<double>& points, const py::object& normals,
                       const py::dict& options, const py::object& progress) {
   DSC::Reconstruction_options_3<Complex> reconstruction;
-  Options rest(options);
-  rest.read("tolerance", reconstruction.fit_tolerance);
-  rest.read("keep_open", reconstruction.keep_open);
-  rest.read("maximum_steps", reconstruction.number_of_iterations);
-  rest.read("threads", reconstruction.number_of_threads);
-  rest.require_all_read();
+  Options(options).read_all(
+      reconstruction, {{"fit_tolerance", "tolerance"}, {"number_of_iterations", "maximum_steps"}});
   reconstruction.check();
   DSC::internal::Collected_points cloud;
   for (const auto& row : rows_of<double, 3>(points, "points"))

@@ -90,17 +90,10 @@ Construction_options<dimension> construction_options(const NamedParameters& np) 
   if constexpr (std::is_same<NamedParameters, Construction_options<dimension>>::value)
     result = np;
   else {
-    namespace tags = internal_np;
-    if constexpr (is_given<NamedParameters, tags::enclosing_box_t>)
-      result.enclosing_box = internal::box_of(parameter(np, tags::enclosing_box));
-    replace_value(np, tags::normalize, result.normalize);
-    replace_count(np, tags::box_subdivision, "box_subdivision", result.box_subdivision);
-    replace_value(np, tags::edge_per_thickness, result.thin_parts.edge_per_thickness);
-    replace_count(np, tags::most_new_facets, "most_new_facets", result.thin_parts.most_new_facets);
-    replace_value(np, tags::improve, result.improve);
-    replace_value(np, tags::quality_threshold, result.quality_threshold);
-    replace_count(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
-                  result.number_of_iterations);
+    using internal_np::enclosing_box_t;
+    read_parameters<enclosing_box_t>(np, result);
+    if constexpr (is_given<NamedParameters, enclosing_box_t>)
+      result.enclosing_box = internal::box_of(parameter(np, enclosing_box_t()));
   }
   result.check();
   return result;

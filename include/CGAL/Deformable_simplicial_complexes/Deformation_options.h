@@ -20,6 +20,7 @@
 
 #include <functional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
@@ -164,33 +165,46 @@ auto flow_of_vertices(const Complex& complex, const Flow& flow) {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Replaces the options that are given as named parameters. The visitor is not replaced, because an
-object must own it, see `visitor_parameter()`.
+Replaces the options that are given as named parameters, as `read_parameters()` without a complex
+does, and the flow. The visitor is not replaced, because an object must own it, see
+`visitor_parameter()`.
 
 \param complex the complex, which must outlive the options
-\param np named parameters of `deform_interface()`
-\param options the options, with the default values
+\param np the named parameters
+\param options a `Deformation_options`, or options of another function of complexes
 \throws Error if a count is negative. Other ranges are not checked.
 */
-template <class Complex, class NamedParameters>
-void read_parameters(const Complex& complex, const NamedParameters& np,
-                     Deformation_options<Complex>& options) {
-  namespace tags = internal_np;
-  replace_count(np, tags::maximum_number_of_passes, "maximum_number_of_passes",
-                options.maximum_number_of_passes);
-  replace_value(np, tags::quality_threshold, options.quality_threshold);
-  replace_value(np, tags::relabeling_threshold, options.relabeling_threshold);
-  replace_value(np, tags::minimum_angle, options.minimum_angle);
-  replace_value(np, tags::minimum_facet_angle, options.minimum_facet_angle);
-  replace_value(np, tags::manifold_interface, options.manifold_interface);
-  replace_value(np, tags::domain_rule, options.domain_rule);
-  replace_value(np, tags::collision_order, options.collision_order);
-  replace_value(np, tags::topology_control, options.topology_control);
-  replace_value(np, tags::interface_energy, options.interface_energy);
-  replace_count(np, tags::number_of_threads, "number_of_threads", options.number_of_threads);
-  if constexpr (is_given<NamedParameters, tags::flow_t>)
-    options.flow = internal::flow_of_vertices(complex, parameter(np, tags::flow));
+template <class Complex, class NamedParameters, class Options>
+void read_parameters(const Complex& complex, const NamedParameters& np, Options& options) {
+  using internal_np::flow_t;
+  read_parameters<flow_t, internal_np::visitor_t>(np, options);
+  if constexpr (is_given<NamedParameters, flow_t>)
+    internal::visit_option<flow_t>(options, [&](const char*, auto& flow) {
+      flow = internal::flow_of_vertices(complex, parameter(np, flow_t()));
+    });
 }
+
+namespace internal {
+
+// Calls a function with the options and the visitor that named parameters give, or with given
+// options.
+// \param np named parameters, or options
+// \param defaults the options, with the default values
+template <class Complex, class NamedParameters, class Options, class Call>
+auto call_with_parameters(const Complex& complex, const NamedParameters& np, Options defaults,
+                          const Call& call) {
+  if constexpr (std::is_same<NamedParameters, Options>::value)
+    return call(np);
+  else {
+    auto visitor = visitor_parameter<Complex>(np);
+    visit_option<internal_np::visitor_t>(
+        defaults, [&](const char*, auto& pointer) { pointer = &visitor.any(); });
+    read_parameters(complex, np, defaults);
+    return call(std::as_const(defaults));
+  }
+}
+
+} // namespace internal
 
 } // namespace CGAL::Deformable_simplicial_complexes
 

@@ -11,36 +11,16 @@
 
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/deformation/deform.h>
 #include <CGAL/Deformable_simplicial_complexes/topology_control.h>
 #include <CGAL/Mesh_support/named_parameters.h>
-#include <CGAL/Mesh_support/parameter_values.h>
 
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Moves the interface as `deform_interface()` with named parameters does.
-
-\throws Error if an option is out of its range, see `Deformation_options::check()`
-*/
-template <class Complex, class Destination>
-Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& destination,
-                                             const Deformation_options<Complex>& options) {
-  const std::vector<typename Complex::Vertex_handle> vertices = dsc.interface_vertices();
-  std::vector<typename Complex::Approximate_point> destinations;
-  destinations.reserve(vertices.size());
-  for (auto v : vertices)
-    destinations.push_back(dsc.approximate(destination(v)));
-  return internal::deform(dsc, vertices, destinations, options);
-}
-
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
@@ -62,9 +42,10 @@ Each pass does the following:
        of the interface, in the coordinates of the complex. A vertex on a side of the domain moves
        to the nearest point of that side. A destination outside the domain, a box, is replaced by
        the nearest point of the box: the interface stops there, and the report counts it.
-\param np named parameters with the names of the members of `Deformation_options`, and `visitor`, a
-       model of `DeformationVisitor`, which may also end the deformation. Function objects, a model
-       of `TopologyControl` and a visitor are given by value or by `std::reference_wrapper`.
+\param np a `Deformation_options`, or named parameters with the names of its members. The parameter
+       `visitor` is a model of `DeformationVisitor`, which may also end the deformation. Function
+       objects, a model of `TopologyControl` and a visitor are given by value or by
+       `std::reference_wrapper`.
 
 \return the vertices that did not arrive with their remaining distances, and the changes of labels
         and mesh
@@ -79,30 +60,15 @@ template <class Complex, class Destination,
           class NamedParameters = parameters::Default_named_parameters>
 Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& destination,
                                              const NamedParameters& np = NamedParameters()) {
-  auto visitor = visitor_parameter<Complex>(np);
-  Deformation_options<Complex> options;
-  options.visitor = &visitor.any();
-  read_parameters(dsc, np, options);
-  return deform_interface(dsc, destination, options);
-}
-
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Moves the interface as `deform_interface_to()` with named parameters does.
-
-\throws Error if an option is out of its range, see `Deformation_options::check()`
-*/
-template <class Complex>
-Deformation_report<Complex>
-deform_interface_to(Complex& dsc, const Interface_vertices<Complex>& interface_,
-                    const std::vector<typename Complex::Approximate_point>& destinations,
-                    const Deformation_options<Complex>& options) {
-  if (destinations.size() != interface_.vertices.size())
-    throw Invalid_destination_error("the number of destinations differs from the number of "
-                                    "interface vertices: give one destination for each vertex",
-                                    {});
-  return internal::deform(dsc, interface_.vertices, destinations, options);
+  return internal::call_with_parameters(
+      dsc, np, Deformation_options<Complex>(), [&](const auto& options) {
+        const std::vector<typename Complex::Vertex_handle> vertices = dsc.interface_vertices();
+        std::vector<typename Complex::Approximate_point> destinations;
+        destinations.reserve(vertices.size());
+        for (auto v : vertices)
+          destinations.push_back(dsc.approximate(destination(v)));
+        return internal::deform(dsc, vertices, destinations, options);
+      });
 }
 
 /*!
@@ -113,7 +79,7 @@ Moves the interface as `deform_interface()` does, with destinations in the order
 \param dsc the complex
 \param interface_ the interface of the complex, or its vertices
 \param destinations one for each vertex of the snapshot, in the coordinates of the complex
-\param np the named parameters of `deform_interface()`
+\param np a `Deformation_options`, or the named parameters of `deform_interface()`
 \return the report of `deform_interface()`
 \pre the complex has not changed since the snapshot was taken
 \throws Invalid_destination_error if a destination is not finite or their number is wrong
@@ -124,11 +90,15 @@ Deformation_report<Complex>
 deform_interface_to(Complex& dsc, const Interface_vertices<Complex>& interface_,
                     const std::vector<typename Complex::Approximate_point>& destinations,
                     const NamedParameters& np = NamedParameters()) {
-  auto visitor = visitor_parameter<Complex>(np);
-  Deformation_options<Complex> options;
-  options.visitor = &visitor.any();
-  read_parameters(dsc, np, options);
-  return deform_interface_to(dsc, interface_, destinations, options);
+  return internal::call_with_parameters(
+      dsc, np, Deformation_options<Complex>(), [&](const auto& options) {
+        if (destinations.size() != interface_.vertices.size())
+          throw Invalid_destination_error(
+              "the number of destinations differs from the number of "
+              "interface vertices: give one destination for each vertex",
+              {});
+        return internal::deform(dsc, interface_.vertices, destinations, options);
+      });
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes

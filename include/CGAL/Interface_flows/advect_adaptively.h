@@ -10,7 +10,6 @@
 
 #include <CGAL/license/Interface_flows.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Interface_flows/Integration_scheme.h>
 #include <CGAL/Interface_flows/advect_interface.h>
@@ -97,18 +96,13 @@ private:
   }
 };
 
-/*!
-\ingroup PkgInterfaceFlowsRef
+namespace internal {
 
-Does the same as `advect_adaptively()` with named parameters. If the velocity contracts the
-interface, construct the options with `contracts`.
-
-\throws Error as that function does, see also `Adaptive_advection_options::check()`
-*/
+// Implements `advect_adaptively()`.
 template <class Complex, class Velocity>
-Deformation_report<Complex> advect_adaptively(Complex& dsc, const Velocity& velocity, double t,
-                                              double dt,
-                                              const Adaptive_advection_options<Complex>& options) {
+Deformation_report<Complex> adapt_and_advect(Complex& dsc, const Velocity& velocity, double t,
+                                             double dt,
+                                             const Adaptive_advection_options<Complex>& options) {
   constexpr bool contracts = internal::contracts_interface<Velocity>;
   options.check();
   require_interface_edge(dsc);
@@ -146,6 +140,8 @@ Deformation_report<Complex> advect_adaptively(Complex& dsc, const Velocity& velo
   return report;
 }
 
+} // namespace internal
+
 /*!
 \ingroup PkgInterfaceFlowsRef
 
@@ -182,8 +178,9 @@ that contracts the interface does not bring it back. Its defaults of `quality_th
 \param t the time at the beginning of the step
 \param dt the length of the step. It must be the same in each step; otherwise use an
        `adaptation_interval` of 1.
-\param np named parameters: those of `advect_interface()`, and those with the names of the other
-       members of `Adaptive_advection_options`, with the default values of
+\param np an `Adaptive_advection_options`, constructed with whether the velocity contracts the
+       interface. Or named parameters: those of `advect_interface()`, and those with the names of
+       the other members of `Adaptive_advection_options`, with the default values of
        `defaults::Adaptive_advection`. The default of `scheme` is `Integration_scheme::rk4`.
 
 \return the report of `advect_interface()`. Its numbers of operations include the adaptation.
@@ -200,15 +197,11 @@ template <class Complex, class Velocity,
 Deformation_report<Complex> advect_adaptively(Complex& dsc, const Velocity& velocity, double t,
                                               double dt,
                                               const NamedParameters& np = NamedParameters()) {
-  namespace tags = internal_np;
-  auto visitor = visitor_parameter<Complex>(np);
-  Adaptive_advection_options<Complex> options(internal::contracts_interface<Velocity>);
-  options.advection.deformation.visitor = &visitor.any();
-  read_parameters(dsc, np, options.advection);
-  replace_value(np, tags::interface_tolerance, options.interface_tolerance);
-  replace_count(np, tags::adaptation_interval, "adaptation_interval", options.adaptation_interval);
-  replace_value(np, tags::feature_angle, options.feature_angle);
-  return advect_adaptively(dsc, velocity, t, dt, options);
+  return internal::call_with_parameters(
+      dsc, np, Adaptive_advection_options<Complex>(internal::contracts_interface<Velocity>),
+      [&](const auto& options) {
+        return internal::adapt_and_advect(dsc, velocity, t, dt, options);
+      });
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes

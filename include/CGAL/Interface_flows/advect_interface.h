@@ -71,21 +71,6 @@ template <class Complex> struct Advection_options
   }
 };
 
-/*!
-\ingroup PkgInterfaceFlowsRef
-
-Replaces the options that are given as named parameters of `advect_interface()`, as the function for
-`Deformation_options` does.
-*/
-template <class Complex, class NamedParameters>
-void read_parameters(const Complex& complex, const NamedParameters& np,
-                     Advection_options<Complex>& options) {
-  read_parameters(complex, np, options.deformation);
-  replace_value(np, internal_np::scheme, options.scheme);
-  replace_value(np, internal_np::integration_tolerance, options.integration_tolerance);
-  replace_value(np, internal_np::largest_displacement, options.largest_displacement);
-}
-
 namespace internal {
 
 // Returns the volumes of all labels, as the beginning of their changes.
@@ -312,20 +297,6 @@ private:
 /*!
 \ingroup PkgInterfaceFlowsRef
 
-Does the same as `advect_interface()` with named parameters.
-
-\throws Error as that function does, see also `Advection_options::check()`
-*/
-template <class Complex, class Velocity>
-Deformation_report<Complex> advect_interface(Complex& dsc, const Velocity& velocity, double t,
-                                             double dt, const Advection_options<Complex>& options) {
-  options.check();
-  return internal::Divided_step<Complex, Velocity>(dsc, velocity, options).run(t, dt);
-}
-
-/*!
-\ingroup PkgInterfaceFlowsRef
-
 Moves the interface with a velocity for one time step. The function integrates the path of each
 vertex, then calls `deform_interface()` with the end points of the paths. The interface does not
 follow the paths within the step. If the velocity is a field or an invertible flow map, free
@@ -352,8 +323,9 @@ vertices near the interface also move with it, unless the parameter `flow` is gi
   the coordinates of the complex.
 \param t the time at the beginning of the step
 \param dt the length of the step. A negative value moves backwards in time.
-\param np named parameters: those of `deform_interface()`, and those with the names of the other
-       members of `Advection_options`. The default of `domain_rule` is `Domain_rule::refuse`.
+\param np an `Advection_options`, or named parameters: those of `deform_interface()`, and those with
+       the names of the other members of `Advection_options`. The default of `domain_rule` is
+`Domain_rule::refuse`.
 
 \return the report of `deform_interface()`. The report of a divided time step contains the sums over
         its parts.
@@ -374,11 +346,11 @@ template <class Complex, class Velocity,
 Deformation_report<Complex> advect_interface(Complex& dsc, const Velocity& velocity, double t,
                                              double dt,
                                              const NamedParameters& np = NamedParameters()) {
-  auto visitor = visitor_parameter<Complex>(np);
-  Advection_options<Complex> options;
-  options.deformation.visitor = &visitor.any();
-  read_parameters(dsc, np, options);
-  return advect_interface(dsc, velocity, t, dt, options);
+  return internal::call_with_parameters(
+      dsc, np, Advection_options<Complex>(), [&](const auto& options) {
+        options.check();
+        return internal::Divided_step<Complex, Velocity>(dsc, velocity, options).run(t, dt);
+      });
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes

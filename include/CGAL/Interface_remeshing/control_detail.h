@@ -10,26 +10,13 @@
 
 #include <CGAL/license/Interface_remeshing.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Interface_remeshing/Detail_options.h>
 #include <CGAL/Interface_remeshing/internal/remeshing/Detail_controller.h>
 #include <CGAL/Mesh_support/named_parameters.h>
-#include <CGAL/Mesh_support/parameter_values.h>
 
 namespace CGAL::Deformable_simplicial_complexes {
-
-/*!
-\ingroup PkgInterfaceRemeshingRef
-
-Does the same as `control_detail()` with named parameters.
-
-\throws Error as that function does, see also `Detail_options::check()`
-*/
-template <class Complex>
-Improvement_report control_detail(Complex& dsc, const Detail_options<Complex>& options) {
-  return internal::run_detail_control(dsc, options);
-}
 
 /*!
 \ingroup PkgInterfaceRemeshingRef
@@ -47,7 +34,7 @@ rounding of the midpoints; collapses move it by the volume between the old and t
 collapse creates an edge that would be split.
 
 \param dsc the complex
-\param np named parameters with the names of the members of `Detail_options`. Function objects
+\param np a `Detail_options`, or named parameters with the names of its members. Function objects
        and a visitor, a model of `DeformationVisitor`, are given by value or by
        `std::reference_wrapper`.
 
@@ -62,21 +49,9 @@ number of changed cells.
 */
 template <class Complex, class NamedParameters = parameters::Default_named_parameters>
 Improvement_report control_detail(Complex& dsc, const NamedParameters& np = NamedParameters()) {
-  namespace tags = internal_np;
-  auto visitor = visitor_parameter<Complex>(np);
-  Detail_options<Complex> options;
-  options.visitor = &visitor.any();
-  replace_value(np, tags::sizing_field, options.sizing_field);
-  replace_value(np, tags::where, options.where);
-  replace_value(np, tags::split_length, options.split_length);
-  replace_value(np, tags::collapse_length, options.collapse_length);
-  replace_value(np, tags::collapse_quality, options.collapse_quality);
-  replace_value(np, tags::change_interface, options.change_interface);
-  replace_value(np, tags::interface_split_length, options.interface_split_length);
-  replace_value(np, tags::interface_collapse_length, options.interface_collapse_length);
-  replace_count(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
-                options.number_of_iterations);
-  return control_detail(dsc, options);
+  return internal::call_with_parameters(
+      dsc, np, Detail_options<Complex>(),
+      [&](const auto& options) { return internal::run_detail_control(dsc, options); });
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes

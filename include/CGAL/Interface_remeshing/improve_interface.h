@@ -10,27 +10,13 @@
 
 #include <CGAL/license/Interface_remeshing.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Interface_remeshing/Interface_improvement_options.h>
 #include <CGAL/Interface_remeshing/internal/remeshing/Interface_improver.h>
 #include <CGAL/Mesh_support/named_parameters.h>
-#include <CGAL/Mesh_support/parameter_values.h>
 
 namespace CGAL::Deformable_simplicial_complexes {
-
-/*!
-\ingroup PkgInterfaceRemeshingRef
-
-Does the same as `improve_interface()` with named parameters.
-
-\throws Error as that function does, see also `Interface_improvement_options::check()`
-*/
-template <class Complex>
-Improvement_report improve_interface(Complex& dsc,
-                                     const Interface_improvement_options<Complex>& options) {
-  return internal::remesh_interface(dsc, options);
-}
 
 /*!
 \ingroup PkgInterfaceRemeshingRef
@@ -47,7 +33,7 @@ and their vertices move and collapse only along them. In 2D, corners stay. Smoot
 volumes of labels up to rounding; flips, collapses and curved splits change them slightly.
 
 \param dsc the complex
-\param np named parameters with the names of the members of `Interface_improvement_options`. Function
+\param np a `Interface_improvement_options`, or named parameters with the names of its members. Function
        objects and a visitor, a model of `DeformationVisitor`, are given by value or by
        `std::reference_wrapper`.
 
@@ -60,25 +46,9 @@ volumes of labels up to rounding; flips, collapses and curved splits change them
 */
 template <class Complex, class NamedParameters = parameters::Default_named_parameters>
 Improvement_report improve_interface(Complex& dsc, const NamedParameters& np = NamedParameters()) {
-  namespace tags = internal_np;
-  auto visitor = visitor_parameter<Complex>(np);
-  Interface_improvement_options<Complex> options;
-  options.visitor = &visitor.any();
-  replace_count(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
-                options.number_of_iterations);
-  replace_value(np, tags::aggressiveness, options.aggressiveness);
-  replace_value(np, tags::sizing_field, options.sizing_field);
-  replace_value(np, tags::interface_split_length, options.interface_split_length);
-  replace_value(np, tags::interface_collapse_length, options.interface_collapse_length);
-  replace_value(np, tags::swept_volume, options.swept_volume);
-  replace_value(np, tags::flip_angle, options.flip_angle);
-  replace_value(np, tags::feature_angle, options.feature_angle);
-  replace_value(np, tags::minimum_facet_angle, options.minimum_facet_angle);
-  replace_value(np, tags::quality_threshold, options.quality_threshold);
-  replace_value(np, tags::curved_splits, options.curved_splits);
-  replace_value(np, tags::split_junctions, options.split_junctions);
-  replace_value(np, tags::interface_energy, options.interface_energy);
-  return improve_interface(dsc, options);
+  return internal::call_with_parameters(
+      dsc, np, Interface_improvement_options<Complex>(),
+      [&](const auto& options) { return internal::remesh_interface(dsc, options); });
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes

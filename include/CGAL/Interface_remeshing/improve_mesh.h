@@ -10,26 +10,13 @@
 
 #include <CGAL/license/Interface_remeshing.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Interface_remeshing/Mesh_improvement_options.h>
 #include <CGAL/Interface_remeshing/internal/patches/improve_whole_mesh.h>
 #include <CGAL/Mesh_support/named_parameters.h>
-#include <CGAL/Mesh_support/parameter_values.h>
 
 namespace CGAL::Deformable_simplicial_complexes {
-
-/*!
-\ingroup PkgInterfaceRemeshingRef
-
-Does the same as `improve_mesh()` with named parameters.
-
-\throws Error as that function does, see also `Mesh_improvement_options::check()`
-*/
-template <class Complex>
-Improvement_report improve_mesh(Complex& dsc, const Mesh_improvement_options<Complex>& options) {
-  return internal::improve_whole_mesh(dsc, options);
-}
 
 /*!
 \ingroup PkgInterfaceRemeshingRef
@@ -46,7 +33,7 @@ The quality is that of the complex's quality measure. If dihedral angles are imp
 seeds.
 
 \param dsc the complex
-\param np named parameters with the names of the members of `Mesh_improvement_options`. A visitor, a
+\param np a `Mesh_improvement_options`, or named parameters with the names of its members. A visitor, a
        model of `DeformationVisitor`, is given by value or by `std::reference_wrapper`.
 
 \return the numbers of changes
@@ -56,17 +43,9 @@ After an exception of the visitor, the complex is valid.
 */
 template <class Complex, class NamedParameters = parameters::Default_named_parameters>
 Improvement_report improve_mesh(Complex& dsc, const NamedParameters& np = NamedParameters()) {
-  namespace tags = internal_np;
-  auto visitor = visitor_parameter<Complex>(np);
-  Mesh_improvement_options<Complex> options;
-  options.visitor = &visitor.any();
-  replace_value(np, tags::quality_threshold, options.quality_threshold);
-  replace_value(np, tags::aggressive, options.aggressive);
-  replace_value(np, tags::smooth_interface, options.smooth_interface);
-  replace_count(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
-                options.number_of_iterations);
-  replace_count(np, tags::number_of_threads, "number_of_threads", options.number_of_threads);
-  return improve_mesh(dsc, options);
+  return internal::call_with_parameters(
+      dsc, np, Mesh_improvement_options<Complex>(),
+      [&](const auto& options) { return internal::improve_whole_mesh(dsc, options); });
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes

@@ -12,6 +12,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
@@ -63,15 +64,12 @@ template <class Complex> struct Degeneracy_options
   }
 };
 
-/*!
-\ingroup PkgInterfaceRemeshingRef
+namespace internal {
 
-Does the same as `remove_degeneracies()` with named parameters.
-
-\throws Error as that function does, see also `Degeneracy_options::check()`
-*/
+// Implements `remove_degeneracies()`.
 template <class Complex>
-Improvement_report remove_degeneracies(Complex& dsc, const Degeneracy_options<Complex>& options) {
+Improvement_report remove_degenerate_simplices(Complex& dsc,
+                                               const Degeneracy_options<Complex>& options) {
   using Cell_handle = typename Complex::Cell_handle;
 
   options.check();
@@ -112,6 +110,8 @@ Improvement_report remove_degeneracies(Complex& dsc, const Degeneracy_options<Co
   return report;
 }
 
+} // namespace internal
+
 /*!
 \ingroup PkgInterfaceRemeshingRef
 
@@ -124,7 +124,7 @@ edges. The topology of the interface stays; the interface moves by the volume of
 A pass over the cells, then n log n in the number of changed cells.
 
 \param dsc the complex
-\param np named parameters with the names of the members of `Degeneracy_options`. Function objects
+\param np a `Degeneracy_options`, or named parameters with the names of its members. Function objects
        and a visitor, a model of `DeformationVisitor`, are given by value or by
        `std::reference_wrapper`.
 
@@ -137,17 +137,9 @@ A pass over the cells, then n log n in the number of changed cells.
 template <class Complex, class NamedParameters = parameters::Default_named_parameters>
 Improvement_report remove_degeneracies(Complex& dsc,
                                        const NamedParameters& np = NamedParameters()) {
-  namespace tags = internal_np;
-  auto visitor = visitor_parameter<Complex>(np);
-  Degeneracy_options<Complex> options;
-  options.visitor = &visitor.any();
-  replace_value(np, tags::degenerate_quality, options.degenerate_quality);
-  replace_value(np, tags::degenerate_cosine, options.degenerate_cosine);
-  replace_value(np, tags::degenerate_length, options.degenerate_length);
-  replace_value(np, tags::sizing_field, options.sizing_field);
-  replace_count(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
-                options.number_of_iterations);
-  return remove_degeneracies(dsc, options);
+  return internal::call_with_parameters(
+      dsc, np, Degeneracy_options<Complex>(),
+      [&](const auto& options) { return internal::remove_degenerate_simplices(dsc, options); });
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes

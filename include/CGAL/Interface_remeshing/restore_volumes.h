@@ -10,7 +10,6 @@
 
 #include <CGAL/license/Interface_remeshing.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
@@ -62,17 +61,13 @@ template <class Complex> struct Volume_restoration_options
   }
 };
 
-/*!
-\ingroup PkgInterfaceRemeshingRef
+namespace internal {
 
-Does the same as `restore_volumes()` with named parameters.
-
-\throws Error as that function does, see also `Volume_restoration_options::check()`
-*/
+// Implements `restore_volumes()`.
 template <class Complex>
-Volume_report<Complex> restore_volumes(Complex& dsc,
-                                       const std::map<typename Complex::Label, double>& volumes,
-                                       const Volume_restoration_options<Complex>& options) {
+Volume_report<Complex> restore_all_volumes(Complex& dsc,
+                                           const std::map<typename Complex::Label, double>& volumes,
+                                           const Volume_restoration_options<Complex>& options) {
   options.check();
   double domain = 0, target = 0;
   for (const auto label : dsc.labels())
@@ -116,6 +111,8 @@ Volume_report<Complex> restore_volumes(Complex& dsc,
   }
 }
 
+} // namespace internal
+
 /*!
 \ingroup PkgInterfaceRemeshingRef
 
@@ -128,8 +125,8 @@ the interface, plus the deformations.
 \param dsc the complex
 \param volumes target volumes of labels, positive, in the coordinates of the complex. Labels without
        a target volume share the rest of the domain.
-\param np named parameters: those of `deform_interface()`, and those with the names of the other
-       members of `Volume_restoration_options`
+\param np a `Volume_restoration_options`, or named parameters: those of `deform_interface()`, and
+       those with the names of the other members of `Volume_restoration_options`
 
 \return the deformations, and whether all volumes are correct within the tolerance. If they are not,
         the interface could not reach its destinations, a visitor ended the deformation, or there
@@ -143,14 +140,9 @@ template <class Complex, class NamedParameters = parameters::Default_named_param
 Volume_report<Complex> restore_volumes(Complex& dsc,
                                        const std::map<typename Complex::Label, double>& volumes,
                                        const NamedParameters& np = NamedParameters()) {
-  auto visitor = visitor_parameter<Complex>(np);
-  Volume_restoration_options<Complex> options;
-  options.deformation.visitor = &visitor.any();
-  read_parameters(dsc, np, options.deformation);
-  replace_value(np, internal_np::volume_tolerance, options.volume_tolerance);
-  replace_count(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
-                options.number_of_iterations);
-  return restore_volumes(dsc, volumes, options);
+  return internal::call_with_parameters(
+      dsc, np, Volume_restoration_options<Complex>(),
+      [&](const auto& options) { return internal::restore_all_volumes(dsc, volumes, options); });
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes

@@ -12,12 +12,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-#include <algorithm>
-#include <cstdint>
 #include <functional>
-#include <limits>
-#include <string>
-#include <type_traits>
 
 /// \file
 /// Named parameters of the package. They are chained like those of CGAL:
@@ -28,26 +23,18 @@ namespace CGAL::Deformable_simplicial_complexes {
 namespace internal_np {
 
 /// \cond SKIP_IN_MANUAL
-#define CGAL_add_named_parameter(X, Y, Z) enum X { Y };
+#define CGAL_DSC_PARAMETER(NAME) enum NAME##_t{NAME};
+#define CGAL_DSC_PARAMETER_OF_CGAL(NAME)
 #include <CGAL/Mesh_support/named_parameter_list.h>
-#undef CGAL_add_named_parameter
 /// \endcond
 
 // For CGAL's own parameters, the package uses CGAL's tags.
-using CGAL::internal_np::normal_t;
 using CGAL::internal_np::number_of_iterations_t;
-using CGAL::internal_np::point_t;
 using CGAL::internal_np::visitor_t;
+using normal_map_t = CGAL::internal_np::normal_t;
+using point_map_t = CGAL::internal_np::point_t;
 
 } // namespace internal_np
-
-/// \cond SKIP_IN_MANUAL
-#define CGAL_DSC_SHARED_PARAMETERS                                                                 \
-  CGAL_add_named_parameter(number_of_iterations_t, number_of_iterations, number_of_iterations)     \
-      CGAL_add_named_parameter(visitor_t, visitor, visitor)                                        \
-          CGAL_add_named_parameter(point_t, point_map, point_map)                                  \
-              CGAL_add_named_parameter(normal_t, normal_map, normal_map)
-/// \endcond
 
 /// Chain of named parameters: CGAL's class with the functions of this package.
 template <class T, class Tag, class Base = CGAL::internal_np::No_property>
@@ -56,14 +43,12 @@ struct Named_parameters : public Named_function_parameters<T, Tag, Base>
   using Named_function_parameters<T, Tag, Base>::Named_function_parameters;
 
 /// \cond SKIP_IN_MANUAL
-#define CGAL_add_named_parameter(X, Y, Z)                                                          \
+#define CGAL_DSC_PARAMETER(NAME)                                                                   \
   template <class K>                                                                               \
-  Named_parameters<K, internal_np::X, Named_parameters> Z(const K& value) const {                  \
+  Named_parameters<K, internal_np::NAME##_t, Named_parameters> NAME(const K& value) const {        \
     return {value, *this};                                                                         \
   }
 #include <CGAL/Mesh_support/named_parameter_list.h>
-  CGAL_DSC_SHARED_PARAMETERS
-#undef CGAL_add_named_parameter
   /// \endcond
 };
 
@@ -76,11 +61,11 @@ using Default_named_parameters = Named_parameters<bool, CGAL::internal_np::all_d
 inline Default_named_parameters default_values() { return {}; }
 
 /// \cond SKIP_IN_MANUAL
-#define CGAL_add_named_parameter(X, Y, Z)                                                          \
-  template <class K> Named_parameters<K, internal_np::X> Z(const K& value) { return {value}; }
+#define CGAL_DSC_PARAMETER(NAME)                                                                   \
+  template <class K> Named_parameters<K, internal_np::NAME##_t> NAME(const K& value) {             \
+    return {value};                                                                                \
+  }
 #include <CGAL/Mesh_support/named_parameter_list.h>
-CGAL_DSC_SHARED_PARAMETERS
-#undef CGAL_add_named_parameter
 /// \endcond
 
 } // namespace parameters
@@ -92,8 +77,6 @@ template <class T> T& unwrap(T& value) { return value; }
 template <class T> T& unwrap(std::reference_wrapper<T>& value) { return value.get(); }
 
 } // namespace internal
-
-#undef CGAL_DSC_SHARED_PARAMETERS
 
 } // namespace CGAL::Deformable_simplicial_complexes
 

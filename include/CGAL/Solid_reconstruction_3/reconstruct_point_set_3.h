@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <type_traits>
 
 namespace CGAL::Deformable_simplicial_complexes {
 
@@ -92,19 +93,6 @@ Complex reconstruct(const PointRange& range, const NamedParameters& maps,
 /*!
 \ingroup PkgSolidReconstruction3Ref
 
-Does the same as `reconstruct_point_set_3()` with named parameters and default maps.
-
-\throws Error as that function does, see also `Reconstruction_options_3::check()`
-*/
-template <class Complex, class PointRange>
-Complex reconstruct_point_set_3(const PointRange& points,
-                                const Reconstruction_options_3<Complex>& options) {
-  return internal::reconstruct(points, parameters::default_values(), options);
-}
-
-/*!
-\ingroup PkgSolidReconstruction3Ref
-
 Reconstructs a solid from points on its surface (section 4.3 of the paper). The result is closed and
 has label 1 inside the solid. Its interface is a manifold. Sharp edges and corners stay sharp.
 
@@ -128,7 +116,7 @@ neighbors of each point.
         default, the points and normals of a `Point_set_3` are used.
 
 \param points the points, in any order
-\param np named parameters with the names of the members of `Reconstruction_options_3`, where
+\param np a `Reconstruction_options_3`, or named parameters with the names of its members, where
        `observer` is a model of `ReconstructionObserver_3`, by value or
        `std::reference_wrapper`, and `report` a `std::reference_wrapper`. Also `point_map` and
        `normal_map`, models of `ReadablePropertyMap` whose value types have `x()`, `y()` and `z()`:
@@ -155,17 +143,14 @@ interface.
 template <class Complex, class PointRange, class NP = parameters::Default_named_parameters>
 Complex reconstruct_point_set_3(const PointRange& points,
                                 const NP& np = parameters::default_values()) {
-  namespace tags = internal_np;
-  Reconstruction_options_3<Complex> options;
-  replace_value(np, tags::fit_tolerance, options.fit_tolerance);
-  replace_value(np, tags::keep_open, options.keep_open);
-  replace_count(np, CGAL::internal_np::number_of_iterations, "number_of_iterations",
-                options.number_of_iterations);
-  replace_count(np, tags::number_of_threads, "number_of_threads", options.number_of_threads);
-  replace_value(np, tags::observer, options.observer);
-  if constexpr (is_given<NP, tags::report_t>)
-    options.report = &parameter(np, tags::report).get();
-  return internal::reconstruct(points, np, options);
+  using Options = Reconstruction_options_3<Complex>;
+  if constexpr (std::is_same<NP, Options>::value)
+    return internal::reconstruct(points, parameters::default_values(), np);
+  else {
+    Options options;
+    read_parameters(np, options);
+    return internal::reconstruct(points, np, options);
+  }
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes

@@ -10,6 +10,9 @@
 
 #include <CGAL/license/Triangle_soup_repair.h>
 
+#include <CGAL/Mesh_support/Error.h>
+
+#include <cmath>
 #include <limits>
 
 namespace CGAL::Deformable_simplicial_complexes {
@@ -43,6 +46,18 @@ struct Surface_repair_options_3
 
   /// Distance of the wrap from the surface, in mean edge lengths, positive.
   double wrap_offset = .1;
+
+  /// Throws an exception unless all values are in their ranges.
+  /// \throws Error if a value is out of its range
+  void check() const {
+    if (!(merge_distance >= 0 && std::isfinite(merge_distance)))
+      throw Error("the merge distance is negative or not finite: use 0 or more");
+    if (!(largest_hole >= 0 && longest_border >= 0 && wrap_alpha >= 0 && std::isfinite(wrap_alpha)))
+      throw Error("the largest hole, the longest border or the alpha of the wrap is out of range: "
+                  "use 0 or more");
+    if (!(wrap_offset > 0 && std::isfinite(wrap_offset)))
+      throw Error("the offset of the wrap is not positive and finite: use more than 0");
+  }
 };
 
 } // namespace CGAL::Deformable_simplicial_complexes

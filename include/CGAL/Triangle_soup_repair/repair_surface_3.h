@@ -12,11 +12,11 @@
 
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/named_parameters.h>
+#include <CGAL/Mesh_support/parameter_values.h>
 #include <CGAL/Triangle_soup_repair/Labeled_surface_3.h>
 #include <CGAL/Triangle_soup_repair/Surface_repair_options_3.h>
 #include <CGAL/Triangle_soup_repair/Surface_repair_report_3.h>
 #include <CGAL/Triangle_soup_repair/internal/repair/Surface_repairer_3.h>
-#include <CGAL/Triangle_soup_repair/internal/repair/repair_options.h>
 
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
@@ -103,7 +103,9 @@ plus the square of the number of edges of holes, plus the wrap.
 template <class Point, class NP = parameters::Default_named_parameters>
 Surface_repair_report_3 repair_surface_3(Labeled_surface_3<Point>& surface,
                                          const NP& np = parameters::default_values()) {
-  return repair_surface_3(surface, internal::repair_options(np));
+  Surface_repair_options_3 options;
+  read_parameters(np, options);
+  return repair_surface_3(surface, options);
 }
 
 /*!

@@ -440,12 +440,8 @@ void Incompressible_fluid<Complex, Solver>::restore(const State& state) {
 template <class Complex, class Solver>
 template <class NamedParameters>
 auto Incompressible_fluid<Complex, Solver>::options(const NamedParameters& np) const -> Options {
-  namespace tags = internal_np;
   Options result;
-  read_parameters(m_complex, np, result.deformation);
-  replace_value(np, tags::implicitness, result.implicitness);
-  replace_value(np, tags::interface_tolerance, result.interface_tolerance);
-  replace_count(np, tags::adaptation_interval, "adaptation_interval", result.adaptation_interval);
+  read_parameters(m_complex, np, result);
   return result;
 }
 

@@ -17,7 +17,6 @@
 #include <CGAL/Triangle_soup_repair/internal/checks/refuse_surface.h>
 #include <CGAL/Triangle_soup_repair/internal/repair/clean_soup_3.h>
 #include <CGAL/Triangle_soup_repair/internal/repair/distance_of_samples_3.h>
-#include <CGAL/Triangle_soup_repair/internal/repair/repair_options.h>
 #include <CGAL/Triangle_soup_repair/internal/repair/split_at_t_junctions_3.h>
 #include <CGAL/Triangle_soup_repair/internal/repair/unite_components_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
@@ -76,7 +75,7 @@ class Surface_repairer_3
 public:
   Surface_repairer_3(Triangle_soup_3 input, const Surface_repair_options_3& options)
       : m_options(options), m_input(std::move(input)), m_soup(m_input) {
-    check_options(options);
+    options.check();
   }
 
   // Repairs the soup. Throws Invalid_surface_error if no step succeeds.
