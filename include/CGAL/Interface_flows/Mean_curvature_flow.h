@@ -64,26 +64,32 @@ public:
   template <class Complex>
   void operator()(const Interface_snapshot<Complex>& interface_,
                   const std::vector<typename Complex::Approximate_point>& positions, double /*t*/,
-                  std::vector<typename Complex::Approximate_vector>& velocities) const {
-    using Forces = internal::Interface_forces<Complex>;
-    const Forces forces(interface_, positions, m_energy);
-    velocities.assign(positions.size(), NULL_VECTOR);
-    for (std::size_t v = 0; v < positions.size(); ++v)
-      if (forces.share(v) > 0) {
-        auto mass = forces.mass(v);
-        auto force = forces.force(v);
-        if (const auto* constraint = forces.constraint(v)) {
-          mass = (*constraint * mass * *constraint).eval();
-          mass += mass.Identity() - *constraint;
-          force = (*constraint * force).eval();
-        }
-        velocities[v] = Forces::vector(mass.ldlt().solve(force).eval());
-      }
-  }
+                  std::vector<typename Complex::Approximate_vector>& velocities) const;
 
 private:
   Interface_energy m_energy;
 };
+
+template <class Complex>
+void Mean_curvature_velocity::operator()(
+    const Interface_snapshot<Complex>& interface_,
+    const std::vector<typename Complex::Approximate_point>& positions, double /*t*/,
+    std::vector<typename Complex::Approximate_vector>& velocities) const {
+  using Forces = internal::Interface_forces<Complex>;
+  const Forces forces(interface_, positions, m_energy);
+  velocities.assign(positions.size(), NULL_VECTOR);
+  for (std::size_t v = 0; v < positions.size(); ++v)
+    if (forces.share(v) > 0) {
+      auto mass = forces.mass(v);
+      auto force = forces.force(v);
+      if (const auto* constraint = forces.constraint(v)) {
+        mass = (*constraint * mass * *constraint).eval();
+        mass += mass.Identity() - *constraint;
+        force = (*constraint * force).eval();
+      }
+      velocities[v] = Forces::vector(mass.ldlt().solve(force).eval());
+    }
+}
 
 /*!
 \ingroup PkgInterfaceFlowsRef
@@ -148,30 +154,7 @@ public:
   double operator()(const Interface_snapshot<Complex>& interface_,
                     const std::vector<typename Complex::Approximate_point>& positions, double /*t*/,
                     double dt,
-                    std::vector<typename Complex::Approximate_point>& destinations) const {
-    if (!(dt >= 0))
-      throw Error("mean curvature flow cannot go back in time: use a time step of 0 or more");
-    destinations.clear();
-    if (positions.empty())
-      return 0;
-    const auto whole = implicit_step(interface_, positions, dt);
-    const auto half = implicit_step(interface_, positions, dt / 2);
-    const auto halves = implicit_step(interface_, half, dt / 2);
-    destinations = extrapolated<Complex>(whole, halves);
-    double error = largest_distance<Complex>(whole, halves);
-    if (Complex::dimension == 2 && m_divides_steps) {
-      const double tolerance = error_bound * mean_edge(interface_, positions);
-      if (error > tolerance)
-        try {
-          destinations = divided_step(interface_, positions, dt, half, tolerance, error);
-        } catch (const Error&) {
-          // A component vanishes within the step, which only the whole step passes over.
-        }
-    }
-    if (m_preserves_volumes)
-      restore_volumes(interface_, positions, destinations);
-    return error;
-  }
+                    std::vector<typename Complex::Approximate_point>& destinations) const;
 
 private:
   // Largest difference of one step and two steps of half the length, in mean edges. Longer steps
@@ -319,6 +302,35 @@ private:
   bool m_preserves_volumes = false;
   bool m_divides_steps = true;
 };
+
+template <class Complex>
+double Mean_curvature_flow::operator()(
+    const Interface_snapshot<Complex>& interface_,
+    const std::vector<typename Complex::Approximate_point>& positions, double /*t*/, double dt,
+    std::vector<typename Complex::Approximate_point>& destinations) const {
+  if (!(dt >= 0))
+    throw Error("mean curvature flow cannot go back in time: use a time step of 0 or more");
+  destinations.clear();
+  if (positions.empty())
+    return 0;
+  const auto whole = implicit_step(interface_, positions, dt);
+  const auto half = implicit_step(interface_, positions, dt / 2);
+  const auto halves = implicit_step(interface_, half, dt / 2);
+  destinations = extrapolated<Complex>(whole, halves);
+  double error = largest_distance<Complex>(whole, halves);
+  if (Complex::dimension == 2 && m_divides_steps) {
+    const double tolerance = error_bound * mean_edge(interface_, positions);
+    if (error > tolerance)
+      try {
+        destinations = divided_step(interface_, positions, dt, half, tolerance, error);
+      } catch (const Error&) {
+        // A component vanishes within the step, which only the whole step passes over.
+      }
+  }
+  if (m_preserves_volumes)
+    restore_volumes(interface_, positions, destinations);
+  return error;
+}
 
 } // namespace CGAL::Deformable_simplicial_complexes
 

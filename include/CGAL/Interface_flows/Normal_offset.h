@@ -27,6 +27,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
@@ -120,6 +121,10 @@ template <class Point> double angle_at_corner(const std::array<Point, 2>&, int, 
   return 1;
 }
 
+template <class Complex>
+using Opened_corners = std::conditional_t<Complex::dimension == 3, Opened_corners_3<Complex>,
+                                          Opened_corners_2<Complex>>;
+
 } // namespace internal
 
 /*!
@@ -168,49 +173,60 @@ struct Normal_offset
   template <class Complex>
   void operator()(const Interface_snapshot<Complex>& interface_,
                   const std::vector<typename Complex::Approximate_point>& positions, double /*t*/,
-                  std::vector<typename Complex::Approximate_vector>& velocities) const {
-    using Vector = typename Complex::Approximate_vector;
-    std::vector<internal::Moving_planes<Vector, Complex::dimension>> planes(positions.size());
-    for (const auto& facet : interface_.facets()) {
-      if (facet.in_front != 0 && facet.behind != 0)
-        continue;
-      const auto p = interface_.corners(facet, positions);
-      Vector normal = Complex::Space::facet_normal(p);
-      const double length = Complex::Space::length(normal);
-      if (!(length > 0))
-        continue;
-      normal = normal / (facet.in_front == 0 ? length : -length);
-      for (int i = 0; i < Complex::dimension; ++i) {
-        Vector into_facet(NULL_VECTOR);
-        for (const auto& corner : p)
-          into_facet = into_facet + (corner - p[i]);
-        planes[facet.vertices[i]].add(normal, internal::angle_at_corner(p, i, length),
-                                      speed < 0 ? -into_facet : into_facet);
-      }
-    }
-    velocities.clear();
-    for (const auto& p : planes)
-      velocities.push_back(speed * p.velocity(miter_limit));
-  }
+                  std::vector<typename Complex::Approximate_vector>& velocities) const;
 
   /// Inserts vertices at corners and edges that are opened in a step of the length `dt`.
   /// `advect_interface()` calls this function before the step.
   template <class Complex>
-  auto open_corners(Complex& dsc, const Interface_snapshot<Complex>& interface_, double dt,
-                    Any_visitor<Complex>& visitor) const {
-    // The area between an arc and tangents of this angle is less than 1 % of the sector.
-    static constexpr double finest = 18 * CGAL_PI / 180;
-    const bool are_round = corners == Corner_rule::round;
-    if constexpr (Complex::dimension == 3)
-      return internal::Opened_corners_3<Complex>(dsc, are_round ? speed : 0, dt, finest, visitor);
-    else if (are_round)
-      return internal::Opened_corners_2<Complex>(dsc, interface_, speed, dt, finest, finest,
-                                                 visitor);
-    else // two vertices, at right angles to the mean normal
-      return internal::Opened_corners_2<Complex>(
-          dsc, interface_, speed, dt, 2 * std::acos(1 / miter_limit), CGAL_PI / 2, visitor);
-  }
+  internal::Opened_corners<Complex> open_corners(Complex& dsc,
+                                                 const Interface_snapshot<Complex>& interface_,
+                                                 double dt, Any_visitor<Complex>& visitor) const;
 };
+
+template <class Complex>
+void Normal_offset::operator()(
+    const Interface_snapshot<Complex>& interface_,
+    const std::vector<typename Complex::Approximate_point>& positions, double /*t*/,
+    std::vector<typename Complex::Approximate_vector>& velocities) const {
+  using Vector = typename Complex::Approximate_vector;
+  std::vector<internal::Moving_planes<Vector, Complex::dimension>> planes(positions.size());
+  for (const auto& facet : interface_.facets()) {
+    if (facet.in_front != 0 && facet.behind != 0)
+      continue;
+    const auto p = interface_.corners(facet, positions);
+    Vector normal = Complex::Space::facet_normal(p);
+    const double length = Complex::Space::length(normal);
+    if (!(length > 0))
+      continue;
+    normal = normal / (facet.in_front == 0 ? length : -length);
+    for (int i = 0; i < Complex::dimension; ++i) {
+      Vector into_facet(NULL_VECTOR);
+      for (const auto& corner : p)
+        into_facet = into_facet + (corner - p[i]);
+      planes[facet.vertices[i]].add(normal, internal::angle_at_corner(p, i, length),
+                                    speed < 0 ? -into_facet : into_facet);
+    }
+  }
+  velocities.clear();
+  for (const auto& p : planes)
+    velocities.push_back(speed * p.velocity(miter_limit));
+}
+
+template <class Complex>
+internal::Opened_corners<Complex>
+Normal_offset::open_corners(Complex& dsc, const Interface_snapshot<Complex>& interface_, double dt,
+                            Any_visitor<Complex>& visitor) const {
+  // The area between an arc and tangents of this angle is less than 1 % of the sector.
+  static constexpr double finest = 18 * CGAL_PI / 180;
+  const bool are_round = corners == Corner_rule::round;
+  if constexpr (Complex::dimension == 3)
+    return internal::Opened_corners_3<Complex>(dsc, are_round ? speed : 0, dt, finest, visitor);
+  else if (are_round)
+    return internal::Opened_corners_2<Complex>(dsc, interface_, speed, dt, finest, finest, visitor);
+  else // two vertices, at right angles to the mean normal
+    return internal::Opened_corners_2<Complex>(
+        dsc, interface_, speed, dt, 2 * std::acos(1 / miter_limit), CGAL_PI / 2, visitor);
+}
 
 } // namespace CGAL::Deformable_simplicial_complexes
 

@@ -98,35 +98,34 @@ private:
 
 namespace internal {
 
-// Implements `advect_adaptively()`.
-template <class Complex, class Velocity>
-Deformation_report<Complex> adapt_and_advect(Complex& dsc, const Velocity& velocity, double t,
-                                             double dt,
+// Adapts the interface and moves it for one time step, see `advect()`.
+template <class Complex>
+Deformation_report<Complex> adapt_and_advect(Complex& dsc, const Step_velocity<Complex>& velocity,
+                                             double t, double dt,
                                              const Adaptive_advection_options<Complex>& options) {
-  constexpr bool contracts = internal::contracts_interface<Velocity>;
+  const bool contracts = velocity.contracts();
   options.check();
   require_interface_edge(dsc);
   const Deformation_options<Complex>& deformation = options.advection.deformation;
   Improvement_report changes;
-  const auto earlier = internal::volumes_before(dsc); // the adaptation
+  const auto earlier = volumes_before(dsc); // the adaptation
   if (std::fmod(std::round(t / dt), options.adaptation_interval) == 0 &&
       !dsc.interface_vertices().empty()) {
-    const Adaptation_options adaptation = {
-        options.interface_tolerance, options.feature_angle, !contracts,
-        contracts && !deformation.topology_control,
-        internal::energy_of(velocity, deformation.interface_energy)};
+    const Adaptation_options adaptation = {options.interface_tolerance, options.feature_angle,
+                                           !contracts, contracts && !deformation.topology_control,
+                                           velocity.energy_or(deformation.interface_energy)};
     const auto is_stretching = [&](const auto& interface_) {
       return is_stretched(
           interface_, interface_.positions(dsc),
-          internal::destinations_of_step(dsc, interface_, velocity, t, dt, options.advection));
+          destinations_of_step(dsc, interface_, velocity, t, dt, options.advection));
     };
     Volume_restoration_options<Complex> restoration;
     restoration.deformation = deformation;
     restoration.deformation.flow = nullptr;
     restoration.deformation.forbid_topology_changes();
-    const auto volumes = internal::volumes_but_one(dsc);
+    const auto volumes = volumes_but_one(dsc);
     changes = keep_interface_fit(dsc, adaptation, is_stretching, deformation.visitor);
-    if ((contracts && Complex::dimension == 2) || internal::preserves_volumes(velocity))
+    if ((contracts && Complex::dimension == 2) || velocity.preserves_volumes())
       for (const auto& restored : restore_volumes(dsc, volumes, restoration).deformations)
         changes += restored;
     Detail_options<Complex> detail;
@@ -134,8 +133,8 @@ Deformation_report<Complex> adapt_and_advect(Complex& dsc, const Velocity& veloc
     detail.visitor = deformation.visitor;
     changes += control_detail(dsc, detail);
   }
-  Deformation_report<Complex> report = advect_interface(dsc, velocity, t, dt, options.advection);
-  internal::begin_with(earlier, report);
+  Deformation_report<Complex> report = advect(dsc, velocity, t, dt, options.advection);
+  begin_with(earlier, report);
   report += changes;
   return report;
 }
@@ -200,7 +199,8 @@ Deformation_report<Complex> advect_adaptively(Complex& dsc, const Velocity& velo
   return internal::call_with_parameters(
       dsc, np, Adaptive_advection_options<Complex>(internal::contracts_interface<Velocity>),
       [&](const auto& options) {
-        return internal::adapt_and_advect(dsc, velocity, t, dt, options);
+        return internal::adapt_and_advect(
+            dsc, internal::Step_velocity_of<Complex, Velocity>(velocity), t, dt, options);
       });
 }
 

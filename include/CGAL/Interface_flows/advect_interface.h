@@ -17,16 +17,16 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/balance/Destinations.h>
 #include <CGAL/Interface_flows/Integration_scheme.h>
 #include <CGAL/Interface_flows/internal/corners/Passed_edges.h>
-#include <CGAL/Interface_flows/internal/paths/interface_paths.h>
+#include <CGAL/Interface_flows/internal/paths/Step_velocity.h>
 #include <CGAL/Interface_flows/internal/paths/long_steps.h>
-#include <CGAL/Interface_flows/internal/paths/velocity_properties.h>
 #include <CGAL/Interface_remeshing/Edge_unit.h>
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/For_each_index.h>
 #include <CGAL/Mesh_support/named_parameters.h>
 
 #include <cmath>
-#include <utility>
+#include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
@@ -91,25 +91,26 @@ void begin_with(const std::vector<typename Deformation_report<Complex>::Label_ch
 }
 
 // Returns the destinations of the vertices of the interface in a time step.
-template <class Complex, class Interface, class Velocity>
+template <class Complex>
 std::vector<typename Complex::Approximate_point>
-destinations_of_step(const Complex& dsc, const Interface& interface_, const Velocity& velocity,
-                     double t, double dt, const Advection_options<Complex>& options,
-                     double* error = nullptr) {
+destinations_of_step(const Complex& dsc, const Interface_vertices<Complex>& interface_,
+                     const Step_velocity<Complex>& velocity, double t, double dt,
+                     const Advection_options<Complex>& options, double* error = nullptr) {
   if (options.scheme == Integration_scheme::adaptive && !(dsc.mean_interface_edge() > 0) &&
       !interface_.vertices.empty())
     throw Error("the complex was built without an interface and has no unit of length for the "
                 "integration tolerance: use another scheme");
-  return find_destinations(interface_, interface_.positions(dsc), velocity, t, dt, options.scheme,
-                           options.integration_tolerance * dsc.mean_interface_edge(), error);
+  return velocity.destinations(interface_, interface_.positions(dsc), t, dt, options.scheme,
+                               options.integration_tolerance * dsc.mean_interface_edge(), error);
 }
 
 // A time step that is divided into parts. Each part is one deformation.
-template <class Complex, class Velocity> class Divided_step
+template <class Complex> class Divided_step
 {
 public:
   using Report = Deformation_report<Complex>;
-  using Points = std::vector<typename Complex::Approximate_point>;
+  using Velocity = Step_velocity<Complex>;
+  using Points = typename Velocity::Points;
 
   Divided_step(Complex& dsc, const Velocity& velocity, const Advection_options<Complex>& options)
       : m_dsc(dsc), m_velocity(velocity), m_options(options),
@@ -141,84 +142,83 @@ public:
   }
 
 private:
-  using Interface = Interface_seen_by<Complex, Velocity>;
+  using Interface = std::shared_ptr<const Interface_vertices<Complex>>;
 
   // Does a part of the time step `dt`, from the time `t` on.
   Report advance(double t, double dt) {
-    Interface interface_(m_dsc, m_for_each_index);
-    Points destinations = destinations_of_part(interface_, t, dt);
+    Interface interface_ = listed();
+    Points destinations = destinations_of_part(*interface_, t, dt);
     if constexpr (Complex::Domain::has_outside)
       while (m_options.deformation.domain_rule == Domain_rule::grow &&
-             leaves_domain(m_dsc, interface_, destinations)) {
+             leaves_domain(m_dsc, *interface_, destinations)) {
         const double before = m_dsc.measure(0);
         grow_domain(m_dsc);
         m_grown += m_dsc.measure(0) - before;
-        interface_ = Interface(m_dsc, m_for_each_index);
-        destinations = destinations_of_part(interface_, t, dt);
+        interface_ = listed();
+        destinations = destinations_of_part(*interface_, t, dt);
       }
-    if constexpr (moves_segments<Complex, Velocity>)
-      return advance_segments(interface_, destinations, t, dt);
-    else if constexpr (opens_corners<Complex, Velocity>)
-      return advance_opened(interface_, destinations, t);
-    else
-      return deform(interface_, destinations, t);
-  }
-
-  // Does a part before which edges and vertices of polyhedra are opened.
-  Report advance_opened(Interface interface_, Points destinations, double t) {
-    const auto earlier = volumes_before(m_dsc);
-    Any_visitor<Complex> none;
-    const auto corners = m_velocity.open_corners(
-        m_dsc, interface_, m_step,
-        m_options.deformation.visitor ? *m_options.deformation.visitor : none);
-    if (corners.inserted() > 0) {
-      interface_ = Interface(m_dsc, m_for_each_index);
-      destinations =
-          destinations_of_step(m_dsc, interface_, m_velocity, t, m_step, m_options, &m_error);
-      corners.place(interface_, destinations);
-    }
-    Report report = deform(interface_, destinations, t);
-    if (corners.inserted() > 0) {
-      begin_with(earlier, report);
-      report.split += corners.inserted();
-      report.complete = report.complete && report.is_balanced();
-    }
+    if (m_velocity.opens_corners())
+      open_corners(interface_, destinations, t, dt);
+    Report report = deform(m_dsc, interface_->vertices, destinations, deformation(t));
+    report.estimated_error = m_error;
+    add_operations_before(report);
     return report;
   }
 
-  Points destinations_of_part(const Interface& interface_, double t, double dt) {
+  Interface listed() const { return m_velocity.interface_of(m_dsc, m_for_each_index); }
+
+  bool moves_segments() const { return Complex::dimension == 2 && m_velocity.opens_corners(); }
+
+  Points destinations_of_part(const Interface_vertices<Complex>& interface_, double t, double dt) {
     return find_part(interface_, dt, [&] {
-      if constexpr (moves_segments<Complex, Velocity>)
-        return straight_destinations(interface_, t);
-      else
-        return destinations_of_step(m_dsc, interface_, m_velocity, t, m_step, m_options, &m_error);
+      return moves_segments() ? straight_destinations(interface_, t)
+                              : destinations_of_step(m_dsc, interface_, m_velocity, t, m_step,
+                                                     m_options, &m_error);
     });
   }
 
-  // Does a part in which edges vanish and corners are opened.
-  Report advance_segments(Interface interface_, const Points& straight, double t, double dt) {
-    const auto earlier = volumes_before(m_dsc);
+  // Opens corners and edges of polyhedra before a part. In the plane, collapses edges that vanish
+  // before, and may shorten the part.
+  void open_corners(Interface& interface_, Points& destinations, double t, double dt) {
+    m_earlier = volumes_before(m_dsc);
     Any_visitor<Complex> none;
     auto& visitor = m_options.deformation.visitor ? *m_options.deformation.visitor : none;
-    // Errors are found before the interface is changed.
-    require_interface_edge(m_dsc);
-    require_finite(straight, "a destination");
-    Passed_edges<Complex> passed(m_dsc, interface_, straight, visitor);
-    passed.collapse();
-    if (passed.collapsed() > 0)
-      interface_ = Interface(m_dsc, m_for_each_index);
-    shorten(passed.until(), dt);
-    const auto corners = m_velocity.open_corners(m_dsc, interface_, m_step, visitor);
-    if (corners.inserted() > 0)
-      interface_ = Interface(m_dsc, m_for_each_index);
-    Points destinations = straight_destinations(interface_, t);
-    corners.place(interface_, destinations);
-    Report report = deform(interface_, destinations, t);
-    begin_with(earlier, report);
-    report.split += corners.inserted();
-    report.collapsed += passed.collapsed();
+    if constexpr (Complex::dimension == 2) {
+      // Errors are found before the interface is changed.
+      require_interface_edge(m_dsc);
+      require_finite(destinations, "a destination");
+      Passed_edges<Complex> passed(m_dsc,
+                                   static_cast<const Interface_snapshot<Complex>&>(*interface_),
+                                   destinations, visitor);
+      passed.collapse();
+      m_collapsed = passed.collapsed();
+      if (m_collapsed > 0)
+        interface_ = listed();
+      shorten(passed.until(), dt);
+    }
+    const auto corners = m_velocity.open_corners(m_dsc, *interface_, m_step, visitor);
+    m_inserted = corners.inserted;
+    if (m_inserted > 0)
+      interface_ = listed();
+    if (!changes_before())
+      return;
+    destinations = moves_segments() ? straight_destinations(*interface_, t)
+                                    : destinations_of_step(m_dsc, *interface_, m_velocity, t,
+                                                           m_step, m_options, &m_error);
+    corners.place(*interface_, destinations);
+  }
+
+  // Whether the interface or the destinations changed before this part.
+  bool changes_before() const { return moves_segments() || m_inserted > 0; }
+
+  // Adds the operations before a part to its report.
+  void add_operations_before(Report& report) const {
+    if (!changes_before())
+      return;
+    begin_with(m_earlier, report);
+    report.split += m_inserted;
+    report.collapsed += m_collapsed;
     report.complete = report.complete && report.is_balanced();
-    return report;
   }
 
   bool may_divide() const {
@@ -235,9 +235,9 @@ private:
 
   // Returns the destinations by constant velocities: segments move along their normals until one of
   // them vanishes.
-  Points straight_destinations(const Interface& interface_, double t) const {
+  Points straight_destinations(const Interface_vertices<Complex>& interface_, double t) const {
     Points result = interface_.positions(m_dsc);
-    const auto velocities = velocities_at(interface_, result, t, m_velocity);
+    const auto velocities = m_velocity.velocities(interface_, result, t);
     for (std::size_t i = 0; i < result.size(); ++i)
       result[i] = result[i] + m_step * velocities[i];
     return result;
@@ -245,20 +245,21 @@ private:
 
   // Shortens the part until it is not too long. Returns its destinations.
   // \param find returns the destinations of a part of the length `m_step`
-  template <class Find> Points find_part(const Interface& interface_, double dt, const Find& find) {
+  template <class Find>
+  Points find_part(const Interface_vertices<Complex>& interface_, double dt, const Find& find) {
     // A time step that needs more parts is an error of units or of signs.
     static constexpr double most_parts = 1e4;
     for (;;) {
       Points result = find();
-      const double length = may_divide()
-                                ? length_of_step<Complex, Velocity>(m_dsc, interface_, result,
-                                                                    m_options.largest_displacement)
-                                : 0;
+      const double length =
+          may_divide() ? length_of_step(m_dsc, interface_, result, m_velocity.is_flow_of_space(),
+                                        moves_segments(), m_options.largest_displacement)
+                       : 0;
       if (!(length > 1))
         return result;
       m_longest = m_step /= std::ceil(length);
       // Velocities of the interface are not smooth where its normals change.
-      if (m_options.scheme != Integration_scheme::euler && is_flow_of_space<Complex, Velocity>)
+      if (m_options.scheme != Integration_scheme::euler && m_velocity.is_flow_of_space())
         m_options.scheme = Integration_scheme::adaptive;
       if (!(std::abs(m_step) * most_parts >= std::abs(dt)))
         throw Error("the time step is too long: it would be divided into more than 10 000 parts; "
@@ -266,31 +267,39 @@ private:
     }
   }
 
-  Report deform(const Interface& interface_, const Points& destinations, double t) {
-    Deformation_options<Complex> deformation = m_options.deformation;
-    deformation.interface_energy = energy_of(m_velocity, deformation.interface_energy);
-    if constexpr (is_flow_of_space<Complex, Velocity>)
-      if (!deformation.flow)
-        deformation.flow = [&](const std::vector<typename Complex::Vertex_handle>& vertices) {
-          Points positions;
-          for (const auto v : vertices)
-            positions.push_back(m_dsc.position(v));
-          return follow_flow<Complex>(m_dsc.domain(), positions, m_velocity, t, m_step);
-        };
-    Report report = deform_interface_to(m_dsc, interface_, destinations, deformation);
-    report.estimated_error = m_error;
-    return report;
+  // Returns the options of the deformation of a part.
+  Deformation_options<Complex> deformation(double t) const {
+    Deformation_options<Complex> result = m_options.deformation;
+    result.interface_energy = m_velocity.energy_or(result.interface_energy);
+    if (m_velocity.is_flow_of_space() && !result.flow)
+      result.flow = [this, t](const std::vector<typename Complex::Vertex_handle>& vertices) {
+        Points positions;
+        for (const auto v : vertices)
+          positions.push_back(m_dsc.position(v));
+        return m_velocity.follow(m_dsc.domain(), positions, t, m_step);
+      };
+    return result;
   }
 
   Complex& m_dsc;
   const Velocity& m_velocity;
   Advection_options<Complex> m_options;
   For_each_index m_for_each_index;
-  double m_longest = 0; // length of a part
-  double m_step = 0;    // length of the current part
-  double m_error = 0;   // that the velocity estimates for this part
-  double m_grown = 0;   // volume of the domain added after the first part
+  double m_longest = 0;                        // length of a part
+  double m_step = 0;                           // length of the current part
+  double m_error = 0;                          // that the velocity estimates for this part
+  double m_grown = 0;                          // volume of the domain added after the first part
+  std::size_t m_collapsed = 0, m_inserted = 0; // before this part
+  std::vector<typename Report::Label_change> m_earlier; // volumes before these operations
 };
+
+// Moves the interface for one time step. No template of the velocity, so it is compiled once.
+template <class Complex>
+Deformation_report<Complex> advect(Complex& dsc, const Step_velocity<Complex>& velocity, double t,
+                                   double dt, const Advection_options<Complex>& options) {
+  options.check();
+  return Divided_step<Complex>(dsc, velocity, options).run(t, dt);
+}
 
 } // namespace internal
 
@@ -348,8 +357,8 @@ Deformation_report<Complex> advect_interface(Complex& dsc, const Velocity& veloc
                                              const NamedParameters& np = NamedParameters()) {
   return internal::call_with_parameters(
       dsc, np, Advection_options<Complex>(), [&](const auto& options) {
-        options.check();
-        return internal::Divided_step<Complex, Velocity>(dsc, velocity, options).run(t, dt);
+        return internal::advect(dsc, internal::Step_velocity_of<Complex, Velocity>(velocity), t, dt,
+                                options);
       });
 }
 

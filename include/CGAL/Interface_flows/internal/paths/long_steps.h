@@ -10,8 +10,6 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Domain_box.h>
-#include <CGAL/Interface_flows/internal/paths/interface_paths.h>
-#include <CGAL/Interface_flows/internal/paths/velocity_properties.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -39,10 +37,10 @@ double distance_from_sides(const Complex& dsc,
 // paths in a deformation are straight, and the interface must not come close to the sides of the
 // domain from far away. Otherwise, the mesh limits the displacements.
 // \param limit longest displacement of a vertex relative to its neighbors, in edge lengths
-template <class Complex, class Velocity, class Interface>
-double length_of_step(const Complex& dsc, const Interface& interface_,
+template <class Complex>
+double length_of_step(const Complex& dsc, const Interface_vertices<Complex>& interface_,
                       const std::vector<typename Complex::Approximate_point>& destinations,
-                      double limit) {
+                      bool is_flow_of_space, bool moves_segments, double limit) {
   using Vector = typename Complex::Approximate_vector;
   static constexpr double together = 4; // longest displacement with neighbors, in the same unit
   std::vector<Vector> displacements;
@@ -57,39 +55,37 @@ double length_of_step(const Complex& dsc, const Interface& interface_,
     lengths.push_back(Complex::Space::length(displacements[i]) / (limit * edge));
   }
   double longest = 0;
-  if constexpr (moves_segments<Complex, Velocity>) {
+  if (moves_segments) {
     // The vertices of sharp corners move farther than the segments. New corners appear where
     // segments vanish, so parts are shorter.
-    for (const auto& segment : interface_.segments)
+    for (const auto& segment : static_cast<const Interface_snapshot<Complex>&>(interface_).facets())
       longest = (std::max)(longest,
                            (std::min)(lengths[segment.vertices[0]], lengths[segment.vertices[1]]));
     return longest;
   }
   for (const double length : lengths)
     longest = (std::max)(longest, length);
-  if constexpr (is_flow_of_space<Complex, Velocity>) {
-    if (2 * longest <= 1)
-      return 0; // so are all differences
-    // The mesh between the interface and the sides of the domain must give way.
-    static constexpr double part_of_room = .25;
-    double farthest = 0;
-    for (const Vector& displacement : displacements)
-      farthest = (std::max)(farthest, Complex::Space::length(displacement));
-    double relative = farthest / (std::max)(together * limit * dsc.mean_interface_edge(),
-                                            part_of_room * distance_from_sides(dsc, destinations));
-    const Interface_snapshot<Complex> snapshot(dsc);
-    for (const auto& facet : snapshot.facets())
-      for (int k = 0; k < Complex::dimension; ++k) {
-        const std::size_t i = facet.vertices[k], j = facet.vertices[(k + 1) % Complex::dimension];
-        const double edge = Complex::Space::length(
-            dsc.displacement(interface_.vertices[i], interface_.vertices[j]));
-        relative = (std::max)(
-            relative, Complex::Space::length(displacements[i] - displacements[j]) / (limit * edge));
-      }
-    return relative;
-  } else {
+  if (!is_flow_of_space)
     return longest / together;
-  }
+  if (2 * longest <= 1)
+    return 0; // so are all differences
+  // The mesh between the interface and the sides of the domain must give way.
+  static constexpr double part_of_room = .25;
+  double farthest = 0;
+  for (const Vector& displacement : displacements)
+    farthest = (std::max)(farthest, Complex::Space::length(displacement));
+  double relative = farthest / (std::max)(together * limit * dsc.mean_interface_edge(),
+                                          part_of_room * distance_from_sides(dsc, destinations));
+  const Interface_snapshot<Complex> snapshot(dsc);
+  for (const auto& facet : snapshot.facets())
+    for (int k = 0; k < Complex::dimension; ++k) {
+      const std::size_t i = facet.vertices[k], j = facet.vertices[(k + 1) % Complex::dimension];
+      const double edge =
+          Complex::Space::length(dsc.displacement(interface_.vertices[i], interface_.vertices[j]));
+      relative = (std::max)(relative, Complex::Space::length(displacements[i] - displacements[j]) /
+                                          (limit * edge));
+    }
+  return relative;
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes::internal

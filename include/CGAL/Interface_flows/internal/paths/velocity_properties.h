@@ -70,11 +70,6 @@ inline constexpr bool
                       std::declval<Complex&>(), std::declval<Interface_snapshot<Complex>>(), 0.,
                       std::declval<Any_visitor<Complex>&>()))>> = true;
 
-// Tells whether a velocity moves the segments of a planar interface as a whole, so that segments
-// vanish.
-template <class Complex, class Velocity>
-inline constexpr bool moves_segments = Complex::dimension == 2 && opens_corners<Complex, Velocity>;
-
 } // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_INTERFACE_FLOWS_INTERNAL_PATHS_VELOCITY_PROPERTIES_H

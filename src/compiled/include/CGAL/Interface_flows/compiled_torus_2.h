@@ -1,0 +1,51 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTERFACE_FLOWS_COMPILED_TORUS_2_H
+#define CGAL_INTERFACE_FLOWS_COMPILED_TORUS_2_H
+
+/// \file
+/// Declares the contents of the component `Compiled` for a torus instead of a box: the complex, the
+/// functions that change it, and flows of its interface. The declarations of
+/// `<CGAL/Interface_flows/compiled_2.h>` are included. A source file that includes this header uses
+/// the compiled code and does not instantiate these templates again.
+/// \pre The program links with `Deformable_simplicial_complex::Compiled_tori`.
+
+#include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
+#include <CGAL/Interface_flows/compiled_2.h>
+
+#ifndef CGAL_DSC_TORUS_INSTANTIATION // defined where the component instantiates the templates
+#define CGAL_DSC_TORUS_INSTANTIATION extern
+#endif
+#pragma push_macro("CGAL_DSC_INSTANTIATION")
+#undef CGAL_DSC_INSTANTIATION
+#define CGAL_DSC_INSTANTIATION CGAL_DSC_TORUS_INSTANTIATION
+
+namespace CGAL {
+namespace Deformable_simplicial_complexes::internal {
+using Torus_complex_2 = Deformable_simplicial_complex_2<Deformable_simplicial_complex_traits_2<>,
+                                                        Default, Torus_domain<2>>;
+}
+
+CGAL_DSC_INSTANTIATION template class Deformable_simplicial_complexes::Labeled_complex<
+    Deformable_simplicial_complexes::internal::Torus_complex_2,
+    Deformable_simplicial_complexes::internal::Torus_complex_2::Space,
+    Deformable_simplicial_complexes::internal::Torus_complex_2::Quality_measure,
+    Deformable_simplicial_complexes::internal::Torus_complex_2::Domain>;
+
+namespace Deformable_simplicial_complexes {
+#define CGAL_DSC_COMPILED_COMPLEX internal::Torus_complex_2
+#include <CGAL/Interface_flows/compiled_functions.h>
+#undef CGAL_DSC_COMPILED_COMPLEX
+namespace internal {
+#define CGAL_DSC_COMPILED_COMPLEX Torus_complex_2
+#include <CGAL/Deformable_simplicial_complexes/compiled_functions.h>
+#undef CGAL_DSC_COMPILED_COMPLEX
+} // namespace internal
+} // namespace Deformable_simplicial_complexes
+} // namespace CGAL
+
+#pragma pop_macro("CGAL_DSC_INSTANTIATION")
+
+#endif // CGAL_INTERFACE_FLOWS_COMPILED_TORUS_2_H
