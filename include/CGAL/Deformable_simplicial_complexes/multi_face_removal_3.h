@@ -21,7 +21,8 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL::Deformable_simplicial_complexes::internal {
+namespace CGAL::Deformable_simplicial_complexes {
+namespace internal {
 
 // The facets that are sandwiched between two vertices a and b: each facet has a cell with a below
 // it and a cell with b above it. The first facet determines a and b.
@@ -75,11 +76,6 @@ private:
   Sheet m_first;
   Vertex_handle m_a, m_b;
 };
-
-} // namespace CGAL::Deformable_simplicial_complexes::internal
-
-namespace CGAL::Deformable_simplicial_complexes {
-namespace internal {
 
 // Search for the best set of sandwiched facets to be removed, by recursion over the edges of the
 // set (Shewchuk). Across an edge, either the next facet joins the set, or the edge becomes part of
