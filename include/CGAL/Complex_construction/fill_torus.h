@@ -11,7 +11,7 @@
 #include <CGAL/license/Complex_construction.h>
 
 #include <CGAL/Complex_construction/fit_interface.h>
-#include <CGAL/Complex_construction/internal/building/torus_grid.h>
+#include <CGAL/Complex_construction/internal/building/grids.h>
 #include <CGAL/Complex_construction/internal/fitting/labels_at.h>
 #include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
 #include <CGAL/Mesh_support/Progress_scope.h>

@@ -14,8 +14,7 @@
 #include <CGAL/Complex_construction/fill_torus.h>
 #include <CGAL/Complex_construction/internal/building/Boxed_soup_3.h>
 #include <CGAL/Complex_construction/internal/building/Solid_tetrahedra_3.h>
-#include <CGAL/Complex_construction/internal/building/box_grid_3.h>
-#include <CGAL/Complex_construction/internal/building/check_tetrahedra_3.h>
+#include <CGAL/Complex_construction/internal/building/grids.h>
 #include <CGAL/Complex_construction/internal/building/label_by_sides_3.h>
 #include <CGAL/Complex_construction/internal/building/label_cells.h>
 #include <CGAL/Complex_construction/internal/thin_parts/improve_new_mesh.h>

@@ -838,7 +838,6 @@ private:
 } // namespace CGAL::Deformable_simplicial_complexes
 
 #include <CGAL/Incompressible_fluids_3/internal/fluid/Incompressible_fluid_attempts_impl.h>
-#include <CGAL/Incompressible_fluids_3/internal/fluid/Incompressible_fluid_field_impl.h>
 #include <CGAL/Incompressible_fluids_3/internal/fluid/Incompressible_fluid_impl.h>
 #include <CGAL/Incompressible_fluids_3/internal/fluid/Incompressible_fluid_mesh_impl.h>
 

@@ -12,7 +12,6 @@
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
-#include <CGAL/Interface_remeshing/internal/patches/Patch_3.h>
 #include <CGAL/Interface_remeshing/internal/patches/Patch_optimizer_3.h>
 #include <CGAL/Mesh_support/For_each_index.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
