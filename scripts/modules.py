@@ -110,7 +110,6 @@ MODULES = {
         "corners": "corners and edges of fronts: arcs, cylinders, and vertices that corners pass",
         "paths": "paths of interface vertices in velocity fields",
         "curvature": "forces and masses of an interface energy, the system of an implicit step",
-        "grains": "junctions of interfaces",
     },
     "Solid_reconstruction_3": {
         "clouds": "point clouds: neighbors, local planes, sides",

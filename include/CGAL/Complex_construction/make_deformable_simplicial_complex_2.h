@@ -13,7 +13,6 @@
 #include <CGAL/Complex_construction/Construction_options.h>
 #include <CGAL/Complex_construction/Labeled_curve_2.h>
 #include <CGAL/Complex_construction/Labeled_image_2.h>
-#include <CGAL/Complex_construction/Seeded_segments_2.h>
 #include <CGAL/Complex_construction/fill_torus.h>
 #include <CGAL/Complex_construction/internal/building/Curve_soup_2.h>
 #include <CGAL/Complex_construction/internal/building/Planar_filling_2.h>

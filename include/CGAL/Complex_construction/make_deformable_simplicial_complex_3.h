@@ -23,7 +23,6 @@
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/named_parameters.h>
 #include <CGAL/Mesh_support/parameter_values.h>
-#include <CGAL/Triangle_soup_repair/Labeled_patch_3.h>
 #include <CGAL/Triangle_soup_repair/Labeled_surface_3.h>
 #include <CGAL/Triangle_soup_repair/internal/checks/check_surfaces_3.h>
 

@@ -24,14 +24,12 @@
 #include <CGAL/Incompressible_fluids_3/fluid_errors.h>
 #include <CGAL/Incompressible_fluids_3/internal/fluid/Energy_check.h>
 #include <CGAL/Incompressible_fluids_3/internal/fluid/Fixed_point_accelerator.h>
+#include <CGAL/Incompressible_fluids_3/internal/fluid/Fluid_bookkeeping.h>
 #include <CGAL/Incompressible_fluids_3/internal/fluid/Fluid_motion.h>
-#include <CGAL/Incompressible_fluids_3/internal/fluid/Gas_bookkeeping.h>
-#include <CGAL/Incompressible_fluids_3/internal/fluid/Liquid_bookkeeping.h>
 #include <CGAL/Incompressible_fluids_3/internal/fluid/Liquid_interface.h>
 #include <CGAL/Incompressible_fluids_3/internal/fluid/Step_plan.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Component_momenta.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
-#include <CGAL/Incompressible_fluids_3/internal/mesh/set_tensions.h>
 #include <CGAL/Incompressible_fluids_3/internal/sides/Open_sides.h>
 #include <CGAL/Incompressible_fluids_3/internal/sides/side_velocities.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Field_diffusion.h>

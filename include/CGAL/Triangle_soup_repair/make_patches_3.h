@@ -12,7 +12,6 @@
 
 #include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
-#include <CGAL/Triangle_soup_repair/Labeled_patch_3.h>
 #include <CGAL/Triangle_soup_repair/Labeled_surface_3.h>
 #include <CGAL/Triangle_soup_repair/internal/checks/check_surfaces_3.h>
 #include <CGAL/Triangle_soup_repair/internal/checks/refuse_surface.h>

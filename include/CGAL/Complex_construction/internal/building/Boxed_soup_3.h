@@ -10,7 +10,6 @@
 
 #include <CGAL/Complex_construction/Construction_options.h>
 #include <CGAL/Complex_construction/Tetrahedralization_3.h>
-#include <CGAL/Complex_construction/Tetrahedralization_error.h>
 #include <CGAL/Complex_construction/internal/building/label_cells.h>
 #include <CGAL/Complex_construction/internal/thin_parts/Thickness.h>
 #include <CGAL/Complex_construction/internal/thin_parts/improve_new_mesh.h>

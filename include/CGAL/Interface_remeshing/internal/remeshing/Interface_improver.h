@@ -18,8 +18,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/triangle_quality.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 #include <CGAL/Interface_remeshing/Interface_improvement_options.h>
-#include <CGAL/Interface_remeshing/internal/interface/curved_midpoint_3.h>
-#include <CGAL/Interface_remeshing/internal/interface/interface_curve_2.h>
+#include <CGAL/Interface_remeshing/internal/interface/curved_midpoint.h>
 #include <CGAL/Interface_remeshing/internal/remeshing/Interface_remesher.h>
 #include <CGAL/Interface_remeshing/junction_split_2.h>
 #include <CGAL/Interface_remeshing/null_space_smoothing_3.h>
