@@ -12,7 +12,6 @@
 
 #include <CGAL/Complex_construction/Construction_options.h>
 #include <CGAL/Complex_construction/Octree_tetrahedra_3.h>
-#include <CGAL/Complex_construction/internal/conversion/Labeled_voxels_3.h>
 #include <CGAL/Complex_construction/internal/conversion/Voxel_components_3.h>
 #include <CGAL/Complex_construction/internal/conversion/Voxel_frame_3.h>
 #include <CGAL/Complex_construction/internal/conversion/Voxel_pyramid_3.h>

@@ -23,7 +23,6 @@
 #include <CGAL/Incompressible_fluids_3/Solids_3.h>
 #include <CGAL/Incompressible_fluids_3/fluid_errors.h>
 #include <CGAL/Incompressible_fluids_3/internal/fluid/Energy_check.h>
-#include <CGAL/Incompressible_fluids_3/internal/fluid/Fixed_point_accelerator.h>
 #include <CGAL/Incompressible_fluids_3/internal/fluid/Fluid_bookkeeping.h>
 #include <CGAL/Incompressible_fluids_3/internal/fluid/Fluid_motion.h>
 #include <CGAL/Incompressible_fluids_3/internal/fluid/Liquid_interface.h>

@@ -9,7 +9,7 @@
 #define CGAL_COMPLEX_CONSTRUCTION_INTERNAL_CONVERSION_VOXEL_FRAME_3_H
 
 #include <CGAL/Complex_construction/Octree_3.h>
-#include <CGAL/Complex_construction/internal/conversion/Labeled_voxels_3.h>
+#include <CGAL/Complex_construction/internal/conversion/Voxel_components_3.h>
 #include <CGAL/Complex_construction/internal/conversion/Voxel_pyramid_3.h>
 #include <CGAL/Mesh_support/Error.h>
 

@@ -38,7 +38,6 @@
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
@@ -64,12 +63,8 @@ public:
         m_small_angles(complex, visitor, rigid_components, options.minimum_angle,
                        options.quality_threshold, for_each_index) {}
 
+  auto& improver() { return m_improver; }
   void begin_pass(unsigned pass) { m_improver.begin_pass(pass); }
-  bool is_bad(Cell_handle c) const { return m_improver.is_bad(c); }
-
-  void open_obstructing_cell(Cell_handle c, Cells& touched) {
-    m_improver.open_obstructing_cell(c, touched);
-  }
 
   void remove_obstacle(Cell_handle c, bool may_remove_facets, Cells& touched) {
     if (may_remove_facets && m_improver.remove_short_edge(c, touched))
@@ -79,11 +74,6 @@ public:
   }
 
   void remove_degenerating_facets(Cells&) {}
-
-  void improve(Cells cells) {
-    static constexpr unsigned rounds = 3;
-    m_improver.improve(std::move(cells), rounds);
-  }
 
   // Exchanges neighbors at interface edges that end in moved vertices and are short compared with
   // the edges around them.
@@ -170,6 +160,8 @@ public:
         m_small_angles(complex, visitor, destinations, rigid_components, options.minimum_angle,
                        options.quality_threshold, for_each_index) {}
 
+  auto& improver() { return m_improver; }
+
   // Collects the interface facets that will have a small angle at their destinations, smaller than
   // before the motion. Facets of regions that move rigidly are thus not collected.
   void begin_pass(unsigned pass) {
@@ -200,12 +192,6 @@ public:
           m_degenerating.push_back({c, c->time_stamp(), i});
   }
 
-  bool is_bad(Cell_handle c) const { return m_improver.is_bad(c); }
-
-  void open_obstructing_cell(Cell_handle c, Cells& touched) {
-    m_improver.open_obstructing_cell(c, touched);
-  }
-
   void remove_obstacle(Cell_handle c, bool may_remove_facets, Cells& touched) {
     static constexpr double cosine = .94; // the cosine of 20 degrees
     if (may_remove_facets &&
@@ -219,11 +205,6 @@ public:
     for (const Facet_item& item : m_degenerating)
       if (m_complex.is_alive(item.cell, item.time_stamp))
         m_improver.remove_degenerate_facet(item.cell, item.index, m_degenerate_cosine, touched);
-  }
-
-  void improve(Cells cells) {
-    static constexpr unsigned rounds = 3;
-    m_improver.improve(std::move(cells), rounds);
   }
 
   template <class Log> void exchange_neighbors(const std::vector<Vertex_handle>&, Log&) {}
@@ -296,13 +277,11 @@ private:
 
 /*
 The remeshing of a deformation, composed of dimension-specific operations:
+- `improver()`: the `Mesh_improver`
 - `begin_pass(pass)`: prepares a pass; some vertices have not reached their destinations
-- `is_bad(c)`: returns whether a cell should be improved
-- `open_obstructing_cell(c, touched)`: changes a cell that keeps the interface from moving rigidly
 - `remove_obstacle(c, may_remove_facets, touched)`: removes a cell that keeps a vertex from its
   destination
 - `remove_degenerating_facets(touched)`: removes interface facets that the pass made degenerate
-- `improve(cells)`: improves the cells that the pass touched
 - `exchange_neighbors(moved, log)`: after the passes, exchanges neighbors where interface edges
   between regions have become short
 - `cells_with_small_angles()`, `remove_small_angles(relabel)`: find and remove small angles after

@@ -19,7 +19,6 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/balance/Interface_tolerance.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Failure_memory.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Changed_facets.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_edge_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_fan.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Rigid_components.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Star_optimizer.h>

@@ -25,6 +25,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/local_edge_length.h>
 #include <CGAL/Deformable_simplicial_complexes/star_union.h>
+#include <CGAL/Deformable_simplicial_complexes/vertex_insertion.h>
 #include <CGAL/Mesh_support/For_each_index.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
@@ -181,7 +182,7 @@ public:
 
   // Inserts a vertex into a cell. Surrounding cells that this improves are replaced, too.
   bool insert(Cell_handle c, Cells& touched) {
-    return Own::propose_insertion(m_complex, c, m_cavity) && commit(touched);
+    return propose_vertex_insertion(m_complex, c, m_cavity) && commit(touched);
   }
 
   // Collapses an interface edge that is short compared with the edges around it. Cells around it

@@ -15,7 +15,6 @@
 #include <CGAL/Deformable_simplicial_complexes/edge_removal_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Star_optimizer.h>
 #include <CGAL/Deformable_simplicial_complexes/multi_face_removal_3.h>
-#include <CGAL/Deformable_simplicial_complexes/vertex_insertion.h>
 #include <CGAL/Deformable_simplicial_complexes/vertex_smoothing.h>
 
 #include <type_traits>
@@ -36,10 +35,6 @@ template <class Complex> struct Mesh_operations_2
       if (propose_edge_flip(complex, c, i, cavity) && accept())
         return true;
     return false;
-  }
-
-  static bool propose_insertion(const Complex& complex, Cell_handle c, Cavity<Complex>& cavity) {
-    return propose_vertex_insertion(complex, c, cavity);
   }
 
   static bool propose_degenerate_cell_removal(const Complex& complex, Cell_handle c,
@@ -85,10 +80,6 @@ template <class Complex> struct Mesh_operations_3
     return false;
   }
 
-  static bool propose_insertion(const Complex& complex, Cell_handle c, Cavity<Complex>& cavity) {
-    return propose_vertex_insertion(complex, c, cavity);
-  }
-
   static bool propose_degenerate_cell_removal(const Complex& complex, Cell_handle c, double quality,
                                               double cosine, Cavity<Complex>& cavity) {
     if (propose_degenerate_tetrahedron_removal(complex, c, quality, cavity))
@@ -114,7 +105,6 @@ template <class Complex> struct Mesh_operations_3
 The dimension-specific operations of mesh improvement:
 - `propose_reconnection(complex, c, is_thorough, cavity, accept)`: proposes to replace `c` and cells
   around it by better ones; it returns the first proposal for which `accept()` returns true
-- `propose_insertion(complex, c, cavity)`: proposes to insert a vertex into a cell
 - `propose_degenerate_cell_removal(complex, c, quality, cosine, cavity)`: proposes to replace a cell
   that is nearly flat, or has a nearly flat facet; the interface may move
 - `propose_optimal_position(complex, v, star, target)`: proposes the position that maximizes the

@@ -14,7 +14,6 @@
 #include <CGAL/Deformable_simplicial_complexes/edge_removal_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_operations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Changed_facets.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_edge_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/triangle_quality.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 #include <CGAL/Interface_remeshing/Interface_improvement_options.h>
