@@ -21,49 +21,59 @@
 #include <functional>
 #include <limits>
 #include <queue>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
-template <class Complex> struct Interface_bends_2
+// The bending of the interface of a snapshot at its vertices.
+template <class Complex> struct Interface_bends
 {
   using Points = std::vector<typename Complex::Approximate_point>;
   using Vector = typename Complex::Approximate_vector;
 
-  // Returns the unit normals at the vertices of a curve: the normal of the circle through a vertex
-  // and its two neighbors.
+  // Returns the unit normals, out of the larger label; 0 where the facet normals cancel each other.
+  // In the plane, it is the normal of the circle through a vertex and its two neighbors.
   static std::vector<Vector> normals(const Interface_snapshot<Complex>& interface_,
                                      const Points& positions) {
-    std::vector<Vector> result(positions.size(), Vector(0, 0));
-    for_each_side(interface_, positions, [&](std::size_t v, const Vector& edge) {
-      // The normal of the circle is the sum of the edge normals, each divided by its edge length.
-      result[v] = result[v] + Vector(edge.y(), -edge.x()) / edge.squared_length();
-    });
-    static constexpr double rounding = 1e-9; // relative to the sum of weights
-    std::vector<double> weights(positions.size(), 0);
-    for_each_side(interface_, positions, [&](std::size_t v, const Vector& edge) {
-      weights[v] += 1 / std::sqrt(edge.squared_length());
-    });
-    for (std::size_t v = 0; v < result.size(); ++v) {
-      const double length = std::sqrt(result[v].squared_length());
-      result[v] = length > rounding * weights[v] ? result[v] / length : Vector(0, 0);
+    if constexpr (Complex::dimension == 3) {
+      return vertex_normals(interface_, positions);
+    } else {
+      std::vector<Vector> result(positions.size(), Vector(0, 0));
+      for_each_side(interface_, positions, [&](std::size_t v, const Vector& edge) {
+        // The normal of the circle is the sum of the edge normals, each divided by its edge length.
+        result[v] = result[v] + Vector(edge.y(), -edge.x()) / edge.squared_length();
+      });
+      static constexpr double rounding = 1e-9; // relative to the sum of weights
+      std::vector<double> weights(positions.size(), 0);
+      for_each_side(interface_, positions, [&](std::size_t v, const Vector& edge) {
+        weights[v] += 1 / std::sqrt(edge.squared_length());
+      });
+      for (std::size_t v = 0; v < result.size(); ++v) {
+        const double length = std::sqrt(result[v].squared_length());
+        result[v] = length > rounding * weights[v] ? result[v] / length : Vector(0, 0);
+      }
+      return result;
     }
-    return result;
   }
 
+  // Returns for each vertex whether the normals of two incident facets differ by more than `angle`,
+  // in radians.
   static std::vector<char> on_features(const Interface_snapshot<Complex>& interface_,
                                        const Points& positions, double angle) {
-    std::vector<char> result(positions.size(), false);
-    std::vector<Vector> first(positions.size(), Vector(0, 0));
-    for_each_side(interface_, positions, [&](std::size_t v, const Vector& edge) {
-      if (first[v] == Vector(0, 0))
-        first[v] = edge;
-      else
-        result[v] = result[v] || turn_between(first[v], edge) > angle;
-    });
-    return result;
+    if constexpr (Complex::dimension == 3) {
+      return vertices_on_features(interface_, positions, angle);
+    } else {
+      std::vector<char> result(positions.size(), false);
+      std::vector<Vector> first(positions.size(), Vector(0, 0));
+      for_each_side(interface_, positions, [&](std::size_t v, const Vector& edge) {
+        if (first[v] == Vector(0, 0))
+          first[v] = edge;
+        else
+          result[v] = result[v] || turn_between(first[v], edge) > angle;
+      });
+      return result;
+    }
   }
 
 private:
@@ -81,31 +91,6 @@ private:
     }
   }
 };
-
-template <class Complex> struct Interface_bends_3
-{
-  using Points = std::vector<typename Complex::Approximate_point_3>;
-
-  static auto normals(const Interface_snapshot<Complex>& interface_, const Points& positions) {
-    return vertex_normals(interface_, positions);
-  }
-  static auto on_features(const Interface_snapshot<Complex>& interface_, const Points& positions,
-                          double angle) {
-    return vertices_on_features(interface_, positions, angle);
-  }
-};
-
-/*
-The bending of the interface of a snapshot at its vertices. In each dimension:
-
-- `normals(snapshot, positions)`: the unit normals, out of the larger label; 0 where the facet
-  normals cancel each other
-- `on_features(snapshot, positions, angle)`: for each vertex, whether the normals of two incident
-  facets differ by more than `angle`, in radians
-*/
-template <class Complex>
-using Interface_bends = std::conditional_t<Complex::dimension == 2, Interface_bends_2<Complex>,
-                                           Interface_bends_3<Complex>>;
 
 // Calls a function with the ends of each edge of the facets. In space, each edge is visited twice.
 template <class Facets, class Function>

@@ -229,7 +229,7 @@ private:
         return {};
       if (i > 0)
         disturb();
-      Mesh_improver_3<Complex> improver(m_copy, nobody, m_goal.threshold, m_sequential, true);
+      Mesh_improver<Complex> improver(m_copy, nobody, m_goal.threshold, m_sequential, true);
       improver.improve_all(m_goal.threshold, m_goal.rounds, attempts);
       const auto copied = m_copy.cells();
       const double now = deficit(copied);
