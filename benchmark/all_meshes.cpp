@@ -8,7 +8,7 @@
 #include "inputs.h"
 #include "measures.h"
 
-#include <CGAL/Complex_construction/Tetrahedralization_error.h>
+#include <CGAL/Complex_construction/Tetrahedralization_3.h>
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_flows/interface_flows_3.h>

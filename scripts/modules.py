@@ -110,7 +110,6 @@ MODULES = {
         "corners": "corners and edges of fronts: arcs, cylinders, and vertices that corners pass",
         "paths": "paths of interface vertices in velocity fields",
         "curvature": "forces and masses of an interface energy, the system of an implicit step",
-        "grains": "junctions of interfaces",
     },
     "Solid_reconstruction_3": {
         "clouds": "point clouds: neighbors, local planes, sides",
@@ -137,12 +136,12 @@ SEAM = {
         balance/Destinations balance/Interface_tolerance bookkeeping/Failure_memory bookkeeping/Label_totals
         complex/Complex_builder complex/apply_to_corners complex/assemble_triangulation
         complex/hilbert_order complex/sort_by_time_stamp deformation/deform improvement/Mesh_improver
-        improvement/Mesh_operations interface/Changed_facets interface/Interface_edge_3
-        interface/Interface_fan motion/Harmonic_extension operations/triangle_quality topology/Labeled_star
-        topology/Manifold_relabeling topology/label_changes traversal/Domain_box bookkeeping/Marks
+        improvement/Mesh_operations interface/Changed_facets
+        interface/Interface_fan motion/Harmonic_extension operations/triangle_quality topology/Manifold_relabeling
+        traversal/Domain_box bookkeeping/Marks
         traversal/Work_list traversal/cell_corners traversal/local_edge_length""",
     "Interface_remeshing": """
-        extraction/Extracted_facets extraction/Vertex_numbering interface/Curvature_lengths
+        extraction/Extracted_facets interface/Curvature_lengths
         remeshing/Detail_controller remeshing/Interface_improver""",
     "Triangle_soup_repair": """
         checks/check_surfaces_3 checks/refuse_surface soups/Soup_bisector_3 soups/Triangle_soup_3

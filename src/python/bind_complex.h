@@ -12,9 +12,11 @@
 #include "options.h"
 #include "reports.h"
 
+#include <CGAL/Complex_construction/fill_torus.h>
 #include <CGAL/Complex_construction/refine_thin_parts.h>
 #include <CGAL/Complex_construction/sample_labels.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
 #include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/topology_control.h>
@@ -431,6 +433,24 @@ py::class_<Complex_object<Complex>> bind_complex(py::module_& module, const char
       .def("improve_interface", &Functions::improve_interface)
       .def("missing_facets", &Functions::missing_facets)
       .def("control_detail", &Functions::control_detail);
+}
+
+/// Binds a complex on a torus.
+template <class Complex> void bind_torus(py::module_& module, const char* name) {
+  constexpr int d = Complex::dimension;
+  bind_complex<Complex>(module, name)
+      .def_static("from_function",
+                  [](const py::function& label_at, const std::array<double, d>& periods,
+                     double edge, const py::object& progress) {
+                    const Label_function<Complex> labels(label_at);
+                    const DSC::Torus_domain<d> domain(periods);
+                    return guarded(progress, [&] {
+                      return DSC::fill_torus<Complex>(domain, edge, labels,
+                                                      DSC::Deformation_options<Complex>());
+                    });
+                  })
+      .def("periods",
+           [](const Complex_object<Complex>& object) { return object.read().domain().periods(); });
 }
 
 } // namespace dsc_python

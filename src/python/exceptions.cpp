@@ -6,7 +6,7 @@
 #include "arrays.h"
 #include "module.h"
 
-#include <CGAL/Complex_construction/Tetrahedralization_error.h>
+#include <CGAL/Complex_construction/Tetrahedralization_3.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Incompressible_fluids_3/fluid_errors.h>
 #include <CGAL/Mesh_files/File_error.h>

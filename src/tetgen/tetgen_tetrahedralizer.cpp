@@ -7,7 +7,7 @@
 
 #include "child_process.h"
 
-#include <CGAL/Complex_construction/Tetrahedralization_error.h>
+#include <CGAL/Complex_construction/Tetrahedralization_3.h>
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
 

@@ -10,11 +10,34 @@
 
 #include <CGAL/license/Complex_construction.h>
 
+#include <CGAL/Mesh_support/Error.h>
+
 #include <array>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgComplexConstructionRef
+
+Exception thrown if the space around valid surfaces could not be filled with tetrahedra.
+*/
+class Tetrahedralization_error : public Error
+{
+public:
+  /// Constructs the error; `code` is returned by `code()`.
+  explicit Tetrahedralization_error(const std::string& message, int code = 0)
+      : Error(message), m_code(code) {}
+
+  /// Returns the code that TetGen threw; 0 if TetGen crashed, was stopped, or made an invalid
+  /// result.
+  int code() const { return m_code; }
+
+private:
+  int m_code;
+};
 
 /*!
 \ingroup PkgComplexConstructionRef

@@ -10,11 +10,153 @@
 
 #include <CGAL/license/Complex_construction.h>
 
-#include <CGAL/Complex_construction/internal/conversion/copy_to_mesh_complex_3.h>
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Mesh_support/named_parameters.h>
 
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <type_traits>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
 namespace CGAL::Deformable_simplicial_complexes {
+namespace internal {
+
+// The cells of a mesh complex that belong to it, with their subdomains as labels. Points are in the
+// order of their first use by cells.
+template <class Complex> struct Labeled_tetrahedra_3
+{
+  std::vector<typename Complex::Point_3> points;
+  std::vector<std::array<std::size_t, 4>> tetrahedra;
+  std::vector<typename Complex::Label> labels;
+
+  template <class MeshComplex> explicit Labeled_tetrahedra_3(const MeshComplex& mesh) {
+    const auto construct_point = typename Complex::Geom_traits().construct_exact_point_3_object();
+    // never iterated over, so results do not depend on addresses
+    std::unordered_map<const void*, std::size_t> numbers;
+    for (auto c = mesh.cells_in_complex_begin(); c != mesh.cells_in_complex_end(); ++c) {
+      auto& tetrahedron = tetrahedra.emplace_back();
+      for (int i = 0; i < 4; ++i) {
+        const auto v = c->vertex(i);
+        const auto [known, is_new] = numbers.emplace(&*v, points.size());
+        if (is_new) {
+          const auto& p = v->point(); // a weighted point of the triangulation
+          points.push_back(construct_point({to_double(p.x()), to_double(p.y()), to_double(p.z())}));
+        }
+        tetrahedron[i] = known->second;
+      }
+      labels.push_back(typename Complex::Label(mesh.subdomain_index(c)));
+    }
+  }
+};
+
+// A map from pairs of labels to indices of surface patches.
+template <class MeshComplex> class Patch_indices_3
+{
+public:
+  using Index = typename MeshComplex::Surface_patch_index;
+  using Subdomain = typename MeshComplex::Subdomain_index;
+  using Labels = std::pair<int, int>; // the smaller label first
+
+  explicit Patch_indices_3(const std::vector<Labels>& all) {
+    for (const Labels& labels : all)
+      m_numbers.emplace(labels, 0);
+    int number = 0;
+    for (auto& [labels, n] : m_numbers)
+      n = ++number;
+  }
+
+  Index operator()(const Labels& labels) const {
+    if constexpr (std::is_constructible_v<Index, std::pair<Subdomain, Subdomain>>)
+      return Index(std::pair<Subdomain, Subdomain>(labels.first, labels.second));
+    else
+      return Index(m_numbers.at(labels));
+  }
+
+private:
+  std::map<Labels, int> m_numbers;
+};
+
+// Fills an empty mesh complex with the cells of a complex. Cells with labels other than 0 and
+// interface facets become part of the mesh complex.
+template <class Complex, class MeshComplex>
+void copy_to_mesh_complex(const Complex& complex, MeshComplex& mesh) {
+  using Triangulation = typename MeshComplex::Triangulation;
+  using Vertex_handle = typename Triangulation::Vertex_handle;
+  using Cell_handle = typename Triangulation::Cell_handle;
+  Triangulation& triangulation = mesh.triangulation();
+  auto& tds = triangulation.tds();
+  tds.clear();
+  tds.set_dimension(3);
+
+  const auto& source = complex.triangulation();
+  std::map<typename Complex::Vertex_handle, std::size_t> numbers;
+  std::vector<Vertex_handle> vertices;
+  for (const auto v : source.all_vertex_handles()) {
+    numbers.emplace(v, vertices.size());
+    vertices.push_back(tds.create_vertex());
+    if (source.is_infinite(v)) {
+      triangulation.set_infinite_vertex(vertices.back());
+      continue;
+    }
+    const auto p = complex.user_position(v);
+    vertices.back()->set_point(
+        typename Triangulation::Point(typename Triangulation::Bare_point(p.x(), p.y(), p.z())));
+  }
+
+  using Source_cell = typename Complex::Cell_handle;
+  std::vector<Source_cell> sources;
+  std::map<Source_cell, Cell_handle> copies;
+  for (const auto c : source.all_cell_handles()) {
+    std::array<Vertex_handle, 4> corners;
+    for (int i = 0; i < 4; ++i)
+      corners[i] = vertices[numbers.at(c->vertex(i))];
+    const Cell_handle copy = tds.create_cell(corners[0], corners[1], corners[2], corners[3]);
+    for (const Vertex_handle v : corners)
+      v->set_cell(copy);
+    sources.push_back(c);
+    copies.emplace(c, copy);
+  }
+  for (const Source_cell c : sources)
+    for (int i = 0; i < 4; ++i)
+      copies.at(c)->set_neighbor(i, copies.at(c->neighbor(i)));
+
+  for (const Source_cell c : sources) {
+    const Cell_handle copy = copies.at(c);
+    if (source.is_infinite(c) || c->label() == 0)
+      continue;
+    mesh.add_to_complex(copy, typename MeshComplex::Subdomain_index(c->label()));
+    for (int i = 0; i < 4; ++i) {
+      mesh.set_dimension(copy->vertex(i), 3);
+      mesh.set_index(copy->vertex(i), typename MeshComplex::Index(
+                                          typename MeshComplex::Subdomain_index(c->label())));
+    }
+  }
+  const auto facets = complex.interface_facets();
+  std::vector<std::pair<int, int>> sides;
+  for (const auto& [c, i] : facets) {
+    const int a = c->label(), b = c->neighbor(i)->label();
+    sides.emplace_back((std::min)(a, b), (std::max)(a, b));
+  }
+  const Patch_indices_3<MeshComplex> patch_index(sides);
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    const Cell_handle copy = copies.at(facets[f].first);
+    const auto index = patch_index(sides[f]);
+    mesh.add_to_complex(copy, facets[f].second, index);
+    for (int k = 0; k < 4; ++k)
+      if (k != facets[f].second) {
+        mesh.set_dimension(copy->vertex(k), 2);
+        mesh.set_index(copy->vertex(k), typename MeshComplex::Index(index));
+      }
+  }
+}
+
+} // namespace internal
 
 /*!
 \ingroup PkgComplexConstructionRef

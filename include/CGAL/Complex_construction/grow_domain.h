@@ -10,18 +10,118 @@
 
 #include <CGAL/license/Complex_construction.h>
 
-#include <CGAL/Complex_construction/internal/conversion/Box_layer.h>
 #include <CGAL/Complex_construction/internal/thin_parts/improve_new_mesh.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Domain_box.h>
 #include <CGAL/Mesh_support/Error.h>
+#include <CGAL/Mesh_support/coordinates.h>
+#include <CGAL/Mesh_support/internal/numbers/Extent.h>
 #include <CGAL/Mesh_support/named_parameters.h>
 
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
+namespace internal {
+
+/*
+The cells of a complex in a box, and a layer of cells with label 0 between the box and a larger box
+with the same center. Each boundary facet and its image in the larger box bound a frustum. The
+frustum is divided like a prism: simplex i has the vertices 0 to i of the facet, by increasing
+index, and the images of the vertices i to d - 1. Adjacent frusta are thus divided consistently.
+*/
+template <class Complex> class Box_layer
+{
+public:
+  static constexpr int d = Complex::dimension;
+  using Cell = std::array<std::size_t, d + 1>;
+  using State = typename Complex::State;
+  using Point = typename Complex::Point;
+
+  Box_layer(const Complex& complex, const State& state, const Extent<d>& box, double factor)
+      : m_complex(complex), m_box(box), m_factor(factor), m_images(state.points.size(), none) {
+    for (const auto& p : state.points)
+      m_points.push_back(m_complex.exact(point_at<Complex>(p)));
+    for (std::size_t c = 0; c < state.cells.size(); ++c)
+      if (std::count(state.cells[c].begin(), state.cells[c].end(), 0u) == 0) {
+        Cell cell;
+        std::transform(state.cells[c].begin(), state.cells[c].end(), cell.begin(),
+                       [](std::uint32_t v) { return v - 1; });
+        m_cells.push_back(cell);
+        m_labels.push_back(state.cell_labels[c]);
+      }
+    for (const auto& cell : state.cells)
+      if (std::count(cell.begin(), cell.end(), 0u) != 0)
+        add_frustum(cell, state);
+  }
+
+  // Returns the points. The points of the complex come first, in the order of the state.
+  const std::vector<Point>& points() const { return m_points; }
+  const std::vector<Cell>& cells() const { return m_cells; }
+  const std::vector<typename Complex::Label>& labels() const { return m_labels; }
+
+private:
+  static constexpr std::size_t none = -1;
+
+  // Adds the cells of the frustum at an infinite cell.
+  void add_frustum(const std::array<std::uint32_t, d + 1>& infinite, const State& state) {
+    std::array<std::size_t, d> facet, images;
+    auto out = facet.begin();
+    for (const std::uint32_t v : infinite)
+      if (v != 0)
+        *out++ = v - 1;
+    std::sort(facet.begin(), facet.end());
+    for (int i = 0; i < d; ++i)
+      images[i] = image(facet[i], state.points[facet[i]]);
+    for (int i = 0; i < d; ++i) {
+      Cell cell;
+      std::copy(facet.begin(), facet.begin() + i + 1, cell.begin());
+      std::copy(images.begin() + i, images.end(), cell.begin() + i + 1);
+      if (orientation(cell) == NEGATIVE)
+        std::swap(cell[0], cell[1]);
+      m_cells.push_back(cell);
+      m_labels.push_back(0);
+    }
+  }
+
+  Orientation orientation(const Cell& cell) const {
+    return m_complex.domain().orientation(m_complex,
+                                          [&](int i) -> const Point& { return m_points[cell[i]]; });
+  }
+
+  // Returns the image of a boundary vertex. The image lies on the same sides of the box as the
+  // vertex.
+  std::size_t image(std::size_t v, const std::array<double, d>& p) {
+    if (m_images[v] != none)
+      return m_images[v];
+    std::array<double, d> coordinates;
+    for (int axis = 0; axis < d; ++axis) {
+      const double center = m_box.lower(axis) / 2 + m_box.upper(axis) / 2;
+      // Equal coordinates on a side have equal images.
+      coordinates[axis] = center + m_factor * (p[axis] - center);
+    }
+    m_images[v] = m_points.size();
+    m_points.push_back(m_complex.exact(point_at<Complex>(coordinates)));
+    return m_images[v];
+  }
+
+  const Complex& m_complex;
+  Extent<d> m_box;
+  double m_factor;
+  std::vector<std::size_t> m_images; // by vertex
+  std::vector<Point> m_points;
+  std::vector<Cell> m_cells;
+  std::vector<typename Complex::Label> m_labels;
+};
+
+} // namespace internal
 
 /*!
 \ingroup PkgComplexConstructionRef

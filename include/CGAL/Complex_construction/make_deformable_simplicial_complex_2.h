@@ -13,8 +13,6 @@
 #include <CGAL/Complex_construction/Construction_options.h>
 #include <CGAL/Complex_construction/Labeled_curve_2.h>
 #include <CGAL/Complex_construction/Labeled_image_2.h>
-#include <CGAL/Complex_construction/Seeded_segments_2.h>
-#include <CGAL/Complex_construction/fill_grid.h>
 #include <CGAL/Complex_construction/fill_torus.h>
 #include <CGAL/Complex_construction/internal/building/Curve_soup_2.h>
 #include <CGAL/Complex_construction/internal/building/Planar_filling_2.h>
@@ -283,25 +281,12 @@ Complex make_deformable_simplicial_complex_2(const Bbox_2& box, double edge,
 /*!
 \ingroup PkgComplexConstructionRef
 
-Makes a complex on a flat torus from a function of labels. Almost regular triangles get the labels
-of their barycenters. Then `fit_interface()` moves the interface to the places where labels change.
-Linear in the number of triangles.
-
-\tparam Complex an instance of `Deformable_simplicial_complex_2` with the domain `Torus_domain<2>`
-
-\param domain the torus
-\param edge approximate edge length, positive; there are at least three edges in each direction
-\param label_at `label_at(p)` returns the label at an `Approximate_point_2` in the box of the torus; or
-       `label_at(points)` returns the labels at a vector of such points
-\param np the named parameters of `deform_interface()`, for `fit_interface()`
-
-\throws Error if `edge` is not positive, or is less than a millionth of a period
+Makes a complex on a flat torus from a function of labels; the same as `fill_torus()`.
 */
-template <class Complex, class LabelAt,
-          class NamedParameters = parameters::Default_named_parameters>
+template <class Complex, class LabelAt, class NP = parameters::Default_named_parameters>
 Complex make_deformable_simplicial_complex_2(const Torus_domain<2>& domain, double edge,
                                              const LabelAt& label_at,
-                                             const NamedParameters& np = NamedParameters()) {
+                                             const NP& np = parameters::default_values()) {
   return fill_torus<Complex>(domain, edge, label_at, np);
 }
 

@@ -11,12 +11,10 @@
 #include <CGAL/license/Complex_construction.h>
 
 #include <CGAL/Complex_construction/Construction_options.h>
-#include <CGAL/Complex_construction/fill_grid.h>
 #include <CGAL/Complex_construction/fill_torus.h>
 #include <CGAL/Complex_construction/internal/building/Boxed_soup_3.h>
 #include <CGAL/Complex_construction/internal/building/Solid_tetrahedra_3.h>
-#include <CGAL/Complex_construction/internal/building/box_grid_3.h>
-#include <CGAL/Complex_construction/internal/building/check_tetrahedra_3.h>
+#include <CGAL/Complex_construction/internal/building/grids.h>
 #include <CGAL/Complex_construction/internal/building/label_by_sides_3.h>
 #include <CGAL/Complex_construction/internal/building/label_cells.h>
 #include <CGAL/Complex_construction/internal/thin_parts/improve_new_mesh.h>
@@ -25,7 +23,6 @@
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/named_parameters.h>
 #include <CGAL/Mesh_support/parameter_values.h>
-#include <CGAL/Triangle_soup_repair/Labeled_patch_3.h>
 #include <CGAL/Triangle_soup_repair/Labeled_surface_3.h>
 #include <CGAL/Triangle_soup_repair/internal/checks/check_surfaces_3.h>
 
@@ -312,25 +309,12 @@ Complex make_deformable_simplicial_complex_3(const Bbox_3& box, double edge,
 /*!
 \ingroup PkgComplexConstructionRef
 
-Makes a complex on a flat torus from a function of labels. Almost regular tetrahedra get the labels
-of their barycenters. Then `fit_interface()` moves the interface to the places where labels change.
-Linear in the number of tetrahedra.
-
-\tparam Complex an instance of `Deformable_simplicial_complex_3` with the domain `Torus_domain<3>`
-
-\param domain the torus
-\param edge approximate edge length, positive; there are at least three edges in each direction
-\param label_at `label_at(p)` returns the label at an `Approximate_point_3` in the box of the torus; or
-       `label_at(points)` returns the labels at a vector of such points
-\param np the named parameters of `deform_interface()`, for `fit_interface()`
-
-\throws Error if `edge` is not positive, or is less than a millionth of a period
+Makes a complex on a flat torus from a function of labels; the same as `fill_torus()`.
 */
-template <class Complex, class LabelAt,
-          class NamedParameters = parameters::Default_named_parameters>
+template <class Complex, class LabelAt, class NP = parameters::Default_named_parameters>
 Complex make_deformable_simplicial_complex_3(const Torus_domain<3>& domain, double edge,
                                              const LabelAt& label_at,
-                                             const NamedParameters& np = NamedParameters()) {
+                                             const NP& np = parameters::default_values()) {
   return fill_torus<Complex>(domain, edge, label_at, np);
 }
 

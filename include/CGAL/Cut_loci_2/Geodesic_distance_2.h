@@ -11,14 +11,185 @@
 #include <CGAL/license/Cut_loci_2.h>
 
 #include <CGAL/Cut_loci_2/Geodesic_front_2.h>
-#include <CGAL/Cut_loci_2/internal/geodesics/Geodesic_finder_2.h>
+#include <CGAL/Cut_loci_2/internal/geodesics/directions.h>
 
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <map>
 #include <memory>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
+namespace internal {
+
+// Finds the shortest geodesics of a front to a point, up to rounding. Newton's method starts at
+// known geodesics that come near the point.
+template <class Front> class Geodesic_finder_2
+{
+public:
+  using Point = typename Front::Point_2;
+  using Pair = Eigen::Vector2d;
+
+  // A geodesic from the source, by its angle in radians and its length.
+  struct Geodesic
+  {
+    double angle, length;
+  };
+
+  // The end of a geodesic and its derivatives by the angle and the length.
+  struct Arrival
+  {
+    Geodesic geodesic;
+    typename Front::State state;
+    Pair by_angle, by_length;
+  };
+
+  explicit Geodesic_finder_2(const Front& front) : m_front(front) {}
+
+  void add(const Arrival& a) { m_arrivals[square(Point(a.state[0], a.state[1]))].push_back(a); }
+
+  Arrival arrival(const Geodesic& g) const {
+    static constexpr double difference = 1e-5; // in radians
+    const auto state = m_front.shoot(g.angle, g.length),
+               next = m_front.shoot(g.angle + difference, g.length);
+    return {g, state, Pair(next[0] - state[0], next[1] - state[1]) / difference,
+            Pair(state[2], state[3])};
+  }
+
+  // Returns the geodesics `known` and further geodesics to a point, sorted by length. They include
+  // the `number` shortest ones. Newton's method finds them from geodesics that come near the point.
+  std::vector<Geodesic> geodesics_to(const Point& p, std::size_t number,
+                                     std::vector<Geodesic> known) const {
+    static constexpr double similar = .05, inexact = 2; // radians, steps
+    const auto is_shorter = [](const Geodesic& a, const Geodesic& b) {
+      return a.length < b.length;
+    };
+    for (const Arrival* a : arrivals_near(p)) {
+      const Geodesic g = corrected(*a, p);
+      if (is_farther(a->geodesic, g) ||
+          (known.size() >= number &&
+           g.length > known[number - 1].length + inexact * m_front.step()))
+        continue;
+      if (std::any_of(known.begin(), known.end(), [&](const Geodesic& k) {
+            return std::abs(turn(k.angle, g.angle)) < similar;
+          }))
+        continue;
+      const auto found = geodesic_to(p, g);
+      if (found && std::all_of(known.begin(), known.end(),
+                               [&](const Geodesic& k) { return are_distinct(k, *found); }))
+        known.insert(std::upper_bound(known.begin(), known.end(), *found, is_shorter), *found);
+    }
+    return known;
+  }
+
+  // Returns the position of a state, in the copy of the torus that is nearest to p.
+  Point near(const Point& p, const typename Front::State& state) const {
+    return m_front.complex().domain().near(p, Point(state[0], state[1]));
+  }
+  Pair miss(const Point& p, const typename Front::State& state) const {
+    const Point q = near(p, state);
+    return Pair(q.x() - p.x(), q.y() - p.y());
+  }
+
+  // Returns whether two geodesics differ. Equal geodesics meet everywhere.
+  static bool are_distinct(const Geodesic& a, const Geodesic& b) {
+    static constexpr double same = 1e-3; // in radians
+    return std::abs(turn(a.angle, b.angle)) > same;
+  }
+
+  // Returns whether a step of Newton's method is too long to be trusted.
+  static bool is_farther(const Geodesic& from, const Geodesic& to) {
+    static constexpr double farthest = .5; // in radians
+    return !(std::abs(to.angle - from.angle) < farthest && to.length > 0 &&
+             to.length < 2 * from.length);
+  }
+
+protected:
+  const Front& m_front;
+
+public:
+  // Returns the geodesic to a point that Newton's method finds from the geodesic `start`.
+  std::optional<Geodesic> geodesic_to(const Point& p, const Geodesic& start) const {
+    static constexpr int iterations = 30; // many, because convergence is slow at conjugate points
+    static constexpr double precision = 1e-9;
+    Geodesic g = start;
+    for (int k = 0; k < iterations; ++k) {
+      const Arrival a = arrival(g);
+      const Geodesic next = corrected(a, p);
+      if (is_farther(start, next))
+        return std::nullopt;
+      if (std::hypot(next.angle - g.angle, (next.length - g.length) / m_front.length_of_spacing()) <
+              precision &&
+          miss(p, a.state).norm() < precision * m_front.spacing())
+        return next;
+      g = next;
+    }
+    return std::nullopt;
+  }
+
+private:
+  using Square = std::array<int, 2>;
+
+  // The approximate size of the squares of the chart, in spacings. Geodesics at larger distances
+  // from a point do not count as near.
+  static constexpr double size_of_squares = 4;
+
+  int number_of_squares(int axis) const {
+    return int(m_front.complex().domain().periods()[std::size_t(axis)] /
+               (size_of_squares * m_front.spacing()));
+  }
+
+  Square square(const Point& p) const {
+    const Point q = m_front.complex().domain().canonical(p);
+    const auto index = [&](double x, int axis) {
+      const int n = number_of_squares(axis);
+      const double part = x / m_front.complex().domain().periods()[std::size_t(axis)];
+      return (std::min)(int(part * n), n - 1);
+    };
+    return {index(q.x(), 0), index(q.y(), 1)};
+  }
+
+  // Returns the known geodesics near a point, the nearest one first.
+  std::vector<const Arrival*> arrivals_near(const Point& p) const {
+    const Square s = square(p);
+    const int n = number_of_squares(0), m = number_of_squares(1);
+    const double farthest = size_of_squares * m_front.spacing();
+    std::vector<std::pair<double, const Arrival*>> near;
+    for (int i = -1; i <= 1; ++i)
+      for (int j = -1; j <= 1; ++j)
+        if (const auto it = m_arrivals.find({(s[0] + i + n) % n, (s[1] + j + m) % m});
+            it != m_arrivals.end())
+          for (const Arrival& a : it->second)
+            if (const double distance = miss(p, a.state).norm(); distance < farthest)
+              near.emplace_back(distance, &a);
+    std::stable_sort(near.begin(), near.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<const Arrival*> result;
+    for (const auto& item : near)
+      result.push_back(item.second);
+    return result;
+  }
+
+  // Returns the result of one Newton step.
+  Geodesic corrected(const Arrival& a, const Point& p) const {
+    const double spacing = m_front.spacing(), length = m_front.length_of_spacing();
+    Eigen::Matrix2d jacobian;
+    jacobian << a.by_angle / spacing, a.by_length * (length / spacing);
+    const Pair step = jacobian.fullPivLu().solve(miss(p, a.state) / spacing);
+    return {a.geodesic.angle - step[0], a.geodesic.length - length * step[1]};
+  }
+
+  std::map<Square, std::vector<Arrival>> m_arrivals;
+};
+
+} // namespace internal
 
 /*!
 \ingroup PkgCutLoci2Ref

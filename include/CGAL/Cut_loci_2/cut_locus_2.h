@@ -13,7 +13,6 @@
 #include <CGAL/Cut_loci_2/Riemannian_metric_2.h>
 #include <CGAL/Cut_loci_2/Sphere_like_surface_2.h>
 #include <CGAL/Cut_loci_2/internal/geodesics/Cut_arcs_2.h>
-#include <CGAL/Cut_loci_2/internal/geodesics/Cut_certificate_2.h>
 #include <CGAL/Cut_loci_2/internal/geodesics/Cut_circle_2.h>
 #include <CGAL/Cut_loci_2/internal/geodesics/Geodesic_equations_2.h>
 #include <CGAL/Cut_loci_2/internal/geodesics/Geodesic_fan_2.h>

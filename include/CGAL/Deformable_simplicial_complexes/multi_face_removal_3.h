@@ -21,10 +21,12 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL::Deformable_simplicial_complexes::internal {
+namespace CGAL::Deformable_simplicial_complexes {
+namespace internal {
 
-// The facets that are sandwiched between two vertices a and b: each facet has a cell with a below
-// it and a cell with b above it. The first facet determines a and b.
+// A set of facets that are sandwiched between two vertices a and b: each facet has a cell with a
+// below it and a cell with b above it. The first facet determines a and b. Derived classes find the
+// set.
 template <class Complex> class Sandwich_3
 {
 public:
@@ -40,13 +42,24 @@ public:
     Vertex_handle source, target; // the facet is on the left, seen from b
   };
 
+  template <class T> using Small_vector = boost::container::small_vector<T, 16>;
+
   Sandwich_3(const Complex& complex, Cell_handle below, int i)
       : m_complex(complex), m_first{below, below->neighbor(i)}, m_a(below->vertex(i)),
         m_b(m_first.above->vertex(m_first.above->index(below))) {}
 
   Vertex_handle a() const { return m_a; }
   Vertex_handle b() const { return m_b; }
-  const Sheet& first() const { return m_first; }
+  const Small_vector<Sheet>& sheets() const { return m_sheets; }
+  // Returns the boundary of the set.
+  const Small_vector<Directed_edge>& boundary() const { return m_boundary; }
+
+protected:
+  // Returns whether the cells at the first facet are finite and of one label.
+  bool is_inside_label() const {
+    return !m_complex.is_infinite(m_first.below) && !m_complex.is_infinite(m_first.above) &&
+           m_first.below->label() == m_first.above->label();
+  }
 
   std::array<Directed_edge, 3> edges_of_first() const {
     const auto v = m_complex.facet_vertices({m_first.below, m_first.below->index(m_a)});
@@ -70,40 +83,41 @@ public:
     return apex != m_b && g.below->neighbor(g.below->index(m_a)) == g.above;
   }
 
-private:
+  static bool contains(const Small_vector<Sheet>& sheets, const Sheet& g) {
+    return std::any_of(sheets.begin(), sheets.end(),
+                       [&](const Sheet& s) { return s.below == g.below; });
+  }
+
   const Complex& m_complex;
   Sheet m_first;
   Vertex_handle m_a, m_b;
+  Small_vector<Sheet> m_sheets;
+  Small_vector<Directed_edge> m_boundary;
 };
-
-} // namespace CGAL::Deformable_simplicial_complexes::internal
-
-namespace CGAL::Deformable_simplicial_complexes {
-namespace internal {
 
 // Search for the best set of sandwiched facets to be removed, by recursion over the edges of the
 // set (Shewchuk). Across an edge, either the next facet joins the set, or the edge becomes part of
-// the boundary of the set and is connected with the new edge ab.
-template <class Complex> class Best_sandwich_3
+// the boundary of the set and is connected with the new edge ab. Each edge of the boundary thus
+// gives the new cell (a, b, source, target).
+template <class Complex> class Best_sandwich_3 : public Sandwich_3<Complex>
 {
-public:
-  using Cell_handle = typename Complex::Cell_handle;
-  using Vertex_handle = typename Complex::Vertex_handle;
-  using Sandwich = Sandwich_3<Complex>;
-  using Sheet = typename Sandwich::Sheet;
-  using Directed_edge = typename Sandwich::Directed_edge;
-  template <class T> using Small_vector = boost::container::small_vector<T, 16>;
+  using Base = Sandwich_3<Complex>;
 
-  Best_sandwich_3(const Complex& complex, Cell_handle below, int i)
-      : m_complex(complex), m_sandwich(complex, below, i) {}
+public:
+  using Base::Base;
+  using typename Base::Directed_edge;
+  using typename Base::Sheet;
+  using typename Base::Vertex_handle;
 
   // Finds the best set. Returns whether the worst quality rises.
   bool grow() {
-    const Sheet& first = m_sandwich.first();
+    if (!this->is_inside_label())
+      return false;
+    const Sheet& first = this->m_first;
     m_sheets.push_back(first);
     m_tried.push_back(first);
     double after = infinity, before = worst(first);
-    for (const Directed_edge& e : m_sandwich.edges_of_first()) {
+    for (const Directed_edge& e : this->edges_of_first()) {
       const Outcome outcome = across(first, e);
       after = (std::min)(after, outcome.after);
       before = (std::min)(before, outcome.before);
@@ -112,12 +126,6 @@ public:
     }
     return after > before;
   }
-
-  Vertex_handle a() const { return m_sandwich.a(); }
-  Vertex_handle b() const { return m_sandwich.b(); }
-  const Small_vector<Sheet>& sheets() const { return m_sheets; }
-  // Returns the boundary of the set. Each edge gives the new cell (a, b, source, target).
-  const Small_vector<Directed_edge>& boundary() const { return m_boundary; }
 
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -132,17 +140,17 @@ private:
   double worst(const Sheet& f) const { return (std::min)(f.below->quality(), f.above->quality()); }
 
   double new_quality(const Directed_edge& e) const {
-    const std::array<Vertex_handle, 4> v = {a(), b(), e.source, e.target};
-    return m_complex.domain().template apply<Complex>(
-        m_complex.quality_measure(), [&](int i) { return m_complex.position(v[i]); });
+    const std::array<Vertex_handle, 4> v = {this->m_a, this->m_b, e.source, e.target};
+    return this->m_complex.domain().template apply<Complex>(
+        this->m_complex.quality_measure(), [&](int i) { return this->m_complex.position(v[i]); });
   }
 
   Outcome across(const Sheet& f, const Directed_edge& e) {
     const double quality = new_quality(e);
     Sheet g;
     Vertex_handle apex;
-    if (m_tried.size() < maximum_number_of_sheets && m_sandwich.find_neighbor(f, e, g, apex) &&
-        !is_tried(g)) {
+    if (m_tried.size() < maximum_number_of_sheets && this->find_neighbor(f, e, g, apex) &&
+        !Base::contains(m_tried, g)) {
       const std::size_t sheets = m_sheets.size(), edges = m_boundary.size();
       m_sheets.push_back(g);
       m_tried.push_back(g);
@@ -159,17 +167,10 @@ private:
     return {quality, infinity};
   }
 
-  bool is_tried(const Sheet& g) const {
-    return std::any_of(m_tried.begin(), m_tried.end(),
-                       [&](const Sheet& s) { return s.below == g.below; });
-  }
-
-  const Complex& m_complex;
-  Sandwich m_sandwich;
-  Small_vector<Sheet> m_sheets;
+  using Base::m_boundary;
+  using Base::m_sheets;
   // each facet is tried once; otherwise, the search would be exponential
-  Small_vector<Sheet> m_tried;
-  Small_vector<Directed_edge> m_boundary;
+  typename Base::template Small_vector<Sheet> m_tried;
 };
 
 } // namespace internal
@@ -192,9 +193,6 @@ the set of facets for which the worst quality rises most. Linear in m.
 template <class Complex>
 bool propose_multi_face_removal(const Complex& complex, typename Complex::Cell_handle cell, int i,
                                 Cavity<Complex>& cavity) {
-  const typename Complex::Cell_handle mirror = cell->neighbor(i);
-  if (complex.is_infinite(cell) || complex.is_infinite(mirror) || cell->label() != mirror->label())
-    return false;
   internal::Best_sandwich_3<Complex> sandwich(complex, cell, i);
   if (!sandwich.grow())
     return false;
@@ -212,34 +210,34 @@ bool propose_multi_face_removal(const Complex& complex, typename Complex::Cell_h
 namespace internal {
 
 // The connected set of all facets sandwiched between the two apices of a given facet.
-template <class Complex> class Whole_sandwich_3
+template <class Complex> class Whole_sandwich_3 : public Sandwich_3<Complex>
 {
+  using Base = Sandwich_3<Complex>;
+
 public:
-  using Cell_handle = typename Complex::Cell_handle;
-  using Vertex_handle = typename Complex::Vertex_handle;
-  using Sandwich = Sandwich_3<Complex>;
-  using Sheet = typename Sandwich::Sheet;
-  using Directed_edge = typename Sandwich::Directed_edge;
+  using Base::Base;
+  using typename Base::Directed_edge;
+  using typename Base::Sheet;
+  using typename Base::Vertex_handle;
   using Cavity = Deformable_simplicial_complexes::Cavity<Complex>;
   using Index = typename Cavity::Index;
-
-  Whole_sandwich_3(const Complex& complex, Cell_handle below, int i)
-      : m_sandwich(complex, below, i) {}
 
   // Finds the facets. Returns whether there are at least two, and they form a disk with all
   // vertices on its boundary.
   bool grow() {
-    m_sheets.push_back(m_sandwich.first());
-    for (const Directed_edge& e : m_sandwich.edges_of_first())
-      m_open.push_back({m_sandwich.first(), e});
+    if (!this->is_inside_label())
+      return false;
+    m_sheets.push_back(this->m_first);
+    for (const Directed_edge& e : this->edges_of_first())
+      m_open.push_back({this->m_first, e});
     while (!m_open.empty()) {
       const auto [f, e] = m_open.back();
       m_open.pop_back();
       Sheet g;
       Vertex_handle apex;
-      if (!m_sandwich.find_neighbor(f, e, g, apex)) {
+      if (!this->find_neighbor(f, e, g, apex)) {
         m_boundary.push_back(e);
-      } else if (!contains(g)) {
+      } else if (!Base::contains(m_sheets, g)) {
         if (m_sheets.size() == maximum_number_of_sheets)
           return false;
         m_sheets.push_back(g);
@@ -259,7 +257,7 @@ public:
     // loop.
     for (Vertex_handle v : m_loop)
       cavity.add(v);
-    const Index a = cavity.add(m_sandwich.a()), b = cavity.add(m_sandwich.b());
+    const Index a = cavity.add(this->m_a), b = cavity.add(this->m_b);
     double before = std::numeric_limits<double>::infinity();
     for (const Sheet& s : m_sheets) {
       cavity.remove(s.below);
@@ -267,7 +265,7 @@ public:
       // Qualities are computed with the vertex order of the new tetrahedra, so that a difference by
       // rounding does not count as an improvement.
       std::array<Index, 3> t;
-      const int apex = s.below->index(m_sandwich.a());
+      const int apex = s.below->index(this->m_a);
       for (int k = 0; k < 3; ++k)
         t[k] = cavity.add(s.below->vertex((apex + 1 + k) % 4));
       std::sort(t.begin(), t.end());
@@ -277,17 +275,12 @@ public:
     return Polygon_triangulation_3<Complex>(cavity, a, b)
         .create(
             m_loop.size(), [](std::size_t k) { return Index(k); },
-            (std::max)(before, cavity.quality_before()), m_sandwich.first().below);
+            (std::max)(before, cavity.quality_before()), this->m_first.below);
   }
 
 private:
   static constexpr std::size_t maximum_number_of_sheets =
       Polygon_triangulation_3<Complex>::maximum_number_of_vertices - 2;
-
-  bool contains(const Sheet& g) const {
-    return std::any_of(m_sheets.begin(), m_sheets.end(),
-                       [&](const Sheet& s) { return s.below == g.below; });
-  }
 
   // Chains the edges of the boundary. Returns whether they form one simple loop.
   bool find_loop() {
@@ -307,12 +300,10 @@ private:
     Directed_edge edge;
   };
 
-  template <class T> using Small_vector = boost::container::small_vector<T, 16>;
-  Sandwich m_sandwich;
-  Small_vector<Sheet> m_sheets;
-  Small_vector<Edge_of_sheet> m_open;
-  Small_vector<Directed_edge> m_boundary;
-  Small_vector<Vertex_handle> m_loop; // counterclockwise seen from b
+  using Base::m_boundary;
+  using Base::m_sheets;
+  typename Base::template Small_vector<Edge_of_sheet> m_open;
+  typename Base::template Small_vector<Vertex_handle> m_loop; // counterclockwise seen from b
 };
 
 } // namespace internal
@@ -338,9 +329,6 @@ Baerentzen, Anton and Erleben 2009). Cubic in m.
 template <class Complex>
 bool propose_multi_face_retriangulation(const Complex& complex, typename Complex::Cell_handle cell,
                                         int i, Cavity<Complex>& cavity) {
-  const typename Complex::Cell_handle mirror = cell->neighbor(i);
-  if (complex.is_infinite(cell) || complex.is_infinite(mirror) || cell->label() != mirror->label())
-    return false;
   internal::Whole_sandwich_3<Complex> sandwich(complex, cell, i);
   if (!sandwich.grow())
     return false;

@@ -44,7 +44,6 @@ template <class Complex> class Wall_surroundings
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
   using Cell_handle = typename Complex::Cell_handle;
-  using Label = typename Complex::Label;
   using Point = typename Complex::Approximate_point;
   using Index = typename Cavity<Complex>::Index;
 
@@ -152,7 +151,7 @@ public:
 
 private:
   using Vector = typename Complex::Approximate_vector;
-  using Phase = std::optional<Label>; // empty for the outside of the domain
+  using Phase = std::optional<typename Complex::Label>; // empty for the outside of the domain
 
   // Side of the polygon, counterclockwise, with its inner cell.
   struct Side

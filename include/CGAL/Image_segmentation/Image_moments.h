@@ -13,7 +13,6 @@
 #include <CGAL/Image_segmentation/Gray_image.h>
 #include <CGAL/Image_segmentation/internal/moments/Pixel_sums_2.h>
 #include <CGAL/Image_segmentation/internal/moments/Voxel_lines_3.h>
-#include <CGAL/Image_segmentation/internal/moments/pixel_pieces.h>
 
 #include <algorithm>
 #include <array>

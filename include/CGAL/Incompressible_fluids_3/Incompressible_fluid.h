@@ -23,15 +23,12 @@
 #include <CGAL/Incompressible_fluids_3/Solids_3.h>
 #include <CGAL/Incompressible_fluids_3/fluid_errors.h>
 #include <CGAL/Incompressible_fluids_3/internal/fluid/Energy_check.h>
-#include <CGAL/Incompressible_fluids_3/internal/fluid/Fixed_point_accelerator.h>
+#include <CGAL/Incompressible_fluids_3/internal/fluid/Fluid_bookkeeping.h>
 #include <CGAL/Incompressible_fluids_3/internal/fluid/Fluid_motion.h>
-#include <CGAL/Incompressible_fluids_3/internal/fluid/Gas_bookkeeping.h>
-#include <CGAL/Incompressible_fluids_3/internal/fluid/Liquid_bookkeeping.h>
 #include <CGAL/Incompressible_fluids_3/internal/fluid/Liquid_interface.h>
 #include <CGAL/Incompressible_fluids_3/internal/fluid/Step_plan.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Component_momenta.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
-#include <CGAL/Incompressible_fluids_3/internal/mesh/set_tensions.h>
 #include <CGAL/Incompressible_fluids_3/internal/sides/Open_sides.h>
 #include <CGAL/Incompressible_fluids_3/internal/sides/side_velocities.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Field_diffusion.h>
@@ -838,7 +835,6 @@ private:
 } // namespace CGAL::Deformable_simplicial_complexes
 
 #include <CGAL/Incompressible_fluids_3/internal/fluid/Incompressible_fluid_attempts_impl.h>
-#include <CGAL/Incompressible_fluids_3/internal/fluid/Incompressible_fluid_field_impl.h>
 #include <CGAL/Incompressible_fluids_3/internal/fluid/Incompressible_fluid_impl.h>
 #include <CGAL/Incompressible_fluids_3/internal/fluid/Incompressible_fluid_mesh_impl.h>
 

@@ -12,7 +12,6 @@
 
 #include <CGAL/Incompressible_fluids_3/Saddle_point_system.h>
 #include <CGAL/Incompressible_fluids_3/fluid_errors.h>
-#include <CGAL/Incompressible_fluids_3/internal/solvers/Incomplete_factorization.h>
 #include <CGAL/Incompressible_fluids_3/internal/solvers/Multilevel_preconditioner.h>
 #include <CGAL/Incompressible_fluids_3/internal/solvers/Saddle_point_operator.h>
 #include <CGAL/Incompressible_fluids_3/internal/solvers/minimal_residuals.h>

@@ -11,17 +11,139 @@
 #include <CGAL/license/Interface_flows.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
-#include <CGAL/Interface_flows/internal/grains/junctions.h>
 #include <CGAL/Interface_remeshing/shared_measures.h>
+#include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
+
+// A junction: an edge where three labels or more meet, in the plane a vertex.
+//
+// \tparam Complex a deformable simplicial complex
+template <class Complex> struct Junction
+{
+  // The ends of the edge, the older one first; in the plane, the vertex.
+  std::array<typename Complex::Vertex_handle, Complex::dimension - 1> vertices;
+  // The angle of each label in radians: the sum of the dihedral angles of its cells at the edge,
+  // in the plane of their angles at the vertex. Inside the domain, the sum is \f$2\pi\f$.
+  std::map<typename Complex::Label, double> angles;
+};
+
+namespace internal {
+
+// Returns the angle between the parts of two vectors that are perpendicular to an edge.
+template <class Vector> double angle_at_edge(const Vector& edge, const Vector& a, const Vector& b) {
+  const Vector u = cross_product(edge, a), v = cross_product(edge, b);
+  return std::atan2(std::sqrt(cross_product(u, v).squared_length()), u * v);
+}
+
+// Calls visit(vertices, label, angle) for the edges of a cell, in the plane for its vertices, that
+// can be junctions. The older vertex of an edge is the first one.
+template <class Complex, class Visit>
+void visit_angles(const Complex& complex, typename Complex::Cell_handle c, const Visit& visit) {
+  static constexpr int d = Complex::dimension;
+  std::array<typename Complex::Approximate_point, d + 1> p;
+  for (int i = 0; i <= d; ++i)
+    p[i] = complex.corner(c, i);
+  for (int i = 0; i <= d; ++i) {
+    if (!c->vertex(i)->is_interface())
+      continue;
+    if constexpr (d == 2) {
+      const auto a = p[(i + 1) % 3] - p[i], b = p[(i + 2) % 3] - p[i];
+      visit(std::array{c->vertex(i)}, std::atan2(a.x() * b.y() - a.y() * b.x(), a * b));
+    } else {
+      for (int j = i + 1; j <= d; ++j) {
+        if (!c->vertex(j)->is_interface())
+          continue;
+        int k = 0;
+        while (k == i || k == j)
+          ++k;
+        const int l = 6 - i - j - k;
+        std::array ends = {c->vertex(i), c->vertex(j)};
+        if (ends[1]->time_stamp() < ends[0]->time_stamp())
+          std::swap(ends[0], ends[1]);
+        visit(ends, angle_at_edge(p[j] - p[i], p[k] - p[i], p[l] - p[i]));
+      }
+    }
+  }
+}
+
+} // namespace internal
+
+// Visits the edges whose ends are on the interface, in the plane the vertices of the interface,
+// with the angle of each label, see `Junction::angles`. n log n in the number of cells at the
+// interface, plus linear in the number of cells.
+//
+// \param complex the complex
+// \param visit `visit(vertices, angles)` is called in the order of the time stamps of the vertices, with
+//        `Junction::vertices` and a vector of pairs of a label and its angle, by increasing label.
+//        There is a single pair if an edge is not on the interface, also on the boundary of the
+//        domain.
+// \throws Interrupted_error if the callback of a `Progress_scope` returned `false`
+template <class Complex, class Visit>
+void visit_interface_edges(const Complex& complex, const Visit& visit) {
+  static constexpr int n = Complex::dimension - 1;
+  using Label = typename Complex::Label;
+  using Vertices = std::array<typename Complex::Vertex_handle, n>;
+  struct Angle
+  {
+    std::array<std::size_t, n> time_stamps;
+    Label label;
+    double angle;
+    Vertices vertices;
+  };
+  std::vector<Angle> angles;
+  for (auto c : complex.cells()) {
+    Progress_scope::check();
+    internal::visit_angles(complex, c, [&](const Vertices& vertices, double angle) {
+      std::array<std::size_t, n> time_stamps;
+      for (int i = 0; i < n; ++i)
+        time_stamps[i] = vertices[i]->time_stamp();
+      angles.push_back({time_stamps, c->label(), angle, vertices});
+    });
+  }
+  // Stable, so that sums do not depend on the implementation.
+  std::stable_sort(angles.begin(), angles.end(), [](const Angle& a, const Angle& b) {
+    return std::tie(a.time_stamps, a.label) < std::tie(b.time_stamps, b.label);
+  });
+  std::vector<std::pair<Label, double>> of_labels;
+  for (auto first = angles.begin(); first != angles.end();) {
+    const Vertices vertices = first->vertices;
+    const auto time_stamps = first->time_stamps;
+    of_labels.clear();
+    for (; first != angles.end() && first->time_stamps == time_stamps; ++first) {
+      if (of_labels.empty() || of_labels.back().first != first->label)
+        of_labels.emplace_back(first->label, 0);
+      of_labels.back().second += first->angle;
+    }
+    visit(vertices, of_labels);
+  }
+}
+
+// Returns the junctions of a complex with their angles, ordered by the time stamps of their
+// vertices. In equilibrium, the angles equal the angles of `Interface_energy::young_angles()`. n
+// log n in the number of cells at the interface, plus linear in the number of cells.
+//
+// \throws Interrupted_error if the callback of a `Progress_scope` returned `false`
+template <class Complex> std::vector<Junction<Complex>> junctions(const Complex& complex) {
+  std::vector<Junction<Complex>> result;
+  visit_interface_edges(complex, [&](const auto& vertices, const auto& angles) {
+    static constexpr std::size_t fewest = 3; // labels
+    if (angles.size() >= fewest)
+      result.push_back({vertices, {angles.begin(), angles.end()}});
+  });
+  return result;
+}
 
 /*!
 \ingroup PkgInterfaceFlowsRef

@@ -38,7 +38,6 @@ template <class Complex> class Junction_sectors
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
   using Cell_handle = typename Complex::Cell_handle;
-  using Label = typename Complex::Label;
   using Vector = typename Complex::Approximate_vector;
   using Index = typename Cavity<Complex>::Index;
 
@@ -112,7 +111,7 @@ private:
     Cell_handle cell;
   };
 
-  using Phase = std::optional<Label>; // empty for the outside of the domain
+  using Phase = std::optional<typename Complex::Label>; // empty for the outside of the domain
 
   static double length(const Vector& v) { return std::sqrt(v.squared_length()); }
   Phase phase(std::size_t k) const {

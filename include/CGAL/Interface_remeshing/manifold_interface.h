@@ -10,7 +10,6 @@
 
 #include <CGAL/license/Interface_remeshing.h>
 
-#include <CGAL/Deformable_simplicial_complexes/internal/topology/Labeled_star.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Manifold_relabeling.h>
 
 #include <vector>

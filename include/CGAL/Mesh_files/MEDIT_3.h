@@ -12,11 +12,10 @@
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Interface_remeshing/extract_interface_3.h>
-#include <CGAL/Interface_remeshing/internal/extraction/Vertex_numbering.h>
+#include <CGAL/Interface_remeshing/internal/extraction/Extracted_facets.h>
 #include <CGAL/Mesh_files/Mesh_entities.h>
 #include <CGAL/Mesh_files/Unused_content.h>
 #include <CGAL/Mesh_files/internal/grids/Medit_reader.h>
-#include <CGAL/Mesh_files/internal/grids/medit_text.h>
 #include <CGAL/Mesh_files/internal/text/files.h>
 #include <CGAL/Mesh_files/internal/text/open_input.h>
 #include <CGAL/Mesh_files/replace_file.h>

@@ -11,7 +11,6 @@
 #include <CGAL/license/Mesh_files.h>
 
 #include <CGAL/Complex_construction/Labeled_curve_2.h>
-#include <CGAL/Complex_construction/Seeded_segments_2.h>
 #include <CGAL/Deformable_simplicial_complex_2.h>
 #include <CGAL/Interface_remeshing/extract_interface_2.h>
 #include <CGAL/Mesh_files/Unused_content.h>

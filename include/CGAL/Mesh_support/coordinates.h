@@ -47,8 +47,7 @@ Returns the point of type `Complex::Approximate_point` with given coordinates.
 template <class Complex>
 typename Complex::Approximate_point
 point_at(const std::array<double, Complex::dimension>& coordinates) {
-  return from_coordinates<typename Complex::Approximate_point>(
-      coordinates.data(), std::make_integer_sequence<int, Complex::dimension>());
+  return point_of<typename Complex::Approximate_point>(coordinates);
 }
 
 /*!
@@ -59,8 +58,7 @@ Returns the vector of type `Complex::Approximate_vector` with given coordinates.
 template <class Complex>
 typename Complex::Approximate_vector
 vector_of(const std::array<double, Complex::dimension>& coordinates) {
-  return from_coordinates<typename Complex::Approximate_vector>(
-      coordinates.data(), std::make_integer_sequence<int, Complex::dimension>());
+  return point_of<typename Complex::Approximate_vector>(coordinates);
 }
 
 /*!

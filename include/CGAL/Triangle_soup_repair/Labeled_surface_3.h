@@ -19,6 +19,23 @@ namespace CGAL::Deformable_simplicial_complexes {
 /*!
 \ingroup PkgTriangleSoupRepairRef
 
+A triangle soup that separates two labels, such as the wall between two materials, and the labels on
+its two sides. All triangles are oriented consistently.
+
+\tparam Point a point type, such as `Deformable_simplicial_complex_3::Point_3`
+*/
+template <class Point> struct Labeled_patch_3
+{
+  std::vector<Point> points;                         ///< corners of the triangles
+  std::vector<std::array<std::size_t, 3>> triangles; ///< indices into `points`
+  /// label on the side from which corners are seen clockwise
+  int label_behind = 1;
+  int label_in_front = 0; ///< label on the side from which corners are seen counterclockwise
+};
+
+/*!
+\ingroup PkgTriangleSoupRepairRef
+
 A triangle soup that bounds a solid, and the label of the solid. The triangles need not be
 consistently oriented, and need not share points. A point is inside if a path from the outside
 crosses the surface an odd number of times.

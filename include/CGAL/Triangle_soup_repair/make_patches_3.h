@@ -10,19 +10,183 @@
 
 #include <CGAL/license/Triangle_soup_repair.h>
 
-#include <CGAL/Triangle_soup_repair/Labeled_patch_3.h>
+#include <CGAL/Mesh_support/Progress_scope.h>
+#include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
 #include <CGAL/Triangle_soup_repair/Labeled_surface_3.h>
-#include <CGAL/Triangle_soup_repair/internal/repair/shared_walls_3.h>
+#include <CGAL/Triangle_soup_repair/internal/checks/check_surfaces_3.h>
+#include <CGAL/Triangle_soup_repair/internal/checks/refuse_surface.h>
+#include <CGAL/Triangle_soup_repair/internal/soups/Soup_regions_3.h>
+#include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
+#include <CGAL/Triangle_soup_repair/internal/soups/split_at_crossings_3.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <map>
+#include <numeric>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
+namespace internal {
+
+// A closed surface, and the input surface it belongs to.
+struct Cell_surface_3
+{
+  Triangle_soup_3 soup;
+  std::size_t surface; // index of the input surface
+};
+
+// Returns the triangles without repetitions: the first of several triangles with the same corners.
+// `index[t]` becomes the new index of triangle t.
+// \pre equal points are merged
+inline std::vector<Triangle_indices>
+distinct_triangles(const std::vector<Triangle_indices>& triangles,
+                   std::vector<std::size_t>& index) {
+  std::map<Triangle_indices, std::size_t> known;
+  std::vector<Triangle_indices> result;
+  for (const Triangle_indices& t : triangles) {
+    Triangle_indices corners = t;
+    std::sort(corners.begin(), corners.end());
+    const auto [place, is_new] = known.emplace(corners, result.size());
+    if (is_new)
+      result.push_back(t);
+    index.push_back(place->second);
+  }
+  return result;
+}
+
+// Returns the surfaces of the regions that a surface with walls encloses. Walls are triangles that
+// occur several times, or that share an edge with at least two other triangles. A surface without
+// walls is returned unchanged.
+inline std::vector<Triangle_soup_3> surfaces_of_cells(const Triangle_soup_3& input,
+                                                      std::size_t surface) {
+  check_numbers(input, surface);
+  const Merged_soup_3 merged = merge_points(input);
+  check_areas(merged, surface);
+  Triangle_soup_3 soup = {merged.points, {}};
+  std::vector<std::size_t> index;
+  soup.triangles = distinct_triangles(merged.triangles, index);
+  bool has_walls = soup.triangles.size() < merged.triangles.size();
+  const auto sides = sorted_sides(soup.triangles);
+  for (auto side = sides.cbegin(); side != sides.cend();) {
+    const auto end = end_of_edge(side, sides.cend());
+    if (end - side == 1)
+      check_closedness(merged, surface);
+    has_walls |= (end - side) % 2 == 1;
+    side = end;
+  }
+  if (!has_walls)
+    return {input};
+  if (const auto pairs = crossing_triangles(soup); !pairs.empty())
+    refuse_surface(Invalid_surface_error::Reason::self_intersection, surface,
+                   {pairs.front().first, pairs.front().second});
+  const Soup_regions_3 regions(soup);
+  std::vector<Triangle_soup_3> result(regions.size(), {soup.points, {}});
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t)
+    if (regions.in_front_of(t) != regions.behind(t))
+      for (std::size_t r : {regions.in_front_of(t), regions.behind(t)})
+        result[r].triangles.push_back(soup.triangles[t]);
+  result.erase(result.begin() + Soup_regions_3::unbounded);
+  if (result.size() < 2) // no wall divides a region: triangles are repeated by mistake
+    return {input};
+  for (Triangle_soup_3& cell : result)
+    cell = merge_points(cell);
+  return result;
+}
+
+// The regions of space that closed surfaces with common walls enclose.
+struct Walled_regions_3
+{
+  struct Sides
+  {
+    std::size_t behind, in_front; // cell on each side of a triangle, or `outside`
+  };
+
+  static constexpr std::size_t outside = std::size_t(-1);
+
+  Triangle_soup_3 soup;     // triangles meet in common vertices and edges only
+  std::vector<Sides> sides; // sides of each triangle
+};
+
+// Returns the innermost of the cells that enclose each region. Throws Invalid_surface_error if two
+// cells enclose the same regions, or overlap and neither contains the other.
+inline std::vector<std::size_t> innermost_cells(const std::vector<std::vector<char>>& enclosed,
+                                                const std::vector<Cell_surface_3>& cells,
+                                                std::size_t number_of_regions) {
+  std::vector<std::size_t> order(cells.size()), sizes;
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  for (const std::vector<char>& regions : enclosed)
+    sizes.push_back(std::size_t(std::count(regions.begin(), regions.end(), 1)));
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t i, std::size_t j) { return sizes[i] < sizes[j]; });
+  std::vector<std::size_t> result(number_of_regions, Walled_regions_3::outside);
+  std::vector<std::size_t> outermost(number_of_regions, Walled_regions_3::outside);
+  for (std::size_t c : order) {
+    // All regions enclosed by the smaller cell must be enclosed by the larger one.
+    std::map<std::size_t, std::size_t> overlaps;
+    for (std::size_t r = 0; r < number_of_regions; ++r)
+      if (enclosed[c][r] && outermost[r] != Walled_regions_3::outside)
+        ++overlaps[outermost[r]];
+    for (const auto& [other, common] : overlaps)
+      if (common != sizes[other] || common == sizes[c])
+        refuse_surface(Invalid_surface_error::Reason::crossing_surfaces,
+                       (std::min)(cells[other].surface, cells[c].surface),
+                       (std::max)(cells[other].surface, cells[c].surface), {}, {});
+    for (std::size_t r = 0; r < number_of_regions; ++r)
+      if (enclosed[c][r]) {
+        outermost[r] = c;
+        if (result[r] == Walled_regions_3::outside)
+          result[r] = c;
+      }
+  }
+  return result;
+}
+
+// Divides space by closed surfaces that may share walls. The walls need not have the same
+// triangulation. Throws Invalid_surface_error if surfaces are not closed, or overlap.
+inline Walled_regions_3 divide_by_walls(const std::vector<Cell_surface_3>& cells) {
+  std::vector<Merged_soup_3> merged;
+  for (const Cell_surface_3& cell : cells) {
+    merged.push_back(merge_points(cell.soup));
+    check_closedness(merged.back(), cell.surface);
+    const Joined_soup_3 alone = join({merged.back()});
+    if (const auto pairs = crossing_triangles(alone); !pairs.empty())
+      refuse_surface(Invalid_surface_error::Reason::self_intersection, cell.surface,
+                     {pairs.front().first, pairs.front().second});
+  }
+  const Joined_soup_3 joined = join(merged);
+  const std::optional<Split_soup_3> split = split_at_crossings(joined);
+  if (!split)
+    refuse_surface(Invalid_surface_error::Reason::crossing_surfaces, cells.front().surface,
+                   cells.back().surface, {}, {});
+  Walled_regions_3 result;
+  std::vector<std::size_t> index;
+  result.soup = {split->points, distinct_triangles(split->triangles, index)};
+  const Soup_regions_3 regions(result.soup);
+  std::vector<std::vector<char>> is_of(cells.size(),
+                                       std::vector<char>(result.soup.triangles.size(), 0));
+  for (std::size_t piece = 0; piece < index.size(); ++piece) {
+    char& is_of_cell = is_of[joined.triangle_origins[split->origins[piece]].surface][index[piece]];
+    is_of_cell = !is_of_cell;
+  }
+  std::vector<std::vector<char>> enclosed;
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    Progress_scope::check();
+    const auto by_cell = regions.enclosed_by(is_of[c]);
+    if (!by_cell)
+      refuse_surface(Invalid_surface_error::Reason::non_manifold_edge, cells[c].surface);
+    enclosed.push_back(*by_cell);
+  }
+  const std::vector<std::size_t> innermost = innermost_cells(enclosed, cells, regions.size());
+  for (std::size_t t = 0; t < result.soup.triangles.size(); ++t)
+    result.sides.push_back({innermost[regions.behind(t)], innermost[regions.in_front_of(t)]});
+  return result;
+}
+
+} // namespace internal
 
 /*!
 \ingroup PkgTriangleSoupRepairRef

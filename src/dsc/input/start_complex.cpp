@@ -12,7 +12,7 @@
 #include "motions/tracked_complex_3.h"
 #include "programs/errors.h"
 
-#include <CGAL/Complex_construction/Tetrahedralization_error.h>
+#include <CGAL/Complex_construction/Tetrahedralization_3.h>
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 #include "motions/run.h"
 #include "motions/tracked_complex.h"
 
-#include <CGAL/Complex_construction/Tetrahedralization_error.h>
+#include <CGAL/Complex_construction/Tetrahedralization_3.h>
 
 #include <array>
 #include <cstddef>

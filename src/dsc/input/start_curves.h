@@ -8,7 +8,6 @@
 #include "input/run_start.h"
 
 #include <CGAL/Complex_construction/Labeled_curve_2.h>
-#include <CGAL/Complex_construction/Seeded_segments_2.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

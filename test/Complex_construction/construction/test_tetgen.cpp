@@ -1,7 +1,7 @@
 #include "../../../src/tetgen/child_process.h"
 
-#include <CGAL/Complex_construction/Tetrahedralization_error.h>
-#include <CGAL/Complex_construction/internal/building/enclosing_box_3.h>
+#include <CGAL/Complex_construction/Tetrahedralization_3.h>
+#include <CGAL/Complex_construction/internal/building/Boxed_soup_3.h>
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 

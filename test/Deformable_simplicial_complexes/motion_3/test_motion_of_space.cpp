@@ -3,7 +3,6 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Harmonic_extension.h>
 #include <CGAL/Mesh_support/For_each_index.h>
 #include <CGAL/Mesh_support/internal/numbers/Conjugate_gradients.h>
-#include <CGAL/Mesh_support/internal/numbers/Row_blocks.h>
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>

@@ -11,7 +11,7 @@
 #include <CGAL/Interface_flows/Mean_curvature_flow.h>
 #include <CGAL/Interface_flows/advect_adaptively.h>
 #include <CGAL/Interface_flows/advect_interface.h>
-#include <CGAL/Interface_flows/internal/grains/junctions.h>
+#include <CGAL/Interface_flows/grain_statistics.h>
 #include <CGAL/Interface_remeshing/shared_measures.h>
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/named_parameters.h>

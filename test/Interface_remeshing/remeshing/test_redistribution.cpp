@@ -2,8 +2,8 @@
 #include "mesh_helpers.h"
 
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/cell_corners.h>
+#include <CGAL/Interface_remeshing/Carried_cell_averages.h>
 #include <CGAL/Interface_remeshing/internal/values/overlap_measure.h>
-#include <CGAL/Interface_remeshing/internal/values/redistribute_contents.h>
 
 #include <gtest/gtest.h>
 

@@ -10,24 +10,164 @@
 
 #include <CGAL/Complex_construction/Construction_options.h>
 #include <CGAL/Complex_construction/Tetrahedralization_3.h>
-#include <CGAL/Complex_construction/Tetrahedralization_error.h>
-#include <CGAL/Complex_construction/internal/building/enclosing_box_3.h>
 #include <CGAL/Complex_construction/internal/building/label_cells.h>
 #include <CGAL/Complex_construction/internal/thin_parts/Thickness.h>
 #include <CGAL/Complex_construction/internal/thin_parts/improve_new_mesh.h>
 #include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
+#include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
+#include <CGAL/Mesh_support/coordinates.h>
+#include <CGAL/Mesh_support/internal/numbers/Extent.h>
+#include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
+#include <CGAL/Triangle_soup_repair/internal/checks/refuse_surface.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/Soup_bisector_3.h>
+#include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
 
 #include <CGAL/Bbox_3.h>
+#include <CGAL/Named_function_parameters.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
+
+inline Bbox_3 cube(const Coordinates_3& center, double half_side) {
+  const auto& c = center;
+  const double h = half_side;
+  return {c[0] - h, c[1] - h, c[2] - h, c[0] + h, c[1] + h, c[2] + h};
+}
+
+// The frame in which the complex is built: p = translation + scale * q for a user's point p and the
+// corresponding point q of the complex. The default box is the cube centered at the barycenter b of
+// the points, with half side 2.5 r, where r is the largest distance of a point from b (section 3.3
+// of the paper).
+class Building_frame_3
+{
+public:
+  // Computes the frame. Normalization maps the default box to [-1,1]^3; without it, coordinates do
+  // not change. Throws `Error` if the size of the default box is zero or not finite.
+  Building_frame_3(const std::vector<Coordinates_3>& points, bool normalize) {
+    Coordinates_3 barycenter = {0, 0, 0};
+    std::size_t n = 0;
+    for (const Coordinates_3& p : points) {
+      ++n;
+      for (std::size_t i = 0; i < 3; ++i)
+        barycenter[i] += (p[i] - barycenter[i]) / double(n);
+    }
+    double radius = 0;
+    for (const Coordinates_3& p : points)
+      radius = (std::max)(
+          radius, std::hypot(p[0] - barycenter[0], p[1] - barycenter[1], p[2] - barycenter[2]));
+    const double half_side = 2.5 * radius;
+    if (!std::isfinite(half_side) || half_side == 0)
+      throw Error(
+          "the size of the surfaces is 0 or too large for numbers of type double: scale them");
+    if (normalize) {
+      m_translation = barycenter;
+      m_scale = half_side;
+      m_default_box = cube({0, 0, 0}, 1);
+    } else
+      m_default_box = cube(barycenter, half_side);
+  }
+
+  const Coordinates_3& translation() const { return m_translation; }
+  double scale() const { return m_scale; }
+
+  Coordinates_3 operator()(const Coordinates_3& p) const {
+    return {(p[0] - m_translation[0]) / m_scale, (p[1] - m_translation[1]) / m_scale,
+            (p[2] - m_translation[2]) / m_scale};
+  }
+
+  // Returns, in this frame, the box given by the user, or else the default box.
+  Bbox_3 box(const std::optional<Bbox_3>& given) const {
+    if (!given)
+      return m_default_box;
+    const Coordinates_3 min = (*this)({given->xmin(), given->ymin(), given->zmin()});
+    const Coordinates_3 max = (*this)({given->xmax(), given->ymax(), given->zmax()});
+    return {min[0], min[1], min[2], max[0], max[1], max[2]};
+  }
+
+private:
+  Coordinates_3 m_translation = {0, 0, 0};
+  double m_scale = 1;
+  Bbox_3 m_default_box;
+};
+
+// Throws `Invalid_surface_error` with the vertices of the first surface that is not strictly inside
+// the box.
+inline void check_enclosed(const Joined_soup_3& soup, const Bbox_3& box) {
+  const auto is_inside = [&box](const Coordinates_3& p) {
+    return box.xmin() < p[0] && p[0] < box.xmax() && box.ymin() < p[1] && p[1] < box.ymax() &&
+           box.zmin() < p[2] && p[2] < box.zmax();
+  };
+  std::size_t surface = 0;
+  std::vector<std::size_t> vertices;
+  for (std::size_t i = 0; i < soup.points.size(); ++i) {
+    const Joined_soup_3::Origin& origin = soup.point_origins[i];
+    if (is_inside(soup.points[i]) || (!vertices.empty() && origin.surface != surface))
+      continue;
+    surface = origin.surface;
+    vertices.push_back(origin.index);
+  }
+  if (!vertices.empty())
+    refuse_surface(Invalid_surface_error::Reason::outside_enclosing_box, surface, {},
+                   std::move(vertices));
+}
+
+// Throws `Invalid_surface_error` if distinct points of the user have become equal by rounding.
+inline void check_distinct(const Joined_soup_3& soup) {
+  const std::vector<std::size_t> kept = merge_points(soup).input_points;
+  for (std::size_t i = 0; i < soup.points.size(); ++i)
+    if (i == kept.size() || kept[i] != i)
+      refuse_surface(Invalid_surface_error::Reason::too_fine, soup.point_origins[i].surface);
+}
+
+// Returns the surface of a box. Each side is divided into n x n rectangles of two triangles each.
+// Diagonals run from the corners of a side towards its center, so that no tetrahedron inside can
+// have three facets on the box. Throws `Error` if the size of the box is out of
+// range.
+inline Triangle_soup_3 box_surface(const Bbox_3& box, unsigned n) {
+  const std::array<Coordinates_3, 2> corners = {Coordinates_3{box.xmin(), box.ymin(), box.zmin()},
+                                                {box.xmax(), box.ymax(), box.zmax()}};
+  if (!has_finite_coordinates(corners[0]) || !has_finite_coordinates(corners[1]) ||
+      !extent_of<3>(corners).is_measurable())
+    throw Error("the size of the enclosing box is not between 1e-30 and 1e30: give another box, "
+                "scale the surfaces, or normalize them");
+
+  // The result is exact at both ends, so that adjacent sides have equal corners and edges.
+  const auto coordinate = [&](int axis, unsigned i) {
+    return i == n ? box.max(axis)
+                  : box.min(axis) + (box.max(axis) - box.min(axis)) * (double(i) / n);
+  };
+  Triangle_soup_3 soup;
+  for (int axis = 0; axis < 3; ++axis)
+    for (unsigned end : {0u, n}) {
+      const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+      const std::size_t first = soup.points.size();
+      for (unsigned i = 0; i <= n; ++i)
+        for (unsigned j = 0; j <= n; ++j) {
+          Coordinates_3 p;
+          p[axis] = coordinate(axis, end);
+          p[u] = coordinate(u, i);
+          p[v] = coordinate(v, j);
+          soup.points.push_back(p);
+        }
+      for (unsigned i = 0; i < n; ++i)
+        for (unsigned j = 0; j < n; ++j) {
+          const std::size_t a = first + i * std::size_t(n + 1) + j, b = a + n + 1;
+          const bool rises = (2 * i < n) == (2 * j < n);
+          soup.triangles.push_back({a, b, rises ? b + 1 : a + 1});
+          soup.triangles.push_back({rises ? a : b, b + 1, a + 1});
+        }
+    }
+  return merge_points(soup);
+}
 
 // The box of a complex and a triangle soup strictly inside it, both in the frame of the complex.
 struct Boxed_soup_3

@@ -10,10 +10,13 @@
 
 #include <CGAL/Complex_construction/Tetrahedralization_3.h>
 #include <CGAL/Complex_construction/internal/building/Boxed_soup_3.h>
-#include <CGAL/Complex_construction/internal/building/check_tetrahedra_3.h>
 #include <CGAL/Complex_construction/internal/building/label_cells.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Mesh_support/coordinates.h>
 #include <CGAL/Triangle_soup_repair/internal/checks/check_surfaces_3.h>
+#include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
+
+#include <CGAL/enum.h>
 
 #include <algorithm>
 #include <array>
@@ -24,6 +27,46 @@
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
+
+// Orients tetrahedra positively by swapping two vertices of the negative ones. Throws
+// `Invalid_cells_error` if coordinates are not finite, if indices do not exist, or if tetrahedra
+// are degenerate.
+template <class Traits>
+void orient_tetrahedra(const std::vector<typename Traits::Point_3>& points,
+                       std::vector<std::array<std::size_t, 4>>& tetrahedra, const Traits& traits) {
+  std::vector<std::size_t> offenders;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!has_finite_coordinates(coordinates(points[i])))
+      offenders.push_back(i);
+  if (!offenders.empty())
+    throw Invalid_cells_error("coordinates are not finite: correct or remove these points", {},
+                              std::move(offenders));
+
+  for (std::size_t t = 0; t < tetrahedra.size(); ++t)
+    if (*std::max_element(tetrahedra[t].begin(), tetrahedra[t].end()) >= points.size())
+      offenders.push_back(t);
+  if (!offenders.empty())
+    throw Invalid_cells_error("tetrahedra have vertices that do not exist: correct these "
+                              "indices",
+                              std::move(offenders));
+
+  for (std::size_t t = 0; t < tetrahedra.size(); ++t) {
+    std::array<std::size_t, 4>& v = tetrahedra[t];
+    switch (traits.orientation_3_object()(points[v[0]], points[v[1]], points[v[2]], points[v[3]])) {
+    case COPLANAR:
+      offenders.push_back(t);
+      break;
+    case NEGATIVE:
+      std::swap(v[2], v[3]);
+      break;
+    case POSITIVE:
+      break;
+    }
+  }
+  if (!offenders.empty())
+    throw Invalid_cells_error("tetrahedra are flat: remesh near these tetrahedra",
+                              std::move(offenders));
+}
 
 // Tetrahedra given by the user, and the tetrahedra of a mesh that surround them.
 class Solid_tetrahedra_3

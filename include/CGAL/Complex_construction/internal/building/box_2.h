@@ -10,7 +10,7 @@
 
 #include <CGAL/Complex_construction/Construction_options.h>
 #include <CGAL/Complex_construction/internal/building/Curve_soup_2.h>
-#include <CGAL/Complex_construction/internal/building/torus_grid.h>
+#include <CGAL/Complex_construction/internal/building/grids.h>
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/coordinates.h>
 #include <CGAL/Mesh_support/internal/numbers/Extent.h>

@@ -8,7 +8,7 @@
 #ifndef CGAL_COMPLEX_CONSTRUCTION_INTERNAL_BUILDING_LABEL_BY_SEEDS_2_H
 #define CGAL_COMPLEX_CONSTRUCTION_INTERNAL_BUILDING_LABEL_BY_SEEDS_2_H
 
-#include <CGAL/Complex_construction/Seeded_segments_2.h>
+#include <CGAL/Complex_construction/Labeled_curve_2.h>
 #include <CGAL/Complex_construction/internal/building/Planar_filling_2.h>
 #include <CGAL/Complex_construction/internal/building/label_cells.h>
 #include <CGAL/Mesh_support/Error.h>

@@ -8,7 +8,7 @@
 #ifndef CGAL_COMPLEX_CONSTRUCTION_INTERNAL_BUILDING_LABEL_CELLS_H
 #define CGAL_COMPLEX_CONSTRUCTION_INTERNAL_BUILDING_LABEL_CELLS_H
 
-#include <CGAL/Complex_construction/Tetrahedralization_error.h>
+#include <CGAL/Complex_construction/Tetrahedralization_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/assemble_triangulation.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 

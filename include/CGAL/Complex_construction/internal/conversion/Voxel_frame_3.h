@@ -8,8 +8,9 @@
 #ifndef CGAL_COMPLEX_CONSTRUCTION_INTERNAL_CONVERSION_VOXEL_FRAME_3_H
 #define CGAL_COMPLEX_CONSTRUCTION_INTERNAL_CONVERSION_VOXEL_FRAME_3_H
 
-#include <CGAL/Complex_construction/internal/conversion/Labeled_voxels_3.h>
-#include <CGAL/Complex_construction/internal/conversion/Voxel_octree_3.h>
+#include <CGAL/Complex_construction/Octree_3.h>
+#include <CGAL/Complex_construction/internal/conversion/Voxel_components_3.h>
+#include <CGAL/Complex_construction/internal/conversion/Voxel_pyramid_3.h>
 #include <CGAL/Mesh_support/Error.h>
 
 #include <CGAL/Bbox_3.h>
@@ -17,10 +18,103 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
+
+// An octree over the components of voxels and the space around them. Leaves at the interface are
+// blocks of a pyramid that are not mixed. Other leaves are blocks of one component, whose size
+// increases with the distance from the interface. The unit is the side of a voxel.
+class Voxel_octree_3
+{
+public:
+  using Place = Octree_3::Place;
+
+  // Builds an octree with the voxels in the middle of the root. The side of the root is at least
+  // `least_side` voxels, if the number of levels allows it. Throws `Error` if the image has more
+  // than 2^20 voxels in a row.
+  Voxel_octree_3(const Voxel_pyramid_3& pyramid, double least_side)
+      : m_pyramid(pyramid), m_tree(last_level(pyramid, least_side)) {
+    const std::size_t margin = pyramid.margin(); // divides all side lengths
+    for (int axis = 0; axis < 3; ++axis)
+      m_first[axis] = std::uint32_t((m_tree.side() - pyramid.size(0)[axis]) / 2 / margin * margin);
+    split_mixed_blocks();
+    split_at_interfaces();
+    m_tree.complete();
+  }
+
+  const Octree_3& tree() const { return m_tree; }
+  // Returns the first coordinate of the box of labels.
+  std::uint32_t first(int axis) const { return m_first[axis] + std::uint32_t(m_pyramid.margin()); }
+
+  // Returns the component of a leaf.
+  int component(unsigned level, const Place& block) const {
+    const unsigned known = (std::min)(level, m_pyramid.last_level());
+    Voxel_pyramid_3::Place at;
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::uint32_t x = block[axis] << (level - known), first = m_first[axis] >> known;
+      if (x < first || x - first >= m_pyramid.size(known)[axis])
+        return 0;
+      at[axis] = x - first;
+    }
+    return m_pyramid.component(known, at);
+  }
+
+private:
+  static unsigned last_level(const Voxel_pyramid_3& pyramid, double least_side) {
+    const std::size_t longest = *std::max_element(pyramid.size(0).begin(), pyramid.size(0).end());
+    if (longest > (std::size_t(1) << Octree_3::most_levels))
+      throw Error("the image has more than 2^20 voxels in a row: divide it");
+    unsigned result = 1;
+    while ((std::size_t(1) << result) < longest || result <= pyramid.last_level() ||
+           (result < Octree_3::most_levels && double(std::size_t(1) << result) < least_side))
+      ++result;
+    return result;
+  }
+
+  // Returns the block of level `level` that contains a block of the pyramid of level `from`.
+  Place block_of(const Voxel_pyramid_3::Place& p, unsigned from, unsigned level) const {
+    Place result;
+    for (int axis = 0; axis < 3; ++axis)
+      result[axis] = std::uint32_t((m_first[axis] >> from) + p[axis]) >> (level - from);
+    return result;
+  }
+
+  void split_mixed_blocks() {
+    for (unsigned level = 1; level <= m_pyramid.last_level(); ++level)
+      Voxel_pyramid_3::for_each_place(m_pyramid.size(level), [&](const Voxel_pyramid_3::Place& p) {
+        if (m_pyramid(level, p) == Voxel_pyramid_3::mixed)
+          m_tree.split(level, block_of(p, level, level));
+      });
+  }
+
+  // Splits blocks so that no leaf at a vertex where several components meet is larger than the
+  // largest blocks of the pyramid. This bounds the edge lengths of the interface.
+  void split_at_interfaces() {
+    const unsigned last = m_pyramid.last_level();
+    auto vertices = m_pyramid.size(last);
+    for (std::size_t& n : vertices)
+      --n;
+    Voxel_pyramid_3::for_each_place(vertices, [&](const Voxel_pyramid_3::Place& p) {
+      const auto block = [&](std::size_t i) {
+        return Voxel_pyramid_3::Place{p[0] + (i & 1), p[1] + (i >> 1 & 1), p[2] + (i >> 2)};
+      };
+      const int component = m_pyramid(last, p);
+      bool is_same = component != Voxel_pyramid_3::mixed;
+      for (std::size_t i = 1; i < 8 && is_same; ++i)
+        is_same = m_pyramid(last, block(i)) == component;
+      for (std::size_t i = 0; i < 8 && !is_same; ++i)
+        m_tree.split(last + 1, block_of(block(i), last, last + 1));
+    });
+  }
+
+  const Voxel_pyramid_3& m_pyramid;
+  Octree_3 m_tree;
+  Place m_first; // of the voxels of the pyramid, in the root
+};
 
 // The frame in which a complex of voxels is built: p = translation + scale * q for a point p of the
 // image and the corresponding point q of the complex. The default domain is the cube with the

@@ -12,7 +12,6 @@
 #include <CGAL/Complex_construction/internal/building/Curve_soup_2.h>
 #include <CGAL/Complex_construction/internal/building/Planar_filling_2.h>
 #include <CGAL/Complex_construction/internal/building/label_cells.h>
-#include <CGAL/Complex_construction/internal/images/Pixel_chains_2.h>
 #include <CGAL/Complex_construction/internal/images/Pixel_polyline_2.h>
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/Progress_scope.h>

@@ -23,7 +23,6 @@ public:
   using Space = typename Complex::Space;
   using State = typename Complex::State;
   using Vertex_handle = typename Complex::Vertex_handle;
-  using Cell_handle = typename Complex::Cell_handle;
 
   // `complex` must be empty.
   Complex_builder(Complex& complex, const State& state) : m_complex(complex), m_state(state) {}
@@ -35,7 +34,7 @@ public:
   auto cell_vertices() const { return m_complex.indices_of(m_state); }
 
   // Creates cells that are not adjacent to each other.
-  std::vector<Cell_handle>
+  std::vector<typename Complex::Cell_handle>
   create_unsewn_cells(const std::vector<Vertex_handle>& vertices,
                       const std::vector<Cell_vertices<Complex::dimension>>& cells) {
     return internal::create_unsewn_cells<Space>(tds(), m_complex.m_numbers, vertices, cells);

@@ -9,7 +9,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_HILBERT_ORDER_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_HILBERT_ORDER_H
 
-#include <CGAL/Mesh_support/internal/threads/Sparse_check.h>
+#include <CGAL/Mesh_support/internal/threads/stoppable_sort.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/algorithm.h>
 

@@ -38,69 +38,83 @@
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
-// The remeshing of a deformation in 2D: Algorithm 3, and the removal of short edges, trapped free
-// vertices and small angles.
-template <class Complex> class Deformation_remesher_2
+// The remeshing of a deformation: Algorithm 3, and the removal of small angles. In 2D, it also
+// exchanges neighbors. Cells that an operation creates or changes are appended to `touched`.
+template <class Complex> class Deformation_remesher
 {
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
   using Cell_handle = typename Complex::Cell_handle;
   using Cells = Work_list<Cell_handle>;
 
-  Deformation_remesher_2(Complex& complex, Any_visitor<Complex>& visitor,
-                         const Destinations<Complex>& destinations,
-                         const Rigid_components<Complex>& rigid_components,
-                         const Deformation_options<Complex>& options,
-                         const For_each_index& for_each_index)
-      : m_complex(complex), m_visitor(visitor), m_topology_control(options.topology_control),
+  Deformation_remesher(Complex& complex, Any_visitor<Complex>& visitor,
+                       const Destinations<Complex>& destinations,
+                       const Rigid_components<Complex>& rigid_components,
+                       const Deformation_options<Complex>& options,
+                       const For_each_index& for_each_index)
+      : m_complex(complex), m_visitor(visitor), m_destinations(destinations),
+        m_for_each_index(for_each_index), m_topology_control(options.topology_control),
         m_energy(options.interface_energy), m_relabeling_threshold(options.relabeling_threshold),
+        m_degenerate_cosine(std::cos(options.minimum_facet_angle * (CGAL_PI / 180))),
         m_cavity(complex),
         m_improver(complex, visitor, destinations, options.quality_threshold, for_each_index),
-        m_small_angles(complex, visitor, rigid_components, options.minimum_angle,
+        m_small_angles(complex, visitor, destinations, rigid_components, options.minimum_angle,
                        options.quality_threshold, for_each_index) {}
 
-  void begin_pass(unsigned pass) { m_improver.begin_pass(pass); }
-  bool is_bad(Cell_handle c) const { return m_improver.is_bad(c); }
+  Mesh_improver<Complex>& improver() { return m_improver; }
 
-  void open_obstructing_cell(Cell_handle c, Cells& touched) {
-    m_improver.open_obstructing_cell(c, touched);
+  // Prepares a pass; some vertices have not reached their destinations.
+  void begin_pass(unsigned pass) {
+    m_improver.begin_pass(pass);
+    if constexpr (d == 3)
+      find_degenerating_facets();
   }
 
+  // Removes a cell that keeps a vertex from its destination.
   void remove_obstacle(Cell_handle c, bool may_remove_facets, Cells& touched) {
+    if constexpr (d == 3) {
+      static constexpr double cosine = .94; // the cosine of 20 degrees
+      if (may_remove_facets && remove_degenerate_facet(c, cosine, touched))
+        return;
+    }
     if (may_remove_facets && m_improver.remove_short_edge(c, touched))
       return;
     if (c->quality() < m_relabeling_threshold)
       m_improver.remove_trapped_vertex(c, touched);
   }
 
-  void remove_degenerating_facets(Cells&) {}
-
-  void improve(Cells cells) {
-    static constexpr unsigned rounds = 3;
-    m_improver.improve(std::move(cells), rounds);
+  // Removes interface facets in 3D that the pass made degenerate.
+  void remove_degenerating_facets([[maybe_unused]] Cells& touched) {
+    if constexpr (d == 3)
+      for (const Facet_item& item : m_degenerating)
+        if (m_complex.is_alive(item.cell, item.time_stamp))
+          m_improver.remove_degenerate_facet(item.cell, item.index, m_degenerate_cosine, touched);
   }
 
-  // Exchanges neighbors at interface edges that end in moved vertices and are short compared with
-  // the edges around them.
-  template <class Log> void exchange_neighbors(const std::vector<Vertex_handle>& moved, Log& log) {
-    static constexpr unsigned junction = 3; // minimum number of interface edges at a junction
-    for (Vertex_handle v : moved) {
-      if (v->interface_degree() < junction)
-        continue;
-      m_complex.star(v, m_star);
-      for (Cell_handle c : m_star) {
-        if (m_complex.is_infinite(c))
+  // After the passes in 2D, exchanges neighbors at interface edges that end in moved vertices and
+  // are short compared with the edges around them.
+  template <class Log>
+  void exchange_neighbors([[maybe_unused]] const std::vector<Vertex_handle>& moved,
+                          [[maybe_unused]] Log& log) {
+    if constexpr (d == 2) {
+      static constexpr unsigned junction = 3; // minimum number of interface edges at a junction
+      for (Vertex_handle v : moved) {
+        if (v->interface_degree() < junction)
           continue;
-        const int i = (c->index(v) + 2) % 3; // the edge from `v` with the cell on its left
-        const Vertex_handle w = c->vertex((i + 2) % 3);
-        if ((w->interface_degree() >= junction || m_complex.is_boundary(w)) &&
-            exchange_neighbors(c, i, log))
-          break;
+        m_complex.star(v, m_star);
+        for (Cell_handle c : m_star) {
+          if (m_complex.is_infinite(c))
+            continue;
+          const int i = (c->index(v) + 2) % 3; // the edge from `v` with the cell on its left
+          const Vertex_handle w = c->vertex((i + 2) % 3);
+          if ((w->interface_degree() >= junction || m_complex.is_boundary(w)) &&
+              exchange_neighbors(c, i, log))
+            break;
+        }
       }
     }
   }
@@ -108,12 +122,21 @@ public:
   const std::vector<Neighbor_exchange<Complex>>& exchanges() const { return m_exchanges; }
 
   Cells cells_with_small_angles() const { return m_small_angles.bad_cells(); }
-  template <class Relabel> void remove_small_angles(const Relabel&) { m_small_angles.run(); }
+
+  // Removes small angles after the passes. `relabel(c, label)` changes the label of a cell if this
+  // preserves the topology, and returns whether it did.
+  template <class Relabel> void remove_small_angles(const Relabel& relabel) {
+    m_small_angles.run(relabel);
+  }
 
   Improvement_report report() const { return m_improver.report() + m_small_angles.report(); }
-  std::size_t number_of_relocated() const { return 0; }
+  std::size_t number_of_relocated() const { return m_small_angles.number_of_relocated(); }
 
 private:
+  static constexpr int d = Complex::dimension;
+  using Small_angle_remover =
+      std::conditional_t<d == 2, Small_angle_remover_2<Complex>, Small_angle_remover_3<Complex>>;
+
   template <class Log> bool exchange_neighbors(Cell_handle c, int i, Log& log) {
     // maximum length of an exchanged edge, relative to the edges around it
     static constexpr double longest = .5;
@@ -138,42 +161,16 @@ private:
     return true;
   }
 
-  Complex& m_complex;
-  Any_visitor<Complex>& m_visitor;
-  const typename Deformation_options<Complex>::Topology_control& m_topology_control;
-  const Interface_energy& m_energy;
-  double m_relabeling_threshold;
-  Cavity<Complex> m_cavity;
-  Mesh_improver<Complex> m_improver;
-  Small_angle_remover_2<Complex> m_small_angles;
-  std::vector<Cell_handle> m_star;
-  std::vector<Neighbor_exchange<Complex>> m_exchanges;
-};
-
-// The remeshing of a deformation in 3D: Algorithm 3, and the removal of small angles.
-template <class Complex> class Deformation_remesher_3
-{
-public:
-  using Vertex_handle = typename Complex::Vertex_handle;
-  using Cell_handle = typename Complex::Cell_handle;
-  using Cells = Work_list<Cell_handle>;
-
-  Deformation_remesher_3(Complex& complex, Any_visitor<Complex>& visitor,
-                         const Destinations<Complex>& destinations,
-                         const Rigid_components<Complex>& rigid_components,
-                         const Deformation_options<Complex>& options,
-                         const For_each_index& for_each_index)
-      : m_complex(complex), m_destinations(destinations), m_for_each_index(for_each_index),
-        m_relabeling_threshold(options.relabeling_threshold),
-        m_degenerate_cosine(std::cos(options.minimum_facet_angle * (CGAL_PI / 180))),
-        m_improver(complex, visitor, destinations, options.quality_threshold, for_each_index),
-        m_small_angles(complex, visitor, destinations, rigid_components, options.minimum_angle,
-                       options.quality_threshold, for_each_index) {}
+  struct Facet_item
+  {
+    Cell_handle cell;
+    std::size_t time_stamp; // used to detect that the cell was replaced
+    int index;
+  };
 
   // Collects the interface facets that will have a small angle at their destinations, smaller than
   // before the motion. Facets of regions that move rigidly are thus not collected.
-  void begin_pass(unsigned pass) {
-    m_improver.begin_pass(pass);
+  void find_degenerating_facets() {
     const std::vector<Vertex_handle>& unfinished = m_destinations.unfinished();
     m_degenerating.clear();
     const Vertex_numbers numbers(m_complex, unfinished);
@@ -199,52 +196,6 @@ public:
         if (degenerates(c, i))
           m_degenerating.push_back({c, c->time_stamp(), i});
   }
-
-  bool is_bad(Cell_handle c) const { return m_improver.is_bad(c); }
-
-  void open_obstructing_cell(Cell_handle c, Cells& touched) {
-    m_improver.open_obstructing_cell(c, touched);
-  }
-
-  void remove_obstacle(Cell_handle c, bool may_remove_facets, Cells& touched) {
-    static constexpr double cosine = .94; // the cosine of 20 degrees
-    if (may_remove_facets &&
-        (remove_degenerate_facet(c, cosine, touched) || m_improver.remove_short_edge(c, touched)))
-      return;
-    if (c->quality() < m_relabeling_threshold)
-      m_improver.remove_trapped_vertex(c, touched);
-  }
-
-  void remove_degenerating_facets(Cells& touched) {
-    for (const Facet_item& item : m_degenerating)
-      if (m_complex.is_alive(item.cell, item.time_stamp))
-        m_improver.remove_degenerate_facet(item.cell, item.index, m_degenerate_cosine, touched);
-  }
-
-  void improve(Cells cells) {
-    static constexpr unsigned rounds = 3;
-    m_improver.improve(std::move(cells), rounds);
-  }
-
-  template <class Log> void exchange_neighbors(const std::vector<Vertex_handle>&, Log&) {}
-
-  Cells cells_with_small_angles() const { return m_small_angles.bad_cells(); }
-
-  template <class Relabel> void remove_small_angles(const Relabel& relabel) {
-    m_small_angles.run(relabel);
-  }
-
-  Improvement_report report() const { return m_improver.report() + m_small_angles.report(); }
-  std::vector<Neighbor_exchange<Complex>> exchanges() const { return {}; }
-  std::size_t number_of_relocated() const { return m_small_angles.number_of_relocated(); }
-
-private:
-  struct Facet_item
-  {
-    Cell_handle cell;
-    std::size_t time_stamp; // used to detect that the cell was replaced
-    int index;
-  };
 
   // Returns whether a facet lies on the interface and its cell is on the side with the larger
   // label.
@@ -285,36 +236,20 @@ private:
   }
 
   Complex& m_complex;
+  Any_visitor<Complex>& m_visitor;
   const Destinations<Complex>& m_destinations;
   const For_each_index& m_for_each_index;
+  const typename Deformation_options<Complex>::Topology_control& m_topology_control;
+  const Interface_energy& m_energy;
   double m_relabeling_threshold;
   double m_degenerate_cosine; // cosine of the bound on angles of facets
-  Mesh_improver_3<Complex> m_improver;
-  Small_angle_remover_3<Complex> m_small_angles;
+  Cavity<Complex> m_cavity;
+  Mesh_improver<Complex> m_improver;
+  Small_angle_remover m_small_angles;
+  std::vector<Cell_handle> m_star;
+  std::vector<Neighbor_exchange<Complex>> m_exchanges;
   std::vector<Facet_item> m_degenerating;
 };
-
-/*
-The remeshing of a deformation, composed of dimension-specific operations:
-- `begin_pass(pass)`: prepares a pass; some vertices have not reached their destinations
-- `is_bad(c)`: returns whether a cell should be improved
-- `open_obstructing_cell(c, touched)`: changes a cell that keeps the interface from moving rigidly
-- `remove_obstacle(c, may_remove_facets, touched)`: removes a cell that keeps a vertex from its
-  destination
-- `remove_degenerating_facets(touched)`: removes interface facets that the pass made degenerate
-- `improve(cells)`: improves the cells that the pass touched
-- `exchange_neighbors(moved, log)`: after the passes, exchanges neighbors where interface edges
-  between regions have become short
-- `cells_with_small_angles()`, `remove_small_angles(relabel)`: find and remove small angles after
-the passes
-- `report()`, `number_of_relocated()`, `exchanges()`: results
-
-Cells that an operation creates or changes are appended to `touched`.
-*/
-template <class Complex>
-using Deformation_remesher =
-    std::conditional_t<Complex::dimension == 2, Deformation_remesher_2<Complex>,
-                       Deformation_remesher_3<Complex>>;
 
 } // namespace CGAL::Deformable_simplicial_complexes::internal
 

@@ -57,7 +57,6 @@ public:
   using Vertex_handle = typename Complex::Vertex_handle;
   using Cell_handle = typename Complex::Cell_handle;
   using Point = typename Complex::Point;
-  using Vector = typename Complex::Approximate_vector;
   using Report = Deformation_report<Complex>;
 
   Interface_deformer(Complex& complex, Any_visitor<Complex>& visitor,
@@ -160,7 +159,7 @@ public:
       return m_complex.displacement(v, m_destinations.final_position(v));
     };
     lap(&Report::Seconds::motion);
-    const std::vector<Vector> displacements =
+    const auto displacements =
         displacement_extension(m_complex, free, remaining, flow, longest, m_for_each_index);
     lap(&Report::Seconds::extension);
     std::vector<Point> targets;
@@ -246,7 +245,7 @@ public:
     for (const auto& item : m_obstructing)
       if (!is_complete() && m_complex.is_alive(item.cell, item.time_stamp) &&
           m_rigid_components.moves_rigidly(item.cell))
-        m_mesh.open_obstructing_cell(item.cell, m_touched);
+        m_mesh.improver().open_obstructing_cell(item.cell, m_touched);
     for (const auto& item : cells) {
       Progress_scope::check();
       if (m_complex.is_alive(item.cell, item.time_stamp))
@@ -261,7 +260,8 @@ public:
 
   // Reconnects, smooths, collapses and splits cells around the moved vertices.
   void improve() {
-    m_mesh.improve(std::move(m_touched));
+    static constexpr unsigned rounds = 3;
+    m_mesh.improver().improve(std::move(m_touched), rounds);
     m_touched.clear();
     update_destinations();
     const double distance = m_destinations.remaining_distance();
@@ -401,7 +401,7 @@ private:
   }
 
   void touch(Cell_handle c) {
-    if (m_mesh.is_bad(c) || c->quality() < m_options.relabeling_threshold)
+    if (m_mesh.improver().is_bad(c) || c->quality() < m_options.relabeling_threshold)
       m_touched.push(c);
   }
 

@@ -15,6 +15,7 @@
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_flip_2.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/balance/Destinations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Rigid_components.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 #include <CGAL/Deformable_simplicial_complexes/vertex_insertion.h>
@@ -26,6 +27,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
 
@@ -50,8 +52,10 @@ public:
   using Cell_handle = typename Complex::Cell_handle;
   using Cells = Work_list<Cell_handle>;
 
-  // Creates a remover. `angle` is the bound in degrees.
+  // Creates a remover. `angle` is the bound in degrees. The destinations are those of the remover
+  // in 3D.
   Small_angle_remover_2(Complex& complex, Any_visitor<Complex>& visitor,
+                        const Destinations<Complex>& /*destinations*/,
                         const Rigid_components<Complex>& rigid_components, double angle,
                         double quality_threshold, const For_each_index& for_each_index)
       : m_complex(complex), m_visitor(visitor), m_rigid_components(rigid_components),
@@ -59,22 +63,18 @@ public:
         m_quality_threshold(quality_threshold), m_cavity(complex), m_best(complex) {}
 
   const Improvement_report& report() const { return m_report; }
+  std::size_t number_of_relocated() const { return 0; }
 
-  // Returns the triangles below the quality threshold with a small angle, in the order of time
-  // stamps. Triangles at regions of the interface that did not move or moved rigidly are excluded.
+  // Returns the triangles below the quality threshold with a small angle, see
+  // `Rigid_components::cells_not_stayed()`.
   Cells bad_cells() const {
     if (!(m_target > 0))
       return {};
-    return work_list_if(
-        m_complex,
-        [&](Cell_handle c) {
-          return c->quality() < m_quality_threshold && !m_rigid_components.has_stayed(c) &&
-                 is_bad(c);
-        },
-        m_for_each_index);
+    return m_rigid_components.cells_not_stayed(
+        m_quality_threshold, [&](Cell_handle c) { return is_bad(c); }, m_for_each_index);
   }
 
-  void run() {
+  template <class Relabel> void run(const Relabel& /*relabel*/) {
     static constexpr unsigned rounds = 10;
     work_in_rounds(m_complex, bad_cells(), rounds, [&](Cell_handle c, Cells& touched) {
       if (is_bad(c) && improve(c))

@@ -19,7 +19,6 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/balance/Interface_tolerance.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Failure_memory.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Changed_facets.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_edge_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_fan.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Rigid_components.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Star_optimizer.h>
@@ -82,16 +81,10 @@ public:
            !(is_exhausted(c, to_remove_small_angles) && !may_change_interface(c));
   }
 
-  // Returns the bad cells below the quality threshold, in the order of time stamps. Cells at
-  // regions of the interface that did not move are excluded.
+  // Returns the bad cells below the quality threshold, see `Rigid_components::cells_not_stayed()`.
   Cells bad_cells() const {
-    return work_list_if(
-        m_complex,
-        [&](Cell_handle c) {
-          return c->quality() < m_quality_threshold && !m_rigid_components.has_stayed(c) &&
-                 is_bad(c);
-        },
-        m_for_each_index);
+    return m_rigid_components.cells_not_stayed(
+        m_quality_threshold, [&](Cell_handle c) { return is_bad(c); }, m_for_each_index);
   }
 
   // Removes small angles. `relabel(c, label)` changes the label of a cell if this preserves the

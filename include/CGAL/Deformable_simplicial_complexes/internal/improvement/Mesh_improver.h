@@ -25,6 +25,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/local_edge_length.h>
 #include <CGAL/Deformable_simplicial_complexes/star_union.h>
+#include <CGAL/Deformable_simplicial_complexes/vertex_insertion.h>
 #include <CGAL/Mesh_support/For_each_index.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
@@ -181,7 +182,26 @@ public:
 
   // Inserts a vertex into a cell. Surrounding cells that this improves are replaced, too.
   bool insert(Cell_handle c, Cells& touched) {
-    return Own::propose_insertion(m_complex, c, m_cavity) && commit(touched);
+    return propose_vertex_insertion(m_complex, c, m_cavity) && commit(touched);
+  }
+
+  // Removes an interface facet in 3D that has an angle below a bound, if this improves the
+  // surrounding cells. `cosine` is the cosine of the bound. Returns whether the facet was removed.
+  bool remove_degenerate_facet(Cell_handle c, int i, double cosine, Cells& touched) {
+    const double quality = better * c->quality();
+    if (!m_complex.is_interface(std::make_pair(c, i)) ||
+        !propose_degenerate_facet_removal(m_complex, c, i, cosine, quality, m_cavity))
+      return false;
+    const Vertex_handle vanishing = m_cavity.vanishing_vertex(), kept = m_cavity.kept_vertex();
+    if (vanishing != Vertex_handle() && covers_interface() &&
+        (!propose_edge_collapse(m_complex, c, c->index(kept), c->index(vanishing), quality,
+                                m_cavity) ||
+         covers_interface()))
+      return false;
+    if (!m_tolerance.allows(m_cavity, m_tolerance_factor))
+      return false;
+    m_tolerance.record();
+    return commit(touched);
   }
 
   // Collapses an interface edge that is short compared with the edges around it. Cells around it
@@ -218,7 +238,7 @@ public:
            split_edge_with(c, 1, touched);
   }
 
-protected:
+private:
   // Splits an edge of a cell with the given number of free ends. Returns whether an edge was split.
   bool split_edge_with(Cell_handle c, int number_of_free_ends, Cells& touched) {
     for (int i = 0; i < Complex::corners; ++i)
@@ -405,38 +425,6 @@ protected:
   std::vector<double> m_qualities;    // of the cells of a star
   std::size_t m_first_created = none; // time stamp after the motion of vertices in a round
   Improvement_report m_report;
-};
-
-// The improver for 3D, which also removes degenerate interface facets.
-template <class Complex> class Mesh_improver_3 : public Mesh_improver<Complex>
-{
-  using Base = Mesh_improver<Complex>;
-
-public:
-  using Base::Base;
-  using typename Base::Cell_handle;
-  using typename Base::Cells;
-  using typename Base::Vertex_handle;
-
-  // Removes an interface facet that has an angle below a bound, if this improves the surrounding
-  // cells. `cosine` is the cosine of the bound. Returns whether the facet was removed.
-  bool remove_degenerate_facet(Cell_handle c, int i, double cosine, Cells& touched) {
-    const double quality = Base::better * c->quality();
-    Cavity<Complex>& cavity = this->m_cavity;
-    if (!this->m_complex.is_interface(std::make_pair(c, i)) ||
-        !propose_degenerate_facet_removal(this->m_complex, c, i, cosine, quality, cavity))
-      return false;
-    const Vertex_handle vanishing = cavity.vanishing_vertex(), kept = cavity.kept_vertex();
-    if (vanishing != Vertex_handle() && this->covers_interface() &&
-        (!propose_edge_collapse(this->m_complex, c, c->index(kept), c->index(vanishing), quality,
-                                cavity) ||
-         this->covers_interface()))
-      return false;
-    if (!this->m_tolerance.allows(cavity, this->m_tolerance_factor))
-      return false;
-    this->m_tolerance.record();
-    return this->commit(touched);
-  }
 };
 
 } // namespace CGAL::Deformable_simplicial_complexes::internal

@@ -9,16 +9,98 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_CHANGED_FACETS_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_INTERFACE_CHANGED_FACETS_H
 
-#include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_edge_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_fan.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/triangle_quality.h>
 
+#include <CGAL/number_utils.h>
+
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
+
+// The interface facets around an edge.
+template <class Complex> class Interface_edge_3
+{
+public:
+  using Vertex_handle = typename Complex::Vertex_handle;
+  using Cell_handle = typename Complex::Cell_handle;
+  using Point = typename Complex::Approximate_point_3;
+
+  Interface_edge_3(const Complex& complex, Cell_handle cell, int i, int j)
+      : m_complex(complex), m_ends{cell->vertex(i), cell->vertex(j)} {
+    auto c = complex.triangulation().tds().incident_cells(cell, i, j), done = c;
+    do {
+      for (int k = 0; k < 4; ++k) {
+        const Cell_handle d = Cell_handle(c)->neighbor(k);
+        if (c->vertex(k) != m_ends[0] && c->vertex(k) != m_ends[1] && !complex.is_infinite(d) &&
+            !complex.is_infinite(Cell_handle(c)) && c->label() > d->label())
+          add(Cell_handle(c), k);
+      }
+    } while (++c != done);
+  }
+
+  // Returns whether exactly two facets meet at the edge, with the same labels behind and in front
+  // of both.
+  bool is_in_sheet() const { return m_facets.size() == 2 && m_is_between_two_labels; }
+
+  // Returns the angle between the normals of the two facets, in radians.
+  // \pre is_in_sheet()
+  double bend() const { return angle_between(area_vector(m_facets[0]), area_vector(m_facets[1])); }
+
+  // Returns whether the sum of the two angles opposite to the edge exceeds 180 degrees by more than
+  // rounding errors.
+  // \pre is_in_sheet()
+  bool violates_delaunay_criterion() const {
+    static constexpr double rounding = 1e-6;
+    return opposite_angle(0) + opposite_angle(1) > CGAL_PI + rounding;
+  }
+
+  // Return the current facets, and the facets after a flip. Each starts with an end of the edge,
+  // followed by the two opposite corners. The corners are ordered so that the normals of a flat
+  // pair are parallel.
+  // \pre is_in_sheet()
+  const std::array<Point, 3>& facet(std::size_t i) const { return m_facets[i]; }
+  std::array<Point, 3> flipped_facet(std::size_t i) const {
+    return {end(i), m_opposite[i], m_opposite[1 - i]};
+  }
+
+private:
+  void add(Cell_handle c, int k) {
+    m_is_between_two_labels =
+        m_is_between_two_labels &&
+        (m_facets.empty() || (c->label() == m_behind && c->neighbor(k)->label() == m_in_front));
+    m_behind = c->label();
+    m_in_front = c->neighbor(k)->label();
+    const auto v = m_complex.facet_vertices({c, k});
+    m_facets.push_back({seen(v[0]), seen(v[1]), seen(v[2])});
+    for (Vertex_handle w : v)
+      if (w != m_ends[0] && w != m_ends[1])
+        m_opposite.push_back(seen(w));
+  }
+
+  double opposite_angle(std::size_t i) const {
+    return angle_between(end(0) - m_opposite[i], end(1) - m_opposite[i]);
+  }
+
+  // Returns the position of a vertex, in the periodic image nearest to the first end of the edge.
+  Point seen(Vertex_handle v) const {
+    return m_complex.position_near(m_complex.position(m_ends[0]), v);
+  }
+  Point end(std::size_t i) const { return seen(m_ends[i]); }
+
+  const Complex& m_complex;
+  std::array<Vertex_handle, 2> m_ends;
+  boost::container::small_vector<std::array<Point, 3>, 4> m_facets;
+  boost::container::small_vector<Point, 4> m_opposite;
+  typename Complex::Label m_behind = 0, m_in_front = 0;
+  bool m_is_between_two_labels = true;
+};
 
 // The change of the interface facets by an operation.
 struct Changed_facets

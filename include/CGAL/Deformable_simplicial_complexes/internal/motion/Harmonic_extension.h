@@ -18,7 +18,6 @@
 #include <CGAL/Mesh_support/For_each_index.h>
 #include <CGAL/Mesh_support/coordinates.h>
 #include <CGAL/Mesh_support/internal/numbers/Conjugate_gradients.h>
-#include <CGAL/Mesh_support/internal/numbers/Row_blocks.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>

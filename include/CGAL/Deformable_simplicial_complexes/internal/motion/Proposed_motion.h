@@ -31,7 +31,6 @@ public:
   using Cell_handle = typename Complex::Cell_handle;
   using Vertex_handle = typename Complex::Vertex_handle;
   using Point = typename Complex::Point;
-  using Approximate_point = typename Complex::Approximate_point;
   using Number = std::uint32_t;
 
   // `cells` are the finite cells around the vertices, each once.
@@ -59,7 +58,7 @@ public:
 
   // Returns the proposed position of a vertex of the list, or the current position of any other
   // vertex.
-  Approximate_point position(Vertex_handle v) const { return m_complex.approximate(point_of(v)); }
+  auto position(Vertex_handle v) const { return m_complex.approximate(point_of(v)); }
 
   // Returns the cells that would not be positively oriented. Also stores the current measures and
   // the proposed qualities of all cells, so that each cell is visited once.

@@ -10,6 +10,8 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_RIGID_COMPONENTS_H
 
 #include <CGAL/Deformable_simplicial_complexes/internal/balance/Destinations.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
+#include <CGAL/Mesh_support/For_each_index.h>
 
 #include <CGAL/Origin.h>
 
@@ -42,6 +44,17 @@ public:
       result = result || c->vertex(i)->is_interface();
     }
     return result;
+  }
+
+  // Returns the cells with `is_bad(c)` whose quality is below a threshold, in the order of time
+  // stamps. Cells at regions of the interface that did not move are excluded.
+  template <class IsBad>
+  Work_list<Cell_handle> cells_not_stayed(double threshold, const IsBad& is_bad,
+                                          const For_each_index& for_each_index) const {
+    return work_list_if(
+        m_complex,
+        [&](Cell_handle c) { return c->quality() < threshold && !has_stayed(c) && is_bad(c); },
+        for_each_index);
   }
 
   // Returns whether all vertices of a cell are on the interface and have kept their mutual

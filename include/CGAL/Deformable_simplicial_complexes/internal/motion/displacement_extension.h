@@ -10,10 +10,11 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_DISPLACEMENT_EXTENSION_H
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Marks.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/sort_by_time_stamp.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/motion/Flow_displacements.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Harmonic_extension.h>
+#include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/For_each_index.h>
 #include <CGAL/Mesh_support/internal/numbers/Extent.h>
 
@@ -21,12 +22,71 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
+
+// The displacements of vertices by a flow of space. The flow is asked for many vertices at once,
+// and for each vertex at most once.
+template <class Complex> class Flow_displacements
+{
+public:
+  using Vertex_handle = typename Complex::Vertex_handle;
+  using Point = typename Complex::Approximate_point;
+  using Vector = typename Complex::Approximate_vector;
+  using Flow = std::function<std::vector<Point>(const std::vector<Vertex_handle>&)>;
+
+  // Displacements that are not shorter than `limit` are ignored. The flow may be empty. The complex
+  // and the flow must outlive the object.
+  Flow_displacements(const Complex& complex, const Flow& flow, double limit)
+      : m_complex(complex), m_flow(flow), m_limit(limit), m_numbers(complex) {}
+
+  // Returns whether there is a flow.
+  bool is_given() const { return bool(m_flow); }
+
+  // Finds the displacements of vertices.
+  // Throws Error if the flow does not give a destination for each vertex.
+  void find(const std::vector<Vertex_handle>& vertices) {
+    if (!is_given())
+      return;
+    std::vector<Vertex_handle> unknown;
+    for (Vertex_handle v : vertices)
+      if (!m_numbers.has(v)) {
+        m_numbers.set(v, std::uint32_t(m_displacements.size() + unknown.size()));
+        unknown.push_back(v);
+      }
+    const std::vector<Point> destinations =
+        unknown.empty() ? std::vector<Point>() : m_flow(unknown);
+    if (destinations.size() != unknown.size())
+      throw Error("the number of destinations of the flow differs from the number of vertices: "
+                  "give one destination for each vertex");
+    for (std::size_t i = 0; i < unknown.size(); ++i)
+      m_displacements.push_back(m_complex.displacement(unknown[i], destinations[i]));
+  }
+
+  // Returns the displacement of a vertex; none if there is no flow, or the displacement is ignored
+  // or not finite. If there is a flow, it must have been found.
+  std::optional<Vector> operator()(Vertex_handle v) const {
+    if (!is_given())
+      return {};
+    const Vector& displacement = m_displacements[m_numbers(v)];
+    if (displacement.squared_length() < m_limit * m_limit)
+      return displacement;
+    return {};
+  }
+
+private:
+  const Complex& m_complex;
+  const Flow& m_flow;
+  double m_limit;
+  Vertex_numbers m_numbers; // places in the list below
+  std::vector<Vector> m_displacements;
+};
 
 /*
 Computes the displacements of all free vertices if the whole interface follows a flow that is known

@@ -11,7 +11,6 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/topology/label_changes.h>
 
 #include <CGAL/Origin.h>
 

@@ -15,7 +15,6 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Failure_memory.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Label_totals.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/deformation/deform.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/topology/label_changes.h>
 #include <CGAL/Deformable_simplicial_complexes/quality_measures.h>
 #include <CGAL/Distributed_complexes/Distributed_report.h>
 #include <CGAL/Distributed_complexes/internal/motion/Distributed_motion.h>

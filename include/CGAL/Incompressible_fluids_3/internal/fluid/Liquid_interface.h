@@ -10,7 +10,8 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Incompressible_fluids_3/Fluid_properties.h>
-#include <CGAL/Incompressible_fluids_3/internal/fluid/Liquid_bookkeeping.h>
+#include <CGAL/Incompressible_fluids_3/internal/fluid/Fluid_bookkeeping.h>
+#include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
 #include <CGAL/Interface_remeshing/Volume_changer.h>
 
 #include <cmath>
@@ -19,6 +20,21 @@
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
+
+// Sets the surface tensions of facets for a field, which is given by vertex of the mesh. The
+// tension of a facet is the tension at the mean of its vertices. Functions of users determine
+// tensions.
+// \throws Error if a tension is negative or not finite
+template <class Complex>
+void set_tensions(Fluid_mesh<Complex>& mesh, const Fluid_properties& properties,
+                  const std::vector<double>& field) {
+  for (auto& facet : mesh.facets) {
+    double mean = 0;
+    for (auto v : facet.vertices)
+      mean += field[v] / Complex::dimension;
+    facet.tension = properties.surface_tension(facet.label_behind, facet.label_in_front, mean);
+  }
+}
 
 // The interface as the boundary of the connected components of liquids. All other labels are void
 // here.

@@ -17,7 +17,7 @@
 #include <CGAL/Incompressible_fluids_3/internal/sides/Open_sides.h>
 #include <CGAL/Incompressible_fluids_3/internal/sides/side_passage.h>
 #include <CGAL/Incompressible_fluids_3/internal/sides/side_velocities.h>
-#include <CGAL/Incompressible_fluids_3/internal/solvers/closed_sets.h>
+#include <CGAL/Incompressible_fluids_3/internal/solvers/pressure_matrix.h>
 #include <CGAL/Incompressible_fluids_3/internal/solvers/relative_residual.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_equations.h>
 #include <CGAL/Incompressible_fluids_3/internal/steps/Fluid_sources.h>

@@ -14,12 +14,10 @@
 #include <CGAL/Deformable_simplicial_complexes/edge_removal_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_operations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Changed_facets.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_edge_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/triangle_quality.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 #include <CGAL/Interface_remeshing/Interface_improvement_options.h>
-#include <CGAL/Interface_remeshing/internal/interface/curved_midpoint_3.h>
-#include <CGAL/Interface_remeshing/internal/interface/interface_curve_2.h>
+#include <CGAL/Interface_remeshing/internal/interface/curved_midpoint.h>
 #include <CGAL/Interface_remeshing/internal/remeshing/Interface_remesher.h>
 #include <CGAL/Interface_remeshing/junction_split_2.h>
 #include <CGAL/Interface_remeshing/null_space_smoothing_3.h>
@@ -28,38 +26,12 @@
 #include <array>
 #include <limits>
 #include <optional>
-#include <type_traits>
 #include <utility>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
-// The interface improvement in the plane. The vertices of a curve can be connected in one way only,
-// so nothing is reconnected.
-template <class Complex> class Interface_improver_2 : public Interface_remesher<Complex>
-{
-public:
-  using Interface_remesher<Complex>::Interface_remesher;
-
-  void reconnect() {}
-
-  // Splits each junction of more than three phases into several junctions of three.
-  void split_junctions() {
-    for (auto v : this->m_complex.interface_vertices()) {
-      Progress_scope::check();
-      while (propose_junction_split(this->m_complex, v, this->m_cavity,
-                                    this->m_options.interface_energy)) {
-        this->commit();
-        const auto other = this->m_cavity.vertices().back().handle;
-        for (auto junction : {v, other})
-          junction->set_spacing(float(this->m_complex.interface_edge_length(junction)));
-      }
-    }
-  }
-};
-
-// The interface improvement in space, where edges between facets can be flipped and small facet
-// angles can be removed.
-template <class Complex> class Interface_improver_3 : public Interface_remesher<Complex>
+// An `Interface_remesher` with the operations that depend on the dimension.
+template <class Complex> class Interface_improver : public Interface_remesher<Complex>
 {
   using Base = Interface_remesher<Complex>;
 
@@ -67,12 +39,30 @@ public:
   using Base::Base;
   using typename Base::Cell_handle;
 
+  // Replaces interface facets without moving vertices: flips edges between facets, and removes
+  // small facet angles. The vertices of a curve can be connected in one way only.
   void reconnect() {
-    flip_edges();
-    remove_small_angles();
+    if constexpr (Complex::dimension == 3) {
+      flip_edges();
+      remove_small_angles();
+    }
   }
 
-  void split_junctions() {} // no such operation in space
+  // Splits each junction of more than three phases into several junctions of three. There is no
+  // such operation in space.
+  void split_junctions() {
+    if constexpr (Complex::dimension == 2)
+      for (auto v : this->m_complex.interface_vertices()) {
+        Progress_scope::check();
+        while (propose_junction_split(this->m_complex, v, this->m_cavity,
+                                      this->m_options.interface_energy)) {
+          this->commit();
+          const auto other = this->m_cavity.vertices().back().handle;
+          for (auto junction : {v, other})
+            junction->set_spacing(float(this->m_complex.interface_edge_length(junction)));
+        }
+      }
+  }
 
 private:
   void flip_edges() {
@@ -141,17 +131,6 @@ private:
     return change;
   }
 };
-
-/*
-An `Interface_remesher` with its dimension-specific operations:
-
-- `reconnect()`: replaces interface facets without moving vertices
-- `split_junctions()`: splits vertices where too many phases meet
-*/
-template <class Complex>
-using Interface_improver =
-    std::conditional_t<Complex::dimension == 2, Interface_improver_2<Complex>,
-                       Interface_improver_3<Complex>>;
 
 // Implements `improve_interface()`.
 template <class Complex>

@@ -43,7 +43,6 @@ public:
   using Vertex_handle = typename Complex::Vertex_handle;
   using Cell_handle = typename Complex::Cell_handle;
   using Fan = Interface_fan<Complex>;
-  using Position = typename Complex::Approximate_point;
 
   Interface_remesher(Complex& complex, Any_visitor<Complex>& visitor,
                      const Interface_improvement_options<Complex>& options)
@@ -190,7 +189,7 @@ private:
 
   // Returns the target edge length at the midpoint of an edge. It is stored with the midpoint,
   // because an edge is measured several times and a sizing field can take long.
-  double size(Vertex_handle v, Vertex_handle w, const Position& middle) {
+  double size(Vertex_handle v, Vertex_handle w, const typename Complex::Approximate_point& middle) {
     if (!m_unit.is_sizing_field())
       return m_unit(middle);
     const auto [size, is_new] = m_sizes.try_emplace(std::uint64_t(v->id()) << 32 | w->id());
@@ -272,7 +271,7 @@ protected:
   const Interface_improvement_options<Complex>& m_options;
   Edge_unit<Complex> m_unit;
   // midpoints of edges and target edge lengths there, by the ids of the vertices
-  std::unordered_map<std::uint64_t, std::pair<Position, double>> m_sizes;
+  std::unordered_map<std::uint64_t, std::pair<typename Complex::Approximate_point, double>> m_sizes;
   For_each_index m_sequential;
   Mesh_improver<Complex> m_improver;
   Interface_tolerance<Complex> m_tolerance;

@@ -8,7 +8,7 @@
 #ifndef CGAL_MESH_FILES_INTERNAL_CURVES_READ_POLY_H
 #define CGAL_MESH_FILES_INTERNAL_CURVES_READ_POLY_H
 
-#include <CGAL/Complex_construction/Seeded_segments_2.h>
+#include <CGAL/Complex_construction/Labeled_curve_2.h>
 #include <CGAL/Mesh_files/Unused_content.h>
 #include <CGAL/Mesh_files/internal/text/File_scanner.h>
 #include <CGAL/Mesh_files/internal/text/files.h>

@@ -9,7 +9,6 @@
 #define CGAL_MESH_FILES_INTERNAL_GRIDS_WRITE_VTU_H
 
 #include <CGAL/Interface_remeshing/internal/extraction/Extracted_facets.h>
-#include <CGAL/Interface_remeshing/internal/extraction/Vertex_numbering.h>
 #include <CGAL/Mesh_files/Mesh_arrays.h>
 #include <CGAL/Mesh_files/internal/grids/Vtu_document.h>
 #include <CGAL/Mesh_files/internal/text/files.h>

@@ -10,12 +10,30 @@
 
 #include <CGAL/license/Mesh_support.h>
 
-#include <CGAL/Mesh_support/internal/threads/Sparse_check.h>
+#include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <algorithm>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
+namespace internal {
+
+// A counter that checks for an interrupt once in many steps, for loops whose steps are faster than
+// the check.
+class Sparse_check
+{
+public:
+  void operator()() {
+    static constexpr unsigned period = 1 << 12; // steps between two checks
+    if (++m_steps % period == 0)
+      Progress_scope::check();
+  }
+
+private:
+  unsigned m_steps = 0;
+};
+
+} // namespace internal
 
 // Sorts a range by `operator<`, as `std::sort()` does, and calls `Progress_scope::check()` at
 // intervals. n log n in the size of the range.

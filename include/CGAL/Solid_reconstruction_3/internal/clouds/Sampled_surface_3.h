@@ -14,7 +14,6 @@
 #include <CGAL/Solid_reconstruction_3/Invalid_points_error.h>
 #include <CGAL/Solid_reconstruction_3/internal/clouds/Cloud_sides_3.h>
 #include <CGAL/Solid_reconstruction_3/internal/clouds/Point_cloud_3.h>
-#include <CGAL/Solid_reconstruction_3/internal/clouds/local_fits_3.h>
 
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Origin.h>

@@ -12,7 +12,6 @@
 #include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
 #include <CGAL/Triangle_soup_repair/internal/checks/refuse_surface.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
-#include <CGAL/Triangle_soup_repair/internal/soups/edge_crossings_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/soup_intersections_3.h>
 
 #include <algorithm>
@@ -123,21 +122,29 @@ inline void refuse_crossings(const Joined_soup_3& soup,
                  first[0], first[1], std::move(offenders), {});
 }
 
+// Returns the union of soups. Equal points of a soup are merged. Throws `Invalid_surface_error` if
+// triangles are degenerate or intersect in their interiors, or `check_each(soup, index)` throws.
+template <class CheckEach>
+Joined_soup_3 check_soups(const std::vector<Triangle_soup_3>& soups, const CheckEach& check_each) {
+  if (soups.empty())
+    refuse_surface(Invalid_surface_error::Reason::empty, 0);
+  std::vector<Merged_soup_3> merged;
+  for (std::size_t s = 0; s < soups.size(); ++s) {
+    check_numbers(soups[s], s);
+    merged.push_back(merge_points(soups[s]));
+    check_areas(merged.back(), s);
+    check_each(merged.back(), s);
+  }
+  Joined_soup_3 joined = join(merged);
+  refuse_crossings(joined, crossing_triangles(joined));
+  return joined;
+}
+
 // Returns the union of closed soups. Equal points of a soup are merged. Throws
 // `Invalid_surface_error` unless each soup bounds a solid and no two soups cross. Complexity: O(n
 // log n).
 inline Joined_soup_3 check_surfaces(const std::vector<Triangle_soup_3>& surfaces) {
-  if (surfaces.empty())
-    refuse_surface(Invalid_surface_error::Reason::empty, 0);
-  std::vector<Merged_soup_3> merged;
-  for (std::size_t s = 0; s < surfaces.size(); ++s) {
-    check_numbers(surfaces[s], s);
-    merged.push_back(merge_points(surfaces[s]));
-    check_areas(merged.back(), s);
-    check_closedness(merged.back(), s);
-  }
-  Joined_soup_3 joined = join(merged);
-  refuse_crossings(joined, crossing_triangles(joined));
+  Joined_soup_3 joined = check_soups(surfaces, check_closedness);
   refuse_crossings(joined, crossings_at_edges(joined));
   return joined;
 }
@@ -146,17 +153,7 @@ inline Joined_soup_3 check_surfaces(const std::vector<Triangle_soup_3>& surfaces
 // `Invalid_surface_error` unless triangles meet only in common vertices and edges. Complexity: O(n
 // log n).
 inline Joined_soup_3 check_patches(const std::vector<Triangle_soup_3>& patches) {
-  if (patches.empty())
-    refuse_surface(Invalid_surface_error::Reason::empty, 0);
-  std::vector<Merged_soup_3> merged;
-  for (std::size_t s = 0; s < patches.size(); ++s) {
-    check_numbers(patches[s], s);
-    merged.push_back(merge_points(patches[s]));
-    check_areas(merged.back(), s);
-  }
-  Joined_soup_3 joined = join(merged);
-  refuse_crossings(joined, crossing_triangles(joined));
-  return joined;
+  return check_soups(patches, [](const Merged_soup_3&, std::size_t) {});
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes::internal

@@ -11,7 +11,7 @@
 #include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Mesh_support/internal/sets/Disjoint_sets.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
-#include <CGAL/Triangle_soup_repair/internal/soups/edge_crossings_3.h>
+#include <CGAL/Triangle_soup_repair/internal/soups/soup_intersections_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/soup_rays_3.h>
 
 #include <CGAL/enum.h>

@@ -13,6 +13,7 @@
 
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/box_intersection_d.h>
+#include <CGAL/enum.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -20,6 +21,77 @@
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
+
+// Orders the triangles at an edge by their angle around the edge, starting with a given triangle.
+// Exact.
+// \pre no two triangles overlap
+class Less_around_edge_3
+{
+public:
+  Less_around_edge_3(const Triangle_soup_3& soup, const Triangle_side& first)
+      : m_soup(soup), m_first(first) {}
+
+  bool operator()(const Triangle_side& a, const Triangle_side& b) const {
+    const int part_of_a = part(a), part_of_b = part(b);
+    return part_of_a != part_of_b ? part_of_a < part_of_b : turn(a, b) == POSITIVE;
+  }
+
+private:
+  // Returns the part of the full angle in which a triangle lies: the start, the first half, the
+  // opposite direction, or the second half.
+  int part(const Triangle_side& side) const {
+    if (side.triangle == m_first.triangle)
+      return 0;
+    const Orientation o = turn(m_first, side);
+    return o == POSITIVE ? 1 : o == COPLANAR ? 2 : 3;
+  }
+
+  Orientation turn(const Triangle_side& a, const Triangle_side& b) const {
+    return orientation(point(m_first.vertices[0]), point(m_first.vertices[1]),
+                       point(a.opposite_vertex), point(b.opposite_vertex));
+  }
+
+  Predicates_kernel::Point_3 point(std::size_t i) const { return exact_point(m_soup.points[i]); }
+
+  const Triangle_soup_3& m_soup;
+  Triangle_side m_first;
+};
+
+// Returns the pairs of triangles of different surfaces that cross in a common edge, the smaller
+// index first; sorted.
+//
+// Surfaces touch in an edge, without crossing, if the cyclic sequence of triangles around the edge
+// becomes empty when neighbors of the same surface are removed repeatedly, like matching brackets.
+// \pre triangles meet in common vertices and edges only, and each surface has an even number of
+// triangles in each edge
+inline std::vector<std::pair<std::size_t, std::size_t>>
+crossings_at_edges(const Joined_soup_3& soup) {
+  const auto surface = [&soup](const Triangle_side& side) {
+    return soup.triangle_origins[side.triangle].surface;
+  };
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  std::vector<Triangle_side> sides = sorted_sides(soup.triangles), unmatched;
+  for (auto side = sides.begin(); side != sides.end();) {
+    const auto end = sides.begin() + (end_of_edge(side, sides.end()) - sides.cbegin());
+    if (surface(*side) != surface(*(end - 1))) {
+      std::sort(side, end, Less_around_edge_3(soup, *side));
+      unmatched.clear();
+      for (; side != end; ++side)
+        if (!unmatched.empty() && surface(unmatched.back()) == surface(*side))
+          unmatched.pop_back();
+        else
+          unmatched.push_back(*side);
+      auto first = unmatched.begin(), last = unmatched.end();
+      for (; first != last && surface(*first) == surface(*(last - 1)); ++first)
+        --last; // neighbors across the start of the cycle
+      for (; first != last && first + 1 != last; ++first)
+        pairs.push_back(std::minmax({first->triangle, (first + 1)->triangle}));
+    }
+    side = end;
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
 
 // Tests whether two triangles of a soup intersect anywhere except in a common vertex or a common
 // edge. Exact.
