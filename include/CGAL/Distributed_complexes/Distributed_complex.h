@@ -237,7 +237,8 @@ public:
   /// Replaces the values of vertices of other ranks by the values of their owners. Linear in the
   /// number of vertices here.
   /// \param interface_ the interface
-  /// \param values a trivially copyable value for each vertex of the interface
+  /// \param values a value for each vertex of the interface: a trivially copyable one, or a point or
+  ///        a vector
   template <class Value> void share(const Interface& interface_, std::vector<Value>& values) const {
     std::vector<Value> of_index(m_mesh.piece.vertex_bound());
     for (std::size_t i = 0; i < values.size(); ++i)

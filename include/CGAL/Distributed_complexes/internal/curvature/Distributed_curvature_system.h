@@ -84,7 +84,7 @@ public:
       throw Error(
           "the step of mean curvature flow cannot be computed: the linear system is too ill "
           "conditioned; use a shorter time step");
-    share(solution);
+    m_dsc.share(m_interface, solution);
     return solution;
   }
 
@@ -100,7 +100,7 @@ public:
 
   Vector apply(Vectors& directions, Vectors& products) const {
     m_dsc.communicator().check_progress();
-    share(directions);
+    m_dsc.share(m_interface, directions);
     for (std::size_t v = 0; v < directions.size(); ++v)
       products[v] = m_forces.mass(v) * directions[v];
     for (const auto& pull : m_forces.pulls()) {
@@ -127,16 +127,6 @@ private:
   Vector constrained(std::size_t v, const Vector& x) const {
     const auto* const constraint = m_forces.constraint(v);
     return constraint != nullptr ? (*constraint * x).eval() : x;
-  }
-
-  // Replaces the vectors of ghosts by those of their owners.
-  void share(Vectors& vectors) const {
-    std::vector<std::array<double, d>> values(vectors.size());
-    for (std::size_t v = 0; v < vectors.size(); ++v)
-      std::copy_n(vectors[v].data(), d, values[v].begin());
-    m_dsc.share(m_interface, values);
-    for (std::size_t v = 0; v < vectors.size(); ++v)
-      vectors[v] = Vector(values[v].data());
   }
 
   const Distributed& m_dsc;

@@ -71,10 +71,7 @@ public:
 
   Vector apply(Vectors& directions, Vectors& products) const {
     m_mesh.communicator->check_progress();
-    std::vector<std::array<double, d>> values(directions.size());
-    for (std::size_t v = 0; v < values.size(); ++v)
-      std::copy_n(directions[v].data(), d, values[v].begin());
-    m_mesh.ghosts.update(values, [&](Index v) { directions[v] = Vector(values[v].data()); });
+    m_mesh.ghosts.update(directions);
     for (std::size_t r = 0; r < m_rows.size(); ++r)
       products[m_rows[r]] = row_product(r, directions);
     return sum([&](std::size_t v) { return this->product(products[v], directions[v]); });

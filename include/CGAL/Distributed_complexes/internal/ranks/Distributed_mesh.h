@@ -25,6 +25,7 @@
 #include <cstdint>
 #include <cstring>
 #include <map>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -63,20 +64,34 @@ public:
   }
 
   // Sends the values of own vertices to the ranks that hold them. `values` has an entry for each
-  // index of a vertex. Calls `changed(v)` for each ghost whose value changed.
+  // index of a vertex: a trivially copyable one, or a point or a vector. Calls `changed(v)` for
+  // each ghost whose value changed.
   template <class Value, class Changed>
   void update(std::vector<Value>& values, const Changed& changed) const {
-    std::map<int, std::vector<Value>> lists;
+    static constexpr bool is_plain = std::is_trivially_copyable<Value>::value;
+    using Plain = std::conditional_t<is_plain, Value, std::array<double, d>>;
+    const auto plain = [](const Value& value) -> Plain {
+      if constexpr (is_plain)
+        return value;
+      else
+        return coordinates_of<d>(value);
+    };
+    std::map<int, std::vector<Plain>> lists;
     for (const auto& [rank, vertices] : m_shared)
       for (Index v : vertices)
-        lists[rank].push_back(values[v]);
-    exchange_lists(*m_communicator, lists, [&](int rank, const std::vector<Value>& list) {
+        lists[rank].push_back(plain(values[v]));
+    exchange_lists(*m_communicator, lists, [&](int rank, const std::vector<Plain>& list) {
       const std::vector<Index>& ghosts = m_ghosts.at(rank);
-      for (std::size_t i = 0; i < list.size(); ++i)
-        if (std::memcmp(&values[ghosts[i]], &list[i], sizeof(Value)) != 0) { // -0. differs from 0.
+      for (std::size_t i = 0; i < list.size(); ++i) {
+        const Plain before = plain(values[ghosts[i]]);
+        if (std::memcmp(&before, &list[i], sizeof(Plain)) == 0) // -0. differs from 0.
+          continue;
+        if constexpr (is_plain)
           values[ghosts[i]] = list[i];
-          changed(ghosts[i]);
-        }
+        else
+          values[ghosts[i]] = point_of<Value>(list[i]);
+        changed(ghosts[i]);
+      }
     });
   }
 
