@@ -44,8 +44,8 @@ public:
   // `is_free[v]` marks the vertices to which displacements are extended.
   Distributed_extension(const Mesh& mesh, const std::vector<std::uint8_t>& is_free)
       : Diagonal_preconditioner<d>(mesh.piece.vertex_bound()), m_mesh(mesh), m_first_entry(1, 0) {
-    for (Index v = 0; v < mesh.piece.vertex_bound(); ++v)
-      if (mesh.is_own(v) && is_free[v])
+    for (Index v : mesh.own_vertices())
+      if (is_free[v])
         add_row(v);
   }
 

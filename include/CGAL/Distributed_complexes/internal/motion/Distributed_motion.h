@@ -90,9 +90,7 @@ private:
     std::vector<std::int64_t> numbers(2, 0); // of moving vertices, of vertices
     unsigned moving_sides = 0;
     m_longest = 0;
-    for (Index v = 0; v < m_mesh.piece.vertex_bound(); ++v) {
-      if (!m_mesh.is_own(v))
-        continue;
+    for (Index v : m_mesh.own_vertices()) {
       ++numbers[1];
       if (!is_moving(v))
         continue;
@@ -131,8 +129,8 @@ private:
     }
     std::vector<std::uint8_t> layer(m_mesh.piece.vertex_bound(), 0); // plus 1
     std::vector<Index> front, next;
-    for (Index v = 0; v < m_mesh.piece.vertex_bound(); ++v)
-      if (m_mesh.piece.has_vertex(v) && is_moving(v)) {
+    for (Index v : m_mesh.piece.vertices())
+      if (is_moving(v)) {
         layer[v] = 1;
         front.push_back(v);
       }
@@ -237,8 +235,8 @@ private:
       if (m_mesh.piece.has_vertex(v) && m_displacements[v] != Vector{})
         m_fractions[v] = 1;
     std::vector<Index> suspects;
-    for (Index c = 0; c < m_mesh.piece.cell_bound(); ++c)
-      if (m_mesh.piece.has_cell(c) && moves(c))
+    for (Index c : m_mesh.piece.cells())
+      if (moves(c))
         suspects.push_back(c);
     for (;;) {
       std::vector<Index> reduced;
@@ -335,9 +333,7 @@ private:
       vertex.point = targets[v];
       vertex.is_open = is_moving(v) && vertex.point != vertex.destination;
     }
-    for (Index c = 0; c < m_mesh.piece.cell_bound(); ++c) {
-      if (!m_mesh.piece.has_cell(c))
-        continue;
+    for (Index c : m_mesh.piece.cells()) {
       auto& cell = m_mesh.piece.cell(c);
       if (std::none_of(cell.vertices.begin(), cell.vertices.end(),
                        [&](Index v) { return m_has_moved[v]; }))

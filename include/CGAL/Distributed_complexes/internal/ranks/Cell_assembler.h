@@ -156,9 +156,8 @@ private:
     static constexpr double rounding = 1e-6;
     const Label_totals totals(m_mesh.domain_measure);
     std::int64_t units = 0;
-    for (Index c = 0; c < m_mesh.piece.cell_bound(); ++c)
-      if (m_mesh.is_own_cell(c))
-        units += totals.units(m_mesh.measure(c));
+    for (Index c : m_mesh.own_cells())
+      units += totals.units(m_mesh.measure(c));
     units = m_mesh.communicator->reduced(Communicator::Operation::sum, units);
     if (!(std::abs(totals.volume_of(units) - m_mesh.domain_measure) <=
           rounding * m_mesh.domain_measure))
@@ -173,8 +172,8 @@ private:
     std::vector<std::array<double, 2>> sums; // lengths and numbers of edges of own facets
     double shortest = std::numeric_limits<double>::infinity();
     std::vector<float> spacings(piece.vertex_bound(), 0);
-    for (Index v = 0; v < piece.vertex_bound(); ++v) {
-      if (!m_mesh.is_own(v) || !piece.has_several_labels(v))
+    for (Index v : m_mesh.own_vertices()) {
+      if (!piece.has_several_labels(v))
         continue;
       double sum = 0;
       int number = 0;

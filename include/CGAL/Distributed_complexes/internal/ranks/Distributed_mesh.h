@@ -43,8 +43,8 @@ public:
     const int me = communicator.rank();
     if (communicator.size() == 1)
       return;
-    for (Index v = 0; v < piece.vertex_bound(); ++v) {
-      if (!piece.has_vertex(v) || piece.vertex(v).owner == me)
+    for (Index v : piece.vertices()) {
+      if (piece.vertex(v).owner == me)
         continue;
       m_ghosts[piece.vertex(v).owner].push_back(v);
       // The owner of v holds all vertices of the cells around v.
@@ -149,6 +149,13 @@ template <class Complex> struct Distributed_mesh
   int rank() const { return communicator->rank(); }
   bool is_own(Index v) const { return piece.has_vertex(v) && piece.vertex(v).owner == rank(); }
   bool is_own_cell(Index c) const { return piece.has_cell(c) && piece.owner(c) == rank(); }
+  // The indices of the vertices and of the cells that this rank owns.
+  auto own_vertices() const {
+    return indices_where(piece.vertex_bound(), [this](Index v) { return is_own(v); });
+  }
+  auto own_cells() const {
+    return indices_where(piece.cell_bound(), [this](Index c) { return is_own_cell(c); });
+  }
 
   // Returns the work at a vertex: of a motion, and of recent improvements.
   std::int64_t weight(Index v) const {
@@ -187,9 +194,8 @@ template <class Complex> struct Distributed_mesh
   // Returns for each index whether the vertex is on the interface.
   std::vector<std::uint8_t> interface_flags() const {
     std::vector<std::uint8_t> result(piece.vertex_bound(), 0);
-    for (Index v = 0; v < piece.vertex_bound(); ++v)
-      if (is_own(v))
-        result[v] = piece.has_several_labels(v);
+    for (Index v : own_vertices())
+      result[v] = piece.has_several_labels(v);
     ghosts.update(result);
     return result;
   }
@@ -199,18 +205,15 @@ template <class Complex> struct Distributed_mesh
   template <class Condition>
   std::vector<std::uint8_t> vertices_with_edge(const Condition& condition) const {
     std::vector<std::uint8_t> result(piece.vertex_bound(), 0);
-    for (Index v = 0; v < piece.vertex_bound(); ++v)
-      if (is_own(v))
-        for_each_neighbor(v, [&](Index w) { result[v] = result[v] || condition(v, w); });
+    for (Index v : own_vertices())
+      for_each_neighbor(v, [&](Index w) { result[v] = result[v] || condition(v, w); });
     ghosts.update(result);
     return result;
   }
 
   // Sets `is_active` of each cell: whether `condition(v, w)` holds for an edge of the cell.
   template <class Condition> void activate_cells_with_edge(const Condition& condition) {
-    for (Index c = 0; c < piece.cell_bound(); ++c) {
-      if (!piece.has_cell(c))
-        continue;
+    for (Index c : piece.cells()) {
       auto& cell = piece.cell(c);
       cell.data.is_active = false;
       for (int i = 0; i < corners; ++i)
@@ -223,9 +226,8 @@ template <class Complex> struct Distributed_mesh
   // Returns the box around all vertices of all ranks.
   Extent<d> extent() const {
     Extent<d> own;
-    for (Index v = 0; v < piece.vertex_bound(); ++v)
-      if (is_own(v))
-        own.add(piece.vertex(v).point);
+    for (Index v : own_vertices())
+      own.add(piece.vertex(v).point);
     return extent_of_ranks(*communicator, own);
   }
 

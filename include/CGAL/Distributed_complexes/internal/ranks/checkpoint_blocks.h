@@ -98,12 +98,11 @@ template <class Complex> Communicator::Bytes bytes_of_piece(const Distributed_me
   static constexpr int d = Complex::dimension;
   std::vector<Sent_cell<d>> cells;
   std::vector<std::uint8_t> is_needed(mesh.piece.vertex_bound(), 0);
-  for (Index c = 0; c < mesh.piece.cell_bound(); ++c)
-    if (mesh.is_own_cell(c)) {
-      cells.push_back(mesh.piece.sent(c));
-      for (Index v : mesh.piece.cell(c).vertices)
-        is_needed[v] = 1;
-    }
+  for (Index c : mesh.own_cells()) {
+    cells.push_back(mesh.piece.sent(c));
+    for (Index v : mesh.piece.cell(c).vertices)
+      is_needed[v] = 1;
+  }
   std::vector<Piece_vertex<d>> vertices;
   for (Index v = 0; v < mesh.piece.vertex_bound(); ++v)
     if (is_needed[v])
