@@ -12,7 +12,6 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Label_totals.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/hilbert_order.h>
 #include <CGAL/Distributed_complexes/Communicator.h>
 #include <CGAL/Distributed_complexes/Distributed_graph.h>
@@ -325,8 +324,7 @@ private:
   // Numbers the components of a new complex.
   void find_components() {
     m_mesh.components.clear();
-    internal::Distributed_components<Complex>(m_mesh, internal::Label_totals(m_mesh.domain_measure))
-        .update(m_mesh.components);
+    internal::Distributed_components<Complex>(m_mesh).update();
     m_mesh.are_components_known = true;
   }
 
@@ -416,9 +414,6 @@ auto Distributed_complex<Complex>::graph() const -> Distributed_graph<Complex::d
        internal::gather_items<size_type>(communicator(), {number_of_own_vertices()}))
     result.first.push_back(result.first.back() + std::int64_t(number));
   const auto box = m_mesh.extent();
-  double side = 0;
-  for (int k = 0; k < d; ++k)
-    side = (std::max)(side, box.upper(k) - box.lower(k));
   std::vector<std::int64_t> numbers(m_mesh.piece.vertex_bound(), 0);
   std::int64_t next = result.first[m_mesh.rank()];
   for (Index v : m_mesh.own_vertices())
@@ -433,10 +428,7 @@ auto Distributed_complex<Complex>::graph() const -> Distributed_graph<Complex::d
     result.begin.push_back(std::int64_t(result.neighbors.size()));
     result.neighbors.insert(result.neighbors.end(), neighbors.begin(), neighbors.end());
     result.weights.push_back(m_mesh.weight(v));
-    result.positions.push_back(m_mesh.piece.vertex(v).point);
-    for (int k = 0; k < d; ++k)
-      result.positions.back()[k] =
-          side > 0 ? (result.positions.back()[k] - box.lower(k)) / side : 0;
+    result.positions.push_back(box.in_unit_cube(m_mesh.piece.vertex(v).point));
   }
   result.begin.push_back(std::int64_t(result.neighbors.size()));
   return result;

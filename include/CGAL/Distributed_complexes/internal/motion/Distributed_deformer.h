@@ -260,9 +260,7 @@ private:
       return std::tie(a.pass, a.patch, a.label, a.where) <
              std::tie(b.pass, b.patch, b.label, b.where);
     });
-    const Label_totals totals(m_mesh.domain_measure);
-    Distributed_components<Complex> components(m_mesh, totals);
-    for (const Component_event& event : components.update(m_mesh.components)) {
+    for (const Component_event& event : Distributed_components<Complex>(m_mesh).update()) {
       const auto place = std::find_if(places.begin(), places.end(), [&](const auto& candidate) {
         return candidate.label == event.label;
       });

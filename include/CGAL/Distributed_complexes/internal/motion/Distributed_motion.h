@@ -162,11 +162,10 @@ private:
     if (flow) {
       std::vector<Index> vertices;
       std::vector<Position> positions;
-      for (Index v = 0; v < n; ++v)
-        if (m_mesh.piece.has_vertex(v)) {
-          vertices.push_back(v);
-          positions.push_back(m_mesh.position(v));
-        }
+      for (Index v : m_mesh.piece.vertices()) {
+        vertices.push_back(v);
+        positions.push_back(m_mesh.position(v));
+      }
       std::vector<Position> destinations;
       m_mesh.communicator->call_together([&] {
         destinations = flow(positions);
@@ -182,8 +181,8 @@ private:
     }
     // Free vertices at which the flow is unknown follow it by 0.
     m_displacements.assign(n, Vector{});
-    for (Index v = 0; v < n; ++v) {
-      if (!m_mesh.piece.has_vertex(v) || m_is_free[v])
+    for (Index v : m_mesh.piece.vertices()) {
+      if (m_is_free[v])
         continue;
       Vector deviation = is_moving(v) ? remaining(v) : Vector{};
       if (is_known[v])
@@ -193,9 +192,7 @@ private:
         m_displacements[v] = deviation;
     }
     Distributed_extension<Complex>(m_mesh, m_is_free).extend(m_displacements);
-    for (Index v = 0; v < n; ++v) {
-      if (!m_mesh.piece.has_vertex(v))
-        continue;
+    for (Index v : m_mesh.piece.vertices()) {
       if (m_is_free[v]) {
         for (int k = 0; k < d; ++k) {
           if (is_known[v])
@@ -229,10 +226,9 @@ private:
 
   // Reduces displacements until no cell is inverted or degraded.
   void reduce_displacements() {
-    const Index n = m_mesh.piece.vertex_bound();
-    m_fractions.assign(n, 0);
-    for (Index v = 0; v < n; ++v)
-      if (m_mesh.piece.has_vertex(v) && m_displacements[v] != Vector{})
+    m_fractions.assign(m_mesh.piece.vertex_bound(), 0);
+    for (Index v : m_mesh.piece.vertices())
+      if (m_displacements[v] != Vector{})
         m_fractions[v] = 1;
     std::vector<Index> suspects;
     for (Index c : m_mesh.piece.cells())
@@ -320,14 +316,10 @@ private:
   }
 
   void commit() {
-    const Index n = m_mesh.piece.vertex_bound();
-    std::vector<Vector> targets(n);
-    for (Index v = 0; v < n; ++v)
-      if (m_mesh.piece.has_vertex(v))
-        targets[v] = target(v);
-    for (Index v = 0; v < n; ++v) {
-      if (!m_mesh.piece.has_vertex(v))
-        continue;
+    std::vector<Vector> targets(m_mesh.piece.vertex_bound());
+    for (Index v : m_mesh.piece.vertices())
+      targets[v] = target(v);
+    for (Index v : m_mesh.piece.vertices()) {
       auto& vertex = m_mesh.piece.vertex(v);
       m_has_moved[v] = targets[v] != vertex.point;
       vertex.point = targets[v];

@@ -38,20 +38,19 @@ public:
   using Mesh = Distributed_mesh<Complex>;
   using Index = typename Mesh::Index;
 
-  // `totals` defines the unit of volumes.
-  Distributed_components(Mesh& mesh, const Label_totals& totals)
-      : m_mesh(mesh), m_totals(totals), m_sets(mesh.piece.cell_bound()) {}
+  explicit Distributed_components(Mesh& mesh)
+      : m_mesh(mesh), m_totals(mesh.domain_measure), m_sets(mesh.piece.cell_bound()) {}
 
   // Numbers the components. A component keeps its number. A merged component gets the least number
   // of its parts that is still free. If a component is split, the part with the least hash of a
-  // cell keeps the number. Cells with the number 0 are new. `known` are the components before, and
-  // is replaced. Returns the changes.
-  std::vector<Component_event> update(Known_components& known) {
+  // cell keeps the number. Cells with the number 0 are new. Replaces the components of the mesh.
+  // Returns the changes.
+  std::vector<Component_event> update() {
     unite_neighbors();
     describe_own_components();
     connect_ranks();
     unite_ranks();
-    return name_components(known);
+    return name_components(m_mesh.components);
   }
 
 private:
@@ -239,7 +238,7 @@ private:
   };
 
   Mesh& m_mesh;
-  const Label_totals& m_totals;
+  Label_totals m_totals;                  // defines the unit of volumes
   Disjoint_sets m_sets;                   // of held cells
   std::vector<std::uint32_t> m_number_of; // component of each held cell, on this rank
   std::vector<Share> m_shares;

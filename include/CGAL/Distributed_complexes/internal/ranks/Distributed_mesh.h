@@ -157,6 +157,12 @@ template <class Complex> struct Distributed_mesh
     return indices_where(piece.cell_bound(), [this](Index c) { return is_own_cell(c); });
   }
 
+  void clear() {
+    piece = Piece<d>();
+    components.clear();
+    find_ghosts();
+  }
+
   // Returns the work at a vertex: of a motion, and of recent improvements.
   std::int64_t weight(Index v) const {
     static constexpr double improvement = 10; // cost of an improvement; a motion costs 1

@@ -170,12 +170,7 @@ template <class Complex>
 std::string read_checkpoint_blocks(const std::string& path, Distributed_mesh<Complex>& mesh) {
   static constexpr int d = Complex::dimension;
   Communicator& communicator = *mesh.communicator;
-  const auto clear = [&] {
-    mesh.piece = Piece<d>();
-    mesh.components.clear();
-    mesh.find_ghosts();
-  };
-  clear();
+  mesh.clear();
   std::ifstream in;
   std::uint64_t left = 0;
   Communicator::Bytes block;
@@ -229,7 +224,7 @@ std::string read_checkpoint_blocks(const std::string& path, Distributed_mesh<Com
         placement.add(vertices, cells);
       });
     } catch (...) {
-      clear();
+      mesh.clear();
       throw;
     }
     placement.send(communicator, mesh.piece);
