@@ -17,7 +17,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <functional>
 #include <map>
 #include <optional>
@@ -63,13 +62,7 @@ void Tracked_distributed::run_once(const std::function<void()>& function) const 
 }
 
 double Tracked_distributed::agreed(double number) const {
-  // Numbers that are not negative have the order of their bits.
-  std::int64_t bits = 0;
-  if (is_first())
-    std::memcpy(&bits, &number, sizeof bits);
-  bits = complex.communicator().reduced(Operation::maximum, bits);
-  std::memcpy(&number, &bits, sizeof number);
-  return number;
+  return DSC::internal::maximum_of_ranks(complex.communicator(), is_first() ? number : 0);
 }
 
 double Tracked_distributed::mean_edge() const {
