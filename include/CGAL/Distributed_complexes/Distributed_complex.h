@@ -251,28 +251,19 @@ public:
   class State
   {
     friend Distributed_complex;
-    internal::Piece<dimension> m_piece;
-    internal::Known_components m_components;
-    internal::Global_id m_next_id;
-    bool m_are_components_known;
+    internal::Distributed_state<dimension> m_state;
   };
   /// Returns the state on this rank. Not collective.
   State state() const {
     State result;
-    result.m_piece = m_mesh.piece;
-    result.m_components = m_mesh.components;
-    result.m_next_id = m_mesh.next_id;
-    result.m_are_components_known = m_mesh.are_components_known;
+    result.m_state = m_mesh;
     return result;
   }
   /// Restores the state of this rank. All ranks must restore states of the same time before the
   /// next collective call. Not collective.
   /// \pre `distribute()`, `refine_3()` and `read_checkpoint()` were not called since
   void restore(const State& state) {
-    m_mesh.piece = state.m_piece;
-    m_mesh.components = state.m_components;
-    m_mesh.next_id = state.m_next_id;
-    m_mesh.are_components_known = state.m_are_components_known;
+    static_cast<internal::Distributed_state<dimension>&>(m_mesh) = state.m_state;
     m_mesh.find_ghosts();
   }
 

@@ -155,7 +155,6 @@ template <class Complex> void refine_3(Distributed_complex<Complex>& dsc) {
       error = "only complexes in a box can be refined";
   dsc.communicator().agree_on_error(error);
   const auto before = dsc.state();
-  const double mean = mesh.mean_interface_edge, minimum = mesh.minimum_interface_edge;
   internal::Piece_refiner_3<Complex>(mesh).run();
   bool is_valid = true;
   for (std::uint32_t c : mesh.own_cells())
@@ -165,8 +164,6 @@ template <class Complex> void refine_3(Distributed_complex<Complex>& dsc) {
         is_valid ? "" : "a cell is too flat to be refined: use a better mesh");
   } catch (const Error&) {
     dsc.restore(before);
-    mesh.mean_interface_edge = mean;
-    mesh.minimum_interface_edge = minimum;
     throw;
   }
 }

@@ -133,15 +133,27 @@ template <int d> Extent<d> extent_of_ranks(Communicator& communicator, const Ext
   return extent_of<d>(gather_items(communicator, corners));
 }
 
-// The piece of a distributed complex on this rank, the communicator, and everything that all ranks
-// know: the geometry traits, and the lengths of the complex.
-template <class Complex> struct Distributed_mesh
+// What operations on a distributed complex change: the piece of this rank, and what all ranks know.
+template <int d> struct Distributed_state
+{
+  Piece<d> piece;
+  Known_components components;
+  bool are_components_known = true; // false during a change, and after an exception in it
+  double mean_interface_edge = 0, minimum_interface_edge = 0;
+  Global_id next_id = 0; // of new vertices
+};
+
+// The state of a distributed complex, the communicator, and what stays: the geometry traits, and
+// the size of the complex.
+template <class Complex> struct Distributed_mesh : Distributed_state<Complex::dimension>
 {
   static constexpr int d = Complex::dimension;
   static constexpr int corners = d + 1;
   using Index = typename Piece<d>::Index;
   using Position = typename Complex::Approximate_point;
   using Space = typename Complex::Space;
+  using Distributed_state<d>::piece;
+  using Distributed_state<d>::components;
 
   explicit Distributed_mesh(Communicator& communicator)
       : communicator(&communicator), ghosts(piece, communicator) {}
@@ -246,16 +258,11 @@ template <class Complex> struct Distributed_mesh
   }
 
   Communicator* communicator;
-  Piece<d> piece;
   Ghosts<d> ghosts;
   typename Complex::Geom_traits traits;
   typename Complex::Quality_measure quality_measure;
   typename Complex::Normalization normalization;
-  double mean_interface_edge = 0, minimum_interface_edge = 0;
-  Global_id next_id = 0;     // of new vertices
   double domain_measure = 1; // of the box around the complex when it was built; unit of volumes
-  Known_components components;
-  bool are_components_known = true; // false during a change, and after an exception in it
 };
 
 } // namespace CGAL::Deformable_simplicial_complexes::internal
