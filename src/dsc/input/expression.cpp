@@ -289,6 +289,13 @@ private:
 
 } // namespace
 
+std::vector<std::string> coordinate_names(int dimension, const std::vector<std::string>& others) {
+  std::vector<std::string> result = {"x", "y", "z"};
+  result.resize(std::size_t(dimension));
+  result.insert(result.end(), others.begin(), others.end());
+  return result;
+}
+
 struct Expression::Parser
 {
   std::string text, place, form;
