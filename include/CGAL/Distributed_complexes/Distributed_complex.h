@@ -12,7 +12,6 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Label_totals.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/hilbert_order.h>
 #include <CGAL/Distributed_complexes/Communicator.h>
 #include <CGAL/Distributed_complexes/Distributed_graph.h>
@@ -163,26 +162,11 @@ public:
   /// Returns the number of vertices of all ranks.
   size_type number_of_vertices() const { return total(number_of_own_vertices()); }
   /// Returns the number of cells that this rank owns. Not collective.
-  size_type number_of_own_cells() const {
-    size_type result = 0;
-    for (Index c = 0; c < m_mesh.piece.cell_bound(); ++c)
-      result += m_mesh.is_own_cell(c);
-    return result;
-  }
+  size_type number_of_own_cells() const { return size_type(m_mesh.own_cells().size()); }
   /// Returns the number of vertices that this rank owns. Not collective.
-  size_type number_of_own_vertices() const {
-    size_type result = 0;
-    for (Index v = 0; v < m_mesh.piece.vertex_bound(); ++v)
-      result += m_mesh.is_own(v);
-    return result;
-  }
+  size_type number_of_own_vertices() const { return size_type(m_mesh.own_vertices().size()); }
   /// Returns the number of cells that this rank holds. Not collective.
-  size_type number_of_held_cells() const {
-    size_type result = 0;
-    for (Index c = 0; c < m_mesh.piece.cell_bound(); ++c)
-      result += m_mesh.piece.has_cell(c);
-    return result;
-  }
+  size_type number_of_held_cells() const { return size_type(m_mesh.piece.cells().size()); }
   /// Returns the approximate number of bytes that this rank uses for the complex. Not collective.
   std::size_t memory() const { return m_mesh.piece.memory(); }
 
@@ -237,7 +221,8 @@ public:
   /// Replaces the values of vertices of other ranks by the values of their owners. Linear in the
   /// number of vertices here.
   /// \param interface_ the interface
-  /// \param values a trivially copyable value for each vertex of the interface
+  /// \param values a value for each vertex of the interface: a trivially copyable one, or a point or
+  ///        a vector
   template <class Value> void share(const Interface& interface_, std::vector<Value>& values) const {
     std::vector<Value> of_index(m_mesh.piece.vertex_bound());
     for (std::size_t i = 0; i < values.size(); ++i)
@@ -266,28 +251,19 @@ public:
   class State
   {
     friend Distributed_complex;
-    internal::Piece<dimension> m_piece;
-    internal::Known_components m_components;
-    internal::Global_id m_next_id;
-    bool m_are_components_known;
+    internal::Distributed_state<dimension> m_state;
   };
   /// Returns the state on this rank. Not collective.
   State state() const {
     State result;
-    result.m_piece = m_mesh.piece;
-    result.m_components = m_mesh.components;
-    result.m_next_id = m_mesh.next_id;
-    result.m_are_components_known = m_mesh.are_components_known;
+    result.m_state = m_mesh;
     return result;
   }
   /// Restores the state of this rank. All ranks must restore states of the same time before the
   /// next collective call. Not collective.
   /// \pre `distribute()`, `refine_3()` and `read_checkpoint()` were not called since
   void restore(const State& state) {
-    m_mesh.piece = state.m_piece;
-    m_mesh.components = state.m_components;
-    m_mesh.next_id = state.m_next_id;
-    m_mesh.are_components_known = state.m_are_components_known;
+    static_cast<internal::Distributed_state<dimension>&>(m_mesh) = state.m_state;
     m_mesh.find_ghosts();
   }
 
@@ -339,8 +315,7 @@ private:
   // Numbers the components of a new complex.
   void find_components() {
     m_mesh.components.clear();
-    internal::Distributed_components<Complex>(m_mesh, internal::Label_totals(m_mesh.domain_measure))
-        .update(m_mesh.components);
+    internal::Distributed_components<Complex>(m_mesh).update();
     m_mesh.are_components_known = true;
   }
 
@@ -397,20 +372,17 @@ template <class Complex>
 template <class New_owner>
 void Distributed_complex<Complex>::migrate(const New_owner& owner) {
   std::vector<int> owners(m_mesh.piece.vertex_bound(), 0);
-  for (Index v = 0; v < m_mesh.piece.vertex_bound(); ++v)
-    if (m_mesh.is_own(v))
-      owners[v] = owner(m_mesh.piece.vertex(v).id, m_mesh.position(v));
+  for (Index v : m_mesh.own_vertices())
+    owners[v] = owner(m_mesh.piece.vertex(v).id, m_mesh.position(v));
   m_mesh.ghosts.update(owners);
   std::vector<Vertex> vertices;
   std::vector<Cell> cells;
-  for (Index v = 0; v < m_mesh.piece.vertex_bound(); ++v)
-    if (m_mesh.piece.has_vertex(v)) {
-      vertices.push_back(m_mesh.piece.vertex(v));
-      vertices.back().owner = owners[v];
-    }
-  for (Index c = 0; c < m_mesh.piece.cell_bound(); ++c)
-    if (m_mesh.is_own_cell(c))
-      cells.push_back(m_mesh.piece.sent(c));
+  for (Index v : m_mesh.piece.vertices()) {
+    vertices.push_back(m_mesh.piece.vertex(v));
+    vertices.back().owner = owners[v];
+  }
+  for (Index c : m_mesh.own_cells())
+    cells.push_back(m_mesh.piece.sent(c));
   internal::Placement<d> placement;
   placement.add(vertices, cells);
   place(placement);
@@ -418,9 +390,8 @@ void Distributed_complex<Complex>::migrate(const New_owner& owner) {
 
 template <class Complex> double Distributed_complex<Complex>::imbalance() const {
   std::int64_t own = 0;
-  for (Index v = 0; v < m_mesh.piece.vertex_bound(); ++v)
-    if (m_mesh.is_own(v))
-      own += m_mesh.weight(v);
+  for (Index v : m_mesh.own_vertices())
+    own += m_mesh.weight(v);
   const std::int64_t sum = communicator().reduced(Communicator::Operation::sum, own),
                      most = communicator().reduced(Communicator::Operation::maximum, own);
   return sum > 0 ? double(most) * double(communicator().size()) / double(sum) : 1;
@@ -434,19 +405,13 @@ auto Distributed_complex<Complex>::graph() const -> Distributed_graph<Complex::d
        internal::gather_items<size_type>(communicator(), {number_of_own_vertices()}))
     result.first.push_back(result.first.back() + std::int64_t(number));
   const auto box = m_mesh.extent();
-  double side = 0;
-  for (int k = 0; k < d; ++k)
-    side = (std::max)(side, box.upper(k) - box.lower(k));
   std::vector<std::int64_t> numbers(m_mesh.piece.vertex_bound(), 0);
   std::int64_t next = result.first[m_mesh.rank()];
-  for (Index v = 0; v < m_mesh.piece.vertex_bound(); ++v)
-    if (m_mesh.is_own(v))
-      numbers[v] = next++;
+  for (Index v : m_mesh.own_vertices())
+    numbers[v] = next++;
   m_mesh.ghosts.update(numbers);
   std::vector<std::int64_t> neighbors;
-  for (Index v = 0; v < m_mesh.piece.vertex_bound(); ++v) {
-    if (!m_mesh.is_own(v))
-      continue;
+  for (Index v : m_mesh.own_vertices()) {
     neighbors.clear();
     m_mesh.for_each_neighbor(v, [&](Index w) { neighbors.push_back(numbers[w]); });
     std::sort(neighbors.begin(), neighbors.end());
@@ -454,10 +419,7 @@ auto Distributed_complex<Complex>::graph() const -> Distributed_graph<Complex::d
     result.begin.push_back(std::int64_t(result.neighbors.size()));
     result.neighbors.insert(result.neighbors.end(), neighbors.begin(), neighbors.end());
     result.weights.push_back(m_mesh.weight(v));
-    result.positions.push_back(m_mesh.piece.vertex(v).point);
-    for (int k = 0; k < d; ++k)
-      result.positions.back()[k] =
-          side > 0 ? (result.positions.back()[k] - box.lower(k)) / side : 0;
+    result.positions.push_back(box.in_unit_cube(m_mesh.piece.vertex(v).point));
   }
   result.begin.push_back(std::int64_t(result.neighbors.size()));
   return result;
@@ -466,12 +428,10 @@ auto Distributed_complex<Complex>::graph() const -> Distributed_graph<Complex::d
 template <class Complex> Complex Distributed_complex<Complex>::gather() const {
   std::vector<Vertex> vertices;
   std::vector<Cell> cells;
-  for (Index v = 0; v < m_mesh.piece.vertex_bound(); ++v)
-    if (m_mesh.is_own(v))
-      vertices.push_back(m_mesh.piece.vertex(v));
-  for (Index c = 0; c < m_mesh.piece.cell_bound(); ++c)
-    if (m_mesh.is_own_cell(c))
-      cells.push_back(m_mesh.piece.sent(c));
+  for (Index v : m_mesh.own_vertices())
+    vertices.push_back(m_mesh.piece.vertex(v));
+  for (Index c : m_mesh.own_cells())
+    cells.push_back(m_mesh.piece.sent(c));
   internal::Message_writer writer;
   writer.write(vertices);
   writer.write(cells);
@@ -522,23 +482,21 @@ template <class Complex> std::uint64_t Distributed_complex<Complex>::checksum() 
     std::memcpy(&result, &x, sizeof(result));
     return result;
   };
-  for (Index v = 0; v < m_mesh.piece.vertex_bound(); ++v)
-    if (m_mesh.is_own(v)) {
-      const Vertex& vertex = m_mesh.piece.vertex(v);
-      std::uint64_t hash = internal::mixed(vertex.id);
-      for (double x : vertex.point)
-        hash = internal::mixed(hash ^ bits(x));
-      hash = internal::mixed(hash ^ bits(vertex.spacing));
-      sum += internal::mixed(hash ^ vertex.boundary_class);
-    }
-  for (Index c = 0; c < m_mesh.piece.cell_bound(); ++c)
-    if (m_mesh.is_own_cell(c)) {
-      const auto& data = m_mesh.piece.cell(c).data;
-      std::uint64_t hash = internal::hash_of(m_mesh.piece.ids(c));
-      hash = internal::mixed(hash ^ std::uint32_t(data.label));
-      hash = internal::mixed(hash ^ bits(data.noted_quality));
-      sum += internal::mixed(hash ^ data.failures);
-    }
+  for (Index v : m_mesh.own_vertices()) {
+    const Vertex& vertex = m_mesh.piece.vertex(v);
+    std::uint64_t hash = internal::mixed(vertex.id);
+    for (double x : vertex.point)
+      hash = internal::mixed(hash ^ bits(x));
+    hash = internal::mixed(hash ^ bits(vertex.spacing));
+    sum += internal::mixed(hash ^ vertex.boundary_class);
+  }
+  for (Index c : m_mesh.own_cells()) {
+    const auto& data = m_mesh.piece.cell(c).data;
+    std::uint64_t hash = internal::hash_of(m_mesh.piece.ids(c));
+    hash = internal::mixed(hash ^ std::uint32_t(data.label));
+    hash = internal::mixed(hash ^ bits(data.noted_quality));
+    sum += internal::mixed(hash ^ data.failures);
+  }
   // Halves of 32 bits, whose sums cannot overflow.
   std::vector<std::int64_t> halves = {std::int64_t(sum >> 32), std::int64_t(sum & 0xffffffff)};
   communicator().reduce(Communicator::Operation::sum, halves);
@@ -549,8 +507,8 @@ template <class Complex> auto Distributed_complex<Complex>::interface_here() con
   Interface result;
   const std::vector<std::uint8_t> flags = m_mesh.interface_flags();
   const auto& piece = m_mesh.piece;
-  for (Index v = 0; v < piece.vertex_bound(); ++v)
-    if (piece.has_vertex(v) && flags[v])
+  for (Index v : piece.vertices())
+    if (flags[v])
       result.indices.push_back(v);
   std::sort(result.indices.begin(), result.indices.end(),
             [&](Index v, Index w) { return piece.vertex(v).id < piece.vertex(w).id; });
@@ -568,9 +526,7 @@ template <class Complex> auto Distributed_complex<Complex>::interface_here() con
     int opposite;
   };
   std::vector<Side> sides;
-  for (Index c = 0; c < piece.cell_bound(); ++c) {
-    if (!piece.has_cell(c))
-      continue;
+  for (Index c : piece.cells()) {
     const auto& vertices = piece.cell(c).vertices;
     for (int i = 0; i <= d; ++i) {
       Side side = {{}, c, i};
@@ -634,12 +590,11 @@ auto Distributed_complex<Complex>::label_measures() const -> std::vector<Label_m
   const double volume_unit = std::ldexp(m_mesh.domain_measure, -bits);
   const double side = std::pow(m_mesh.domain_measure, 1. / d);
   const double interface_unit = std::ldexp(m_mesh.domain_measure / side, -interface_bits);
-  for (Index c = 0; c < m_mesh.piece.cell_bound(); ++c)
-    if (m_mesh.is_own_cell(c)) {
-      const std::size_t i = 4 * place(m_mesh.piece.cell(c).data.label);
-      ++numbers[i];
-      numbers[i + 1] += std::llrint(m_mesh.measure(c) / volume_unit);
-    }
+  for (Index c : m_mesh.own_cells()) {
+    const std::size_t i = 4 * place(m_mesh.piece.cell(c).data.label);
+    ++numbers[i];
+    numbers[i + 1] += std::llrint(m_mesh.measure(c) / volume_unit);
+  }
   const Interface interface_ = interface_here();
   using Edge = std::array<std::size_t, 3>; // label, ends; a vertex has equal ends
   std::vector<Edge> edges;

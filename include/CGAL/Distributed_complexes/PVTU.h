@@ -92,9 +92,7 @@ void write_PVTU(const std::string& path,
   std::vector<typename Complex::Approximate_point> points;
   std::vector<std::int32_t> labels;
   std::vector<double> qualities;
-  for (std::uint32_t c = 0; c < mesh.piece.cell_bound(); ++c) {
-    if (!mesh.is_own_cell(c))
-      continue;
+  for (std::uint32_t c : mesh.own_cells()) {
     for (auto v : mesh.piece.cell(c).vertices) {
       if (number[v] < 0) {
         number[v] = std::int64_t(points.size());

@@ -18,12 +18,9 @@
 #include <CGAL/Interface_remeshing/Detail_options.h>
 #include <CGAL/Interface_remeshing/Interface_adaptation.h>
 #include <CGAL/Mesh_support/Error.h>
-#include <CGAL/Mesh_support/coordinates.h>
 #include <CGAL/Mesh_support/parameter_values.h>
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
@@ -72,7 +69,6 @@ template <class Complex, class Destinations>
 Improvement_report keep_interface_fit(Distributed_complex<Complex>& dsc,
                                       const Adaptation_options& options,
                                       const Destinations& destinations) {
-  static constexpr int d = Complex::dimension;
   if (!(options.tolerance > 0) || !internal::has_interface(dsc))
     return {};
   dsc.communicator().call_together(
@@ -91,12 +87,7 @@ Improvement_report keep_interface_fit(Distributed_complex<Complex>& dsc,
             "the number of destinations differs from the number of interface vertices: give "
             "one destination for each vertex");
     });
-    std::vector<std::array<double, d>> shared;
-    for (const auto& target : targets)
-      shared.push_back(coordinates_of<d>(target));
-    dsc.share(interface_, shared);
-    for (std::size_t i = 0; i < targets.size(); ++i)
-      targets[i] = point_at<Complex>(shared[i]);
+    dsc.share(interface_, targets);
     if (dsc.communicator().reduced(
             Communicator::Operation::maximum,
             is_stretched(interface_.snapshot, interface_.positions, targets)) == 0)

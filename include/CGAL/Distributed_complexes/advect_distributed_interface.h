@@ -20,7 +20,6 @@
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/coordinates.h>
 
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <vector>
@@ -43,7 +42,6 @@ public:
   void operator()(const Interface_snapshot<Complex>& snapshot,
                   const std::vector<typename Complex::Approximate_point>& positions, double t,
                   std::vector<typename Complex::Approximate_vector>& velocities) const {
-    static constexpr int d = Complex::dimension;
     m_dsc.communicator().call_together([&] {
       m_velocity(snapshot, positions, t, velocities);
       if (velocities.size() != positions.size())
@@ -53,12 +51,7 @@ public:
         if (m_dsc.mesh().is_own(m_interface.indices[i]) && !has_finite_coordinates(velocities[i]))
           throw Error("a velocity is not finite: correct the velocity");
     });
-    std::vector<std::array<double, d>> values;
-    for (const auto& velocity : velocities)
-      values.push_back(coordinates_of<d>(velocity));
-    m_dsc.share(m_interface, values);
-    for (std::size_t i = 0; i < velocities.size(); ++i)
-      velocities[i] = vector_of<Complex>(values[i]);
+    m_dsc.share(m_interface, velocities);
   }
 
 private:

@@ -56,7 +56,7 @@ void assign_cells(Distributed_complex<Complex>& dsc, const Cells_of_rank<Complex
     assembler.place(cells);
     assembler.complete();
   } catch (...) { // on all ranks
-    assembler.clear();
+    dsc.mesh().clear();
     throw;
   }
 }

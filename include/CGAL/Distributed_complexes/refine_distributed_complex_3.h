@@ -42,9 +42,8 @@ public:
   explicit Piece_refiner_3(Mesh& mesh) : m_mesh(mesh) {}
 
   void run() {
-    for (Index c = 0; c < m_mesh.piece.cell_bound(); ++c)
-      if (m_mesh.piece.has_cell(c))
-        refine(c);
+    for (Index c : m_mesh.piece.cells())
+      refine(c);
     m_mesh.piece = std::move(m_refined);
     m_mesh.mean_interface_edge /= 2;
     m_mesh.minimum_interface_edge /= 2;
@@ -151,24 +150,20 @@ template <class Complex> void refine_3(Distributed_complex<Complex>& dsc) {
     internal::renumber_vertices(mesh, mesh.next_id);
   if (mesh.next_id >= internal::Piece_refiner_3<Complex>::bound)
     error = "the complex has too many vertices to be refined";
-  for (std::uint32_t v = 0; v < mesh.piece.vertex_bound(); ++v)
-    if (mesh.is_own(v) && (mesh.piece.vertex(v).boundary_class & Boundary_class::fixed) != 0)
+  for (std::uint32_t v : mesh.own_vertices())
+    if ((mesh.piece.vertex(v).boundary_class & Boundary_class::fixed) != 0)
       error = "only complexes in a box can be refined";
   dsc.communicator().agree_on_error(error);
   const auto before = dsc.state();
-  const double mean = mesh.mean_interface_edge, minimum = mesh.minimum_interface_edge;
   internal::Piece_refiner_3<Complex>(mesh).run();
   bool is_valid = true;
-  for (std::uint32_t c = 0; c < mesh.piece.cell_bound(); ++c)
-    is_valid = is_valid && (!mesh.is_own_cell(c) ||
-                            mesh.is_positive(c, [&](auto v) { return mesh.position(v); }));
+  for (std::uint32_t c : mesh.own_cells())
+    is_valid = is_valid && mesh.is_positive(c, [&](auto v) { return mesh.position(v); });
   try {
     dsc.communicator().agree_on_error(
         is_valid ? "" : "a cell is too flat to be refined: use a better mesh");
   } catch (const Error&) {
     dsc.restore(before);
-    mesh.mean_interface_edge = mean;
-    mesh.minimum_interface_edge = minimum;
     throw;
   }
 }

@@ -115,8 +115,7 @@ std::optional<Expression> read_velocity(const Json_fields& liquid) {
   const bool is_planar = liquid.dimension() == 2;
   const std::string form = is_planar ? "two expressions in x and y like '-y,x'"
                                      : "three expressions in x, y and z like '-y,x,0'";
-  const std::vector<std::string> variables =
-      is_planar ? std::vector<std::string>{"x", "y"} : std::vector<std::string>{"x", "y", "z"};
+  const std::vector<std::string> variables = coordinate_names(liquid.dimension());
   if (!liquid.has("velocity"))
     return std::nullopt;
   if (liquid.any("velocity").is_string())
@@ -243,14 +242,12 @@ Scene_opening read_opening(const Json_fields& side, std::size_t number,
                            const std::array<double, 6>& domain) {
   if (side.has("inflow"))
     side.refuse("inflow", "cannot be combined with 'pressure'; remove one of them");
-  const bool is_planar = side.dimension() == 2;
-  const std::vector<std::string> variables = is_planar
-                                                 ? std::vector<std::string>{"x", "y", "t"}
-                                                 : std::vector<std::string>{"x", "y", "z", "t"};
-  const std::string form = is_planar ? "a number, or an expression in x, y and t like '1-y'"
-                                     : "a number, or an expression in x, y, z and t like '1-z'";
-  Scene_opening result{side.number_or_expression("pressure", variables, form), std::nullopt,
-                       read_part(side, number, domain)};
+  const std::string form = side.dimension() == 2
+                               ? "a number, or an expression in x, y and t like '1-y'"
+                               : "a number, or an expression in x, y, z and t like '1-z'";
+  Scene_opening result{
+      side.number_or_expression("pressure", coordinate_names(side.dimension(), {"t"}), form),
+      std::nullopt, read_part(side, number, domain)};
   if (side.has("velocity")) {
     result.velocity = side.point("velocity");
     if ((*result.velocity)[number / 2] != 0)
@@ -306,7 +303,7 @@ std::optional<double> Scene_opening::at(const std::array<double, 3>& p, double t
   for (std::size_t i = 0; i < 3; ++i)
     if (p[i] < box[i] || p[i] > box[i + 3])
       return std::nullopt;
-  return dimension == 2 ? *pressure.at({p[0], p[1], t}) : *pressure.at({p[0], p[1], p[2], t});
+  return *pressure.at_point(p, dimension, t);
 }
 
 Fluid_scene read_scene(const Json& json) {

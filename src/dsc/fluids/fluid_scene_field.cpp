@@ -12,19 +12,12 @@
 namespace dsc {
 namespace {
 
-/// Returns the names of the coordinates of points.
-std::vector<std::string> coordinate_names(int dimension) {
-  return dimension == 2 ? std::vector<std::string>{"x", "y"}
-                        : std::vector<std::string>{"x", "y", "z"};
-}
-
 /// Reads the given values of a field on the sides of the domain and on free surfaces.
 void read_given_values(const Json_fields& fixed, Scene_field& result) {
   std::vector<std::string> places(names_of_sides.begin(),
-                                  names_of_sides.begin() + 2 * fixed.dimension()),
-      variables = coordinate_names(fixed.dimension());
+                                  names_of_sides.begin() + 2 * fixed.dimension());
   places.push_back("surface");
-  variables.push_back("t");
+  const std::vector<std::string> variables = coordinate_names(fixed.dimension(), {"t"});
   fixed.require_known(places);
   const std::string form = "a number, or an expression in the coordinates and t like '1+0.1*x'";
   for (std::size_t side = 0; side + 1 < places.size(); ++side)

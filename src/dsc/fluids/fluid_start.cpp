@@ -8,6 +8,8 @@
 #include "fluids/fluid_solids.h"
 #include "programs/errors.h"
 
+#include <CGAL/Mesh_support/coordinates.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -69,19 +71,10 @@ template <class Complex> void add_openings(const Fluid_scene& scene, Fluid<Compl
            }});
 }
 
-/// Returns the value of an expression at a point, and at a time if it is given.
-template <class Point, class... Time>
-double value_at(const Expression& expression, const Point& p, Time... t) {
-  if constexpr (Point::Ambient_dimension::value == 2)
-    return *expression.at({p.x(), p.y(), t...});
-  else
-    return *expression.at({p.x(), p.y(), p.z(), t...});
-}
-
 template <class Complex>
 void set_field(const Scene_field& field, const Fluid_scene& scene, Fluid<Complex>& fluid) {
   using Point = typename Fluid<Complex>::Point;
-  fluid.set_field([&](const Point& p) { return value_at(field.initial, p); });
+  fluid.set_field([&](const Point& p) { return *field.initial.at_point(p, Complex::dimension); });
   static constexpr double rounding = 1e-9; // relative to the edge length
   fluid.fix_field([field, domain = scene.domain, near = rounding * scene.edge](
                       const Point& p, double t) -> std::optional<double> {
@@ -90,11 +83,11 @@ void set_field(const Scene_field& field, const Fluid_scene& scene, Fluid<Complex
       if (std::abs(p[int(side / 2)] - domain[side / 2 + 3 * (side % 2)]) <= near) {
         is_on_side = true;
         if (field.on_sides[side])
-          return value_at(*field.on_sides[side], p, t);
+          return *field.on_sides[side]->at_point(p, Complex::dimension, t);
       }
     if (is_on_side || !field.on_surface)
       return std::nullopt;
-    return value_at(*field.on_surface, p, t);
+    return *field.on_surface->at_point(p, Complex::dimension, t);
   });
 }
 
@@ -243,15 +236,9 @@ template <class Complex> void set_velocities(const Fluid_scene& scene, Fluid<Com
     const auto found = liquid_of.find({v, label});
     if (found == liquid_of.end() || !scene.liquids[found->second].velocity)
       return Vector(CGAL::NULL_VECTOR);
-    const Expression& velocity = *scene.liquids[found->second].velocity;
-    const auto p = complex.position(v);
-    if constexpr (Complex::dimension == 2) {
-      const double* u = velocity.at({p.x(), p.y()});
-      return Vector(u[0], u[1]);
-    } else {
-      const double* u = velocity.at({p.x(), p.y(), p.z()});
-      return Vector(u[0], u[1], u[2]);
-    }
+    return DSC::from_coordinates<Vector>(
+        scene.liquids[found->second].velocity->at_point(complex.position(v), Complex::dimension),
+        std::make_integer_sequence<int, Complex::dimension>());
   });
 }
 

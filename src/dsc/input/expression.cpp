@@ -31,14 +31,6 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-struct Token
-{
-  enum class Kind { number, name, sign, end };
-
-  Kind kind;
-  std::string text;
-};
-
 std::string quoted(const std::string& text) { return "'" + text + "'"; }
 
 /// Returns notations of other languages, and their replacements. Longer notations come first.
@@ -54,39 +46,32 @@ const std::vector<std::pair<std::string, std::string>>& foreign_signs() {
 bool is_letter(char c) { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || c == '_'; }
 bool is_digit(char c) { return '0' <= c && c <= '9'; }
 
-/// A tokenizer.
-class Tokens
+bool is_number(const std::string& token) {
+  return !token.empty() && (is_digit(token[0]) || token[0] == '.');
+}
+bool is_name(const std::string& token) { return !token.empty() && is_letter(token[0]); }
+
+/// Splits a text into numbers, names and signs.
+class Tokenizer
 {
 public:
-  explicit Tokens(const std::string& text) : m_text(text) { take(); }
+  explicit Tokenizer(const std::string& text) : m_text(text) {}
 
-  const Token& next() const { return m_next; }
-  bool is_next(const std::string& sign) const {
-    return m_next.kind == Token::Kind::sign && m_next.text == sign;
-  }
-
-  Token take() {
-    Token result = std::move(m_next);
-    while (m_place < m_text.size() && std::isspace(static_cast<unsigned char>(m_text[m_place])))
+  /// Returns the next token; an empty one at the end.
+  std::string take() {
+    while (std::isspace(static_cast<unsigned char>(at(0))))
       ++m_place;
     const std::size_t begin = m_place;
-    if (begin == m_text.size()) {
-      m_next = {Token::Kind::end, ""};
-      return result;
-    }
-    Token::Kind kind = Token::Kind::sign;
-    if (is_digit(at(0)) || (at(0) == '.' && is_digit(at(1)))) {
-      kind = Token::Kind::number;
+    if (begin == m_text.size())
+      return "";
+    if (is_digit(at(0)) || (at(0) == '.' && is_digit(at(1))))
       pass_number();
-    } else if (is_letter(at(0))) {
-      kind = Token::Kind::name;
+    else if (is_letter(at(0)))
       while (is_letter(at(0)) || is_digit(at(0)))
         ++m_place;
-    } else {
+    else
       pass_sign();
-    }
-    m_next = {kind, m_text.substr(begin, m_place - begin)};
-    return result;
+    return m_text.substr(begin, m_place - begin);
   }
 
 private:
@@ -156,197 +141,160 @@ private:
 
   const std::string& m_text;
   std::size_t m_place = 0;
-  Token m_next = {Token::Kind::end, ""};
 };
 
 bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// A recursive descent parser with a function for each operator precedence, lowest precedence
-/// first. Each function returns its part of the expression in the syntax of muParser.
-class Translator
+/// Rewrites expressions, separated by commas, for muParser, which knows their grammar. A chain of
+/// comparisons such as `a<b<=c` becomes `(a<b && b<=c)`; repeated signs and spaces before
+/// parentheses vanish. Each token is only checked against the token before it and the open
+/// parentheses, for messages with a remedy, and because muParser misinterprets some errors.
+class Rewriter
 {
 public:
-  Translator(const std::string& text, const std::vector<std::string>& values,
-             const std::vector<std::string>& functions)
-      : m_tokens(text), m_values(values), m_functions(functions) {}
+  Rewriter(const std::vector<std::string>& values, const std::vector<std::string>& functions)
+      : m_values(values), m_functions(functions) {}
 
-  std::string translate() {
-    std::string result = list();
-    if (m_tokens.next().kind != Token::Kind::end)
-      throw Syntax_error(quoted(m_tokens.next().text) + " is unexpected" +
-                         (m_tokens.is_next(")") ? ": no parenthesis is open" : ""));
-    return result;
+  /// \throws Syntax_error
+  std::string rewrite(const std::string& text) {
+    Tokenizer tokens(text);
+    std::string token;
+    do {
+      token = tokens.take();
+      if (m_is_value_next)
+        read_value(token);
+      else
+        read_operator(token);
+    } while (!token.empty());
+    return m_levels.back().complete;
   }
 
 private:
-  std::string list() {
-    std::string result = choice();
-    while (m_tokens.is_next(",")) {
-      result += take();
-      result += choice();
+  /// The part of the expressions in a pair of parentheses.
+  struct Level
+  {
+    bool is_list = true;                          // of arguments, or of all expressions
+    std::string complete;                         // rewritten until the current comparison
+    std::vector<std::string> sides = {""}, signs; // of the current comparison
+    int open_choices = 0;                         // number of `?` whose `:` is missing
+  };
+
+  void read_value(const std::string& token) {
+    if (!m_function.empty() && token != "(")
+      throw Syntax_error("the function " + quoted(std::as_const(m_function)) +
+                         " needs parentheses, like " + m_function + "(x)");
+    if (token == "+" || token == "-") {
+      m_is_negative ^= token == "-";
+      return;
     }
-    return result;
+    std::string& side = m_levels.back().sides.back();
+    side += std::exchange(m_is_negative, false) ? "- " : "";
+    if (token == "(") {
+      side += "( ";
+      open_parenthesis();
+    } else if (is_number(token) || contains(m_values, token)) {
+      side += token + ' ';
+      m_is_value_next = false;
+    } else if (contains(m_functions, token)) {
+      side += token; // muParser allows no space between them
+      m_function = token;
+    } else {
+      refuse_value(token);
+    }
   }
 
-  std::string choice() {
-    std::string result = disjunction();
-    if (!m_tokens.is_next("?"))
-      return result;
-    const Nesting nesting(*this);
-    result += take();
-    result += choice();
-    if (!m_tokens.is_next(":"))
-      throw Syntax_error("':' is missing after '?'; write it like 'x<0?-1:1'");
-    result += take();
-    return result + choice();
+  void open_parenthesis() {
+    static constexpr std::size_t most = 100; // nested parentheses
+    m_levels.emplace_back();
+    m_levels.back().is_list = !std::exchange(m_function, "").empty();
+    if (m_levels.size() > most + 1)
+      throw Syntax_error("the expression is nested too deeply");
   }
 
-  std::string disjunction() {
-    std::string result = conjunction();
-    while (m_tokens.is_next("||")) {
-      result += take();
-      result += conjunction();
-    }
-    return result;
+  [[noreturn]] void refuse_value(const std::string& token) const {
+    if (!is_name(token))
+      throw Syntax_error("a value is missing " +
+                         (token.empty() ? std::string("at the end") : "before " + quoted(token)));
+    std::vector<std::string> known = m_values;
+    known.insert(known.end(), m_functions.begin(), m_functions.end());
+    const bool is_misspelt = !nearest_name(token, known).empty();
+    throw Syntax_error("the name " + quoted(token) + " is unknown" +
+                       advice_on_name(token, is_misspelt ? known : m_values, "variables"));
   }
 
-  std::string conjunction() {
-    std::string result = comparison();
-    while (m_tokens.is_next("&&")) {
-      result += take();
-      result += comparison();
+  void read_operator(const std::string& token) {
+    if (is_number(token) || is_name(token) || token == "(")
+      throw Syntax_error("an operator is missing before " + quoted(token) +
+                         "; write products with '*'");
+    m_is_value_next = token != ")";
+    Level& level = m_levels.back();
+    if (token.find_first_of("<>=!") == 0) {
+      level.signs.push_back(token + ' ');
+      level.sides.emplace_back();
+    } else if (token.find_first_of("+-*/^") == 0) {
+      level.sides.back() += token + ' ';
+    } else {
+      complete_comparison();
+      check_end_of_comparison(token);
+      level.complete += token + ' ';
+      if (token == ")") {
+        const std::string part = std::move(level.complete);
+        m_levels.pop_back();
+        m_levels.back().sides.back() += part;
+      }
     }
-    return result;
   }
 
-  std::string comparison() {
-    std::vector<std::string> sides = {sum()}, signs;
-    while (is_comparison()) {
-      signs.push_back(take());
-      sides.push_back(sum());
-    }
-    if (signs.size() < 2)
-      return signs.empty() ? sides[0] : sides[0] + signs[0] + sides[1];
-    const char direction = signs[0][0];
-    std::string result;
+  void complete_comparison() {
+    static constexpr std::size_t most = 10000; // characters, because chains repeat their operands
+    auto& [is_list, complete, sides, signs, open_choices] = m_levels.back();
+    std::string text = sides[0];
     for (std::size_t i = 0; i < signs.size(); ++i) {
-      if (signs[i][0] != direction || direction == '=' || direction == '!')
+      if (signs.size() > 1 && (signs[i][0] != signs[0][0] || signs[i].find_first_of("=!") == 0))
         throw Syntax_error(
             "a chain of comparisons must contain only '<' and '<=', or only '>' and '>='; "
             "join other comparisons by '&&'");
-      result += (i > 0 ? "&& " : "") + sides[i] + signs[i] + sides[i + 1];
+      text += (i > 0 ? "&& " + sides[i] : "") + signs[i] + sides[i + 1];
     }
-    return limited("( " + result + ") ");
-  }
-
-  bool is_comparison() const {
-    for (const char* sign : {"<", "<=", ">", ">=", "==", "!="})
-      if (m_tokens.is_next(sign))
-        return true;
-    return false;
-  }
-
-  std::string sum() {
-    std::string result = operand();
-    for (;;) {
-      bool goes_on = false;
-      for (const char* sign : {"+", "-", "*", "/", "^"})
-        goes_on = goes_on || m_tokens.is_next(sign);
-      if (!goes_on)
-        return limited(std::move(result));
-      result += take();
-      result += operand();
-    }
-  }
-
-  std::string operand() {
-    bool is_negative = false;
-    while (m_tokens.is_next("+") || m_tokens.is_next("-"))
-      is_negative ^= m_tokens.take().text == "-";
-    const std::string result = (is_negative ? "- " : "") + primary();
-    if (m_tokens.next().kind == Token::Kind::number || m_tokens.next().kind == Token::Kind::name ||
-        m_tokens.is_next("("))
-      throw Syntax_error("an operator is missing before " + quoted(m_tokens.next().text) +
-                         "; write products with '*'");
-    return result;
-  }
-
-  std::string primary() {
-    if (m_tokens.is_next("("))
-      return in_parentheses(false);
-    if (m_tokens.next().kind == Token::Kind::number)
-      return take();
-    if (m_tokens.next().kind != Token::Kind::name)
-      throw Syntax_error("a value is missing " + (m_tokens.next().kind == Token::Kind::end
-                                                      ? std::string("at the end")
-                                                      : "before " + quoted(m_tokens.next().text)));
-    const std::string name = m_tokens.next().text;
-    if (contains(m_values, name))
-      return take();
-    if (!contains(m_functions, name)) {
-      std::vector<std::string> known = m_values;
-      known.insert(known.end(), m_functions.begin(), m_functions.end());
-      const bool is_misspelt = !nearest_name(name, known).empty();
-      throw Syntax_error("the name " + quoted(name) + " is unknown" +
-                         advice_on_name(name, is_misspelt ? known : m_values, "variables"));
-    }
-    m_tokens.take();
-    if (!m_tokens.is_next("("))
-      throw Syntax_error("the function " + quoted(name) + " needs parentheses, like " + name +
-                         "(x)");
-    return name + in_parentheses(true); // muParser allows no space between them
-  }
-
-  std::string in_parentheses(bool is_list) {
-    const Nesting nesting(*this);
-    std::string result = take();
-    result += is_list ? list() : choice();
-    if (!m_tokens.is_next(")"))
-      throw Syntax_error(m_tokens.next().kind == Token::Kind::end
-                             ? std::string("a parenthesis is not closed")
-                             : quoted(m_tokens.next().text) + " is unexpected");
-    return result + take();
-  }
-
-  std::string take() { return m_tokens.take().text + ' '; }
-
-  /// Returns the text, and throws if it is too long: nested chains of comparisons repeat their
-  /// operands.
-  static std::string limited(std::string text) {
-    static constexpr std::size_t most = 10000; // characters, within the limits of muParser
     if (text.size() > most)
       throw Syntax_error("the expression is too long");
-    return text;
+    complete += signs.size() > 1 ? "( " + text + ") " : text;
+    sides.assign(1, "");
+    signs.clear();
   }
 
-  struct Nesting
-  {
-    explicit Nesting(Translator& translator) : m_depth(translator.m_depth) {
-      static constexpr int most = 100; // nesting depth, limits the stack
-      if (++m_depth > most)
-        throw Syntax_error("the expression is nested too deeply");
-    }
-    ~Nesting() { --m_depth; }
-    int& m_depth;
-  };
+  /// Checks the token after a comparison: a comma, a parenthesis, the end, or an operator of lower
+  /// precedence.
+  void check_end_of_comparison(const std::string& token) {
+    Level& level = m_levels.back();
+    level.open_choices += token == "?" ? 1 : token == ":" ? -1 : 0;
+    if (level.open_choices > 0 && (token == "," || token == ")" || token.empty()))
+      throw Syntax_error("':' is missing after '?'; write it like 'x<0?-1:1'");
+    const bool is_in_parentheses = m_levels.size() > 1;
+    if (token.empty() && is_in_parentheses)
+      throw Syntax_error("a parenthesis is not closed");
+    if (level.open_choices < 0 || (token == "," && !level.is_list))
+      throw Syntax_error(quoted(token) + " is unexpected");
+    if (token == ")" && !is_in_parentheses)
+      throw Syntax_error("')' is unexpected: no parenthesis is open");
+  }
 
-  Tokens m_tokens;
   const std::vector<std::string>&m_values, &m_functions;
-  int m_depth = 0;
+  std::vector<Level> m_levels = std::vector<Level>(1);
+  bool m_is_value_next = true, m_is_negative = false;
+  std::string m_function; // whose parentheses follow
 };
 
-/// Translates expressions, separated by commas, into the syntax of muParser. A chain of comparisons
-/// such as `a<b<=c` becomes `(a<b && b<=c)`. Throws for constructs that muParser would
-/// misinterpret: assignments, chains with `==`, `!=` or both directions, and unknown names.
-/// \throws Syntax_error
-std::string translate_expressions(const std::string& text, const std::vector<std::string>& values,
-                                  const std::vector<std::string>& functions) {
-  return Translator(text, values, functions).translate();
-}
-
 } // namespace
+
+std::vector<std::string> coordinate_names(int dimension, const std::vector<std::string>& others) {
+  std::vector<std::string> result = {"x", "y", "z"};
+  result.resize(std::size_t(dimension));
+  result.insert(result.end(), others.begin(), others.end());
+  return result;
+}
 
 struct Expression::Parser
 {
@@ -389,7 +337,7 @@ Expression::Expression(const std::string& text, const std::vector<std::string>& 
       values.push_back(constant.first);
     for (const auto& function : parser.GetFunDef())
       functions.push_back(function.first);
-    parser.SetExpr(translate_expressions(text, values, functions));
+    parser.SetExpr(Rewriter(values, functions).rewrite(text));
     parser.Eval(m_size);
   } catch (const mu::Parser::exception_type& error) {
     refuse("cannot be parsed: " + error.GetMsg());

@@ -12,6 +12,10 @@
 
 namespace dsc {
 
+/// Returns the names of the coordinates of points, and of other variables after them.
+std::vector<std::string> coordinate_names(int dimension,
+                                          const std::vector<std::string>& others = {});
+
 /// One or several expressions of the command line or of a scene, separated by commas. The syntax is
 /// the one of muParser, with `pi` and chained comparisons, but without assignments. Copies share
 /// the parser, so that only one thread may evaluate them.
@@ -34,6 +38,13 @@ public:
   /// \param variables values of the variables, in the order of their names
   /// \throws Input_error with the place if a value is not finite
   const double* at(std::initializer_list<double> variables) const;
+
+  /// Evaluates the expressions at a point in the plane or in space.
+  /// \param others values of the variables after the coordinates
+  template <class Point, class... Others>
+  const double* at_point(const Point& p, int dimension, Others... others) const {
+    return dimension == 2 ? at({p[0], p[1], others...}) : at({p[0], p[1], p[2], others...});
+  }
 
   /// Throws an error for the expression, with the reason and the expected form.
   /// \throws Usage_error always

@@ -18,25 +18,17 @@ std::string form(int dimension) {
                         : "three expressions in x, y, z and t like '-y,x,sin(pi*t)'";
 }
 
-std::vector<std::string> variables(int dimension) {
-  if (dimension == 2)
-    return {"x", "y", "t"};
-  return {"x", "y", "z", "t"};
-}
-
 } // namespace
 
 Velocity_expressions::Velocity_expressions(const std::string& expressions, int dimension)
-    : m_expression(expressions, variables(dimension), "--velocity", form(dimension)) {
+    : m_expression(expressions, coordinate_names(dimension, {"t"}), "--velocity", form(dimension)) {
   if (m_expression.size() != dimension)
     m_expression.refuse("has " + std::to_string(m_expression.size()) +
                         noun(std::size_t(m_expression.size()), " component", " components"));
 }
 
 std::array<double, 3> Velocity_expressions::at(const std::array<double, 3>& p, double t) const {
-  const bool is_planar = m_expression.size() == 2;
-  const double* values =
-      is_planar ? m_expression.at({p[0], p[1], t}) : m_expression.at({p[0], p[1], p[2], t});
+  const double* values = m_expression.at_point(p, m_expression.size(), t);
   std::array<double, 3> result = {};
   std::copy_n(values, m_expression.size(), result.begin());
   return result;

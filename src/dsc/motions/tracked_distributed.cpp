@@ -17,7 +17,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <functional>
 #include <map>
 #include <optional>
@@ -63,13 +62,7 @@ void Tracked_distributed::run_once(const std::function<void()>& function) const 
 }
 
 double Tracked_distributed::agreed(double number) const {
-  // Numbers that are not negative have the order of their bits.
-  std::int64_t bits = 0;
-  if (is_first())
-    std::memcpy(&bits, &number, sizeof bits);
-  bits = complex.communicator().reduced(Operation::maximum, bits);
-  std::memcpy(&number, &bits, sizeof number);
-  return number;
+  return DSC::internal::maximum_of_ranks(complex.communicator(), is_first() ? number : 0);
 }
 
 double Tracked_distributed::mean_edge() const {
@@ -130,13 +123,12 @@ Statistics Tracked_distributed::statistics() const {
                                  int(m.euler_characteristic)});
   Angle_statistics angles;
   std::int64_t facets = 0;
-  for (std::uint32_t c = 0; c < mesh.piece.cell_bound(); ++c)
-    if (mesh.is_own_cell(c)) {
-      std::array<Point, 4> p;
-      for (int i = 0; i < 4; ++i)
-        p[i] = mesh.position(mesh.piece.cell(c).vertices[i]);
-      angles.add(p);
-    }
+  for (std::uint32_t c : mesh.own_cells()) {
+    std::array<Point, 4> p;
+    for (int i = 0; i < 4; ++i)
+      p[i] = mesh.position(mesh.piece.cell(c).vertices[i]);
+    angles.add(p);
+  }
   const auto interface_ = complex.interface_here();
   for (const auto& facet : interface_.snapshot.facets())
     facets += complex.owns(interface_, facet);
@@ -158,9 +150,8 @@ Statistics Tracked_distributed::statistics() const {
 
 double Tracked_distributed::worst_quality() const {
   double worst = 1;
-  for (std::uint32_t c = 0; c < complex.mesh().piece.cell_bound(); ++c)
-    if (complex.mesh().is_own_cell(c))
-      worst = std::min(worst, complex.mesh().quality(c));
+  for (std::uint32_t c : complex.mesh().own_cells())
+    worst = std::min(worst, complex.mesh().quality(c));
   // Rounding can make a quality slightly larger than 1.
   return 1 - DSC::internal::maximum_of_ranks(complex.communicator(), std::max(0., 1 - worst));
 }
@@ -193,11 +184,9 @@ std::vector<Surface_point> Tracked_distributed::interface_points() const {
 }
 
 double Tracked_distributed::sweep_seconds() const {
-  std::vector<std::uint32_t> cells;
-  for (std::uint32_t c = 0; c < complex.mesh().piece.cell_bound(); ++c)
-    if (complex.mesh().is_own_cell(c))
-      cells.push_back(c);
   const auto& mesh = complex.mesh();
+  const auto own = mesh.own_cells();
+  const std::vector<std::uint32_t> cells(own.begin(), own.end());
   return seconds_of_sweep(cells, [&](std::uint32_t c) {
     return double(mesh.is_positive(c, [&](auto v) { return mesh.position(v); })) + mesh.quality(c);
   });

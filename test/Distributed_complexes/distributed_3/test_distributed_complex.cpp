@@ -64,6 +64,22 @@ Vector abuse(const Point& p, double t) {
           std::cos(8 * p.x() + 3 * p.y())};
 }
 
+// Calls f(dsc, rank) on ranks that are threads, with an empty complex.
+template <class Function> void on_ranks(int ranks, const Function& f) {
+  DSC::run_in_threads(ranks, [&](DSC::Communicator& communicator) {
+    Distributed dsc(communicator);
+    f(dsc, communicator.rank());
+  });
+}
+
+// The same with a complex that is distributed before.
+template <class Function> void on_ranks(int ranks, const Complex& start, const Function& f) {
+  on_ranks(ranks, [&](Distributed& dsc, int rank) {
+    dsc.distribute(start);
+    f(dsc, rank);
+  });
+}
+
 // A step of a motion.
 using Step = std::function<Report(Distributed&, int step)>;
 
@@ -191,19 +207,18 @@ void distribute(Distributed& dsc, const Complex& start, const Partition& partiti
 
 Result run(const Case& c, const Partition& partition) {
   Result result;
-  DSC::run_in_threads(partition.ranks, [&](DSC::Communicator& communicator) {
-    Distributed dsc(communicator);
+  on_ranks(partition.ranks, [&](Distributed& dsc, int rank) {
     distribute(dsc, c.start, partition);
     for (int step = 0; step < c.steps; ++step) {
       const Report report = c.step(dsc, step);
       const std::uint64_t checksum = dsc.checksum();
-      if (communicator.rank() == 0) {
+      if (rank == 0) {
         result.checksums.push_back(checksum);
         result.add(report);
       }
     }
     Complex gathered = dsc.gather();
-    if (communicator.rank() == 0)
+    if (rank == 0)
       result.complex = std::move(gathered);
   });
   return result;
@@ -276,8 +291,7 @@ TEST(Distributed_complex, Has_the_target_edge_lengths_of_a_complex_on_one_rank) 
           .graded(Rule::longest * edge, Rule::gradation);
   EXPECT_LT(*std::min_element(expected.begin(), expected.end()), Rule::longest * edge);
   const auto vertices = start.vertices();
-  DSC::run_in_threads(4, [&](DSC::Communicator& communicator) {
-    Distributed dsc(communicator);
+  on_ranks(4, [&](Distributed& dsc, int) {
     dsc.distribute(start, [](std::size_t i) { return int(DSC::internal::mixed(i) % 4); });
     const auto interface_ = dsc.interface_here();
     const DSC::internal::Distributed_adaptation<Complex> adaptation(dsc, interface_, {.04, 180});
@@ -302,9 +316,7 @@ TEST(Distributed_complex, Detail_off_the_interface_is_controlled) {
   options_alone.collapse_length = 2;
   DSC::internal::run_detail_control(alone, options_alone);
   const auto cells = double(alone.number_of_cells());
-  DSC::run_in_threads(3, [&](DSC::Communicator& communicator) {
-    Distributed dsc(communicator);
-    dsc.distribute(start);
+  on_ranks(3, start, [&](Distributed& dsc, int rank) {
     DSC::Detail_options<Distributed::Part> options;
     options.collapse_length = 2;
     const auto first = control_detail(dsc, options);
@@ -314,7 +326,7 @@ TEST(Distributed_complex, Detail_off_the_interface_is_controlled) {
     const auto again = control_detail(dsc, options);
     EXPECT_EQ(again.collapsed + again.split, 0u);
     const Complex gathered = dsc.gather();
-    if (communicator.rank() == 0) {
+    if (rank == 0) {
       EXPECT_TRUE(gathered.is_valid(true));
       EXPECT_EQ(gathered.interface_vertices().size(), start.interface_vertices().size());
       EXPECT_NEAR(gathered.volume(1), start.volume(1), 1e-12);
@@ -328,9 +340,7 @@ TEST(Distributed_complex, Detail_off_the_interface_is_controlled) {
 
 TEST(Distributed_complex, Adaptation_keeps_the_components) {
   const Complex start = make_complex(grid(8, small_meshes::two_balls));
-  DSC::run_in_threads(3, [&](DSC::Communicator& communicator) {
-    Distributed dsc(communicator);
-    dsc.distribute(start);
+  on_ranks(3, start, [&](Distributed& dsc, int rank) {
     const auto before = dsc.mesh().components;
     const DSC::Adaptation_options options = {.01, 180, false};
     const auto changes =
@@ -343,7 +353,7 @@ TEST(Distributed_complex, Adaptation_keeps_the_components) {
       EXPECT_EQ(a->second.label, b->second.label);
     }
     const Complex gathered = dsc.gather();
-    if (communicator.rank() == 0) {
+    if (rank == 0) {
       EXPECT_TRUE(gathered.is_valid(true));
       const DSC::internal::Label_totals totals(dsc.mesh().domain_measure);
       double volume = 0;
@@ -356,7 +366,7 @@ TEST(Distributed_complex, Adaptation_keeps_the_components) {
     EXPECT_THROW(keep_interface_fit(dsc, {.001, 180, true},
                                     [&](const auto& i) {
                                       auto result = i.positions;
-                                      if (communicator.rank() == 1)
+                                      if (rank == 1)
                                         result.pop_back();
                                       return result;
                                     }),
@@ -374,9 +384,7 @@ TEST(Distributed_complex, Rotates_without_changing_the_mesh) {
 // The two systems are solved by different code.
 TEST(Distributed_complex, Has_the_mean_curvature_of_a_complex_on_one_rank) {
   Complex start = make_complex(grid(8, small_meshes::eight_phases));
-  DSC::run_in_threads(3, [&](DSC::Communicator& communicator) {
-    Distributed dsc(communicator);
-    dsc.distribute(start);
+  on_ranks(3, start, [&](Distributed& dsc, int) {
     const auto interface_ = dsc.interface_here();
     const auto found =
         DSC::internal::mean_curvature_destinations(dsc, interface_, DSC::Interface_energy(), .002);
@@ -399,9 +407,7 @@ TEST(Distributed_complex, Has_the_mean_curvature_of_a_complex_on_one_rank) {
 
 TEST(Distributed_complex, Reports_merging_and_vanishing_components) {
   using Kind = DSC::Component_event::Kind;
-  DSC::run_in_threads(3, [&](DSC::Communicator& communicator) {
-    Distributed dsc(communicator);
-    dsc.distribute(make_complex(grid(8, small_meshes::two_balls)));
+  on_ranks(3, make_complex(grid(8, small_meshes::two_balls)), [&](Distributed& dsc, int rank) {
     EXPECT_EQ(dsc.number_of_components(1), 2u);
     std::vector<DSC::Component_event> events;
     for (int step = 0; step < 10 && events.empty(); ++step) {
@@ -413,7 +419,7 @@ TEST(Distributed_complex, Reports_merging_and_vanishing_components) {
     EXPECT_EQ(events.front().label, 1);
     EXPECT_EQ(events.front().before.size(), 2u);
     EXPECT_EQ(dsc.number_of_components(1), 1u);
-    EXPECT_EQ(dsc.gather().number_of_components(1), communicator.rank() == 0 ? 1u : 0u);
+    EXPECT_EQ(dsc.gather().number_of_components(1), rank == 0 ? 1u : 0u);
 
     dsc.distribute(make_complex(grid(8, small_meshes::two_balls)));
     std::size_t vanished = 0;
@@ -429,9 +435,7 @@ TEST(Distributed_complex, Reports_merging_and_vanishing_components) {
 TEST(Distributed_complex, Migrates_cells_with_their_data) {
   const Case c = cases()[3];
   const Result one = run(c, {"one rank", 1, {}});
-  DSC::run_in_threads(3, [&](DSC::Communicator& communicator) {
-    Distributed dsc(communicator);
-    dsc.distribute(c.start);
+  on_ranks(3, c.start, [&](Distributed& dsc, int) {
     for (int step = 0; step < c.steps; ++step) {
       c.step(dsc, step);
       const std::uint64_t before = dsc.checksum();
@@ -445,8 +449,7 @@ TEST(Distributed_complex, Migrates_cells_with_their_data) {
 TEST(Distributed_complex, Rebalances_the_work) {
   const Case c = cases()[3]; // abuse
   const Result one = run(c, {"one rank", 1, {}});
-  DSC::run_in_threads(5, [&](DSC::Communicator& communicator) {
-    Distributed dsc(communicator);
+  on_ranks(5, [&](Distributed& dsc, int) {
     dsc.distribute(c.start, [](std::size_t) { return 3; });
     EXPECT_DOUBLE_EQ(dsc.imbalance(), 5);
     for (int step = 0; step < c.steps; ++step) {
@@ -467,9 +470,7 @@ TEST(Distributed_complex, Is_refined_without_changing_the_interface) {
   const Complex start = make_complex(grid(4, small_meshes::ball));
   std::vector<std::uint64_t> checksums;
   for (int ranks : {1, 3}) {
-    DSC::run_in_threads(ranks, [&](DSC::Communicator& communicator) {
-      Distributed dsc(communicator);
-      dsc.distribute(start);
+    on_ranks(ranks, start, [&](Distributed& dsc, int rank) {
       refine_3(dsc);
       refine_3(dsc);
       EXPECT_EQ(dsc.number_of_cells(), 64 * start.number_of_cells());
@@ -477,7 +478,7 @@ TEST(Distributed_complex, Is_refined_without_changing_the_interface) {
       offset(dsc, .01);
       const std::uint64_t moved = dsc.checksum();
       const Complex gathered = dsc.gather();
-      if (communicator.rank() > 0)
+      if (rank > 0)
         return;
       checksums.insert(checksums.end(), {checksum, moved});
       EXPECT_TRUE(gathered.is_valid(true));
@@ -485,12 +486,10 @@ TEST(Distributed_complex, Is_refined_without_changing_the_interface) {
   }
   EXPECT_EQ(checksums[0], checksums[2]);
   EXPECT_EQ(checksums[1], checksums[3]);
-  DSC::run_in_threads(2, [&](DSC::Communicator& communicator) {
-    Distributed dsc(communicator);
-    dsc.distribute(start);
+  on_ranks(2, start, [&](Distributed& dsc, int rank) {
     refine_3(dsc);
     const Complex gathered = dsc.gather();
-    if (communicator.rank() == 0) {
+    if (rank == 0) {
       EXPECT_NEAR(gathered.volume(1), start.volume(1), 1e-13);
       EXPECT_NEAR(gathered.area(1), start.area(1), 1e-12);
       EXPECT_NEAR(gathered.mean_interface_edge(), dsc.mean_interface_edge(), 1e-12);
@@ -517,16 +516,15 @@ TEST(Distributed_complex, Is_assembled_from_cells_of_all_ranks) {
     return result;
   };
   for (int ranks : {1, 2, 5}) {
-    DSC::run_in_threads(ranks, [&](DSC::Communicator& communicator) {
-      Distributed dsc(communicator);
-      assign_cells(dsc, cells_of(communicator.rank(), ranks));
+    on_ranks(ranks, [&](Distributed& dsc, int rank) {
+      assign_cells(dsc, cells_of(rank, ranks));
       EXPECT_EQ(dsc.number_of_cells(), whole.number_of_cells());
       EXPECT_NEAR(dsc.mean_interface_edge(), whole.mean_interface_edge(), 1e-12);
       EXPECT_NEAR(dsc.mesh().minimum_interface_edge, whole.minimum_interface_edge(), 1e-12);
       offset(dsc, .05);
       const std::uint64_t checksum = dsc.checksum();
       const Complex gathered = dsc.gather();
-      if (communicator.rank() > 0)
+      if (rank > 0)
         return;
       checksums.push_back(checksum);
       EXPECT_TRUE(gathered.is_valid(true));
@@ -536,10 +534,9 @@ TEST(Distributed_complex, Is_assembled_from_cells_of_all_ranks) {
   EXPECT_EQ(checksums[1], checksums[0]);
   EXPECT_EQ(checksums[2], checksums[0]);
   const auto expect_error = [&](const auto& damage) {
-    DSC::run_in_threads(3, [&](DSC::Communicator& communicator) {
-      Distributed dsc(communicator);
-      auto cells = cells_of(communicator.rank(), 3);
-      if (communicator.rank() == 1)
+    on_ranks(3, [&](Distributed& dsc, int rank) {
+      auto cells = cells_of(rank, 3);
+      if (rank == 1)
         damage(cells);
       EXPECT_THROW(assign_cells(dsc, cells), DSC::Error);
       EXPECT_EQ(dsc.number_of_cells(), 0u);
@@ -585,14 +582,12 @@ TEST(Distributed_complex, May_have_many_labels) {
   }));
   std::vector<std::uint64_t> checksums;
   for (int ranks : {1, 3}) {
-    DSC::run_in_threads(ranks, [&](DSC::Communicator& communicator) {
-      Distributed dsc(communicator);
-      dsc.distribute(start);
+    on_ranks(ranks, start, [&](Distributed& dsc, int rank) {
       const Report report = advect_interface(dsc, DSC::Mean_curvature_flow(), 0, .002);
       const std::uint64_t checksum = dsc.checksum();
       EXPECT_EQ(report.labels.size(), 216u);
       EXPECT_EQ(dsc.label_measures().size(), 216u);
-      if (communicator.rank() == 0)
+      if (rank == 0)
         checksums.push_back(checksum);
     });
   }
@@ -600,9 +595,7 @@ TEST(Distributed_complex, May_have_many_labels) {
 }
 
 TEST(Distributed_complex, Topology_changes_can_be_forbidden) {
-  DSC::run_in_threads(2, [&](DSC::Communicator& communicator) {
-    Distributed dsc(communicator);
-    dsc.distribute(make_complex(grid(8, small_meshes::two_balls)));
+  on_ranks(2, make_complex(grid(8, small_meshes::two_balls)), [&](Distributed& dsc, int) {
     DSC::Distributed_options<Distributed> options;
     options.forbid_topology_changes();
     for (int step = 0; step < 10; ++step)
@@ -618,8 +611,7 @@ TEST(Distributed_complex, Continues_from_a_checkpoint_with_another_number_of_ran
   const std::string path = folder / "checkpoint.dsc";
   int done = 0;
   for (int ranks : {3, 1, 5, 2}) {
-    DSC::run_in_threads(ranks, [&](DSC::Communicator& communicator) {
-      Distributed dsc(communicator);
+    on_ranks(ranks, [&](Distributed& dsc, int) {
       if (done == 0)
         dsc.distribute(c.start);
       else
@@ -635,11 +627,8 @@ TEST(Distributed_complex, Continues_from_a_checkpoint_with_another_number_of_ran
 TEST(Distributed_complex, Damaged_checkpoints_are_refused_on_all_ranks) {
   const Temporary_folder folder;
   const std::string path = folder / "checkpoint.dsc";
-  DSC::run_in_threads(2, [&](DSC::Communicator& communicator) {
-    Distributed dsc(communicator);
-    dsc.distribute(make_complex(grid(2, small_meshes::four_phases)));
-    CGAL::IO::write_checkpoint(path, dsc);
-  });
+  on_ranks(2, make_complex(grid(2, small_meshes::four_phases)),
+           [&](Distributed& dsc, int) { CGAL::IO::write_checkpoint(path, dsc); });
   std::string bytes;
   {
     std::ifstream in(path, std::ios::binary);
@@ -648,8 +637,7 @@ TEST(Distributed_complex, Damaged_checkpoints_are_refused_on_all_ranks) {
   std::mt19937 random(1);
   const auto expect_error = [&](const std::string& damaged) {
     std::ofstream(path, std::ios::binary) << damaged;
-    DSC::run_in_threads(3, [&](DSC::Communicator& communicator) {
-      Distributed dsc(communicator);
+    on_ranks(3, [&](Distributed& dsc, int) {
       EXPECT_THROW(CGAL::IO::read_checkpoint(path, dsc), DSC::Error);
     });
   };
@@ -659,8 +647,7 @@ TEST(Distributed_complex, Damaged_checkpoints_are_refused_on_all_ranks) {
     damaged[random() % bytes.size()] ^= char(1 + random() % 255);
     expect_error(damaged);
   }
-  DSC::run_in_threads(2, [&](DSC::Communicator& communicator) {
-    Distributed dsc(communicator);
+  on_ranks(2, [&](Distributed& dsc, int) {
     EXPECT_THROW(CGAL::IO::read_checkpoint(folder / "missing.dsc", dsc), DSC::Error);
     EXPECT_THROW(CGAL::IO::write_checkpoint(folder / "no/folder.dsc", dsc), DSC::Error);
   });
@@ -669,9 +656,7 @@ TEST(Distributed_complex, Damaged_checkpoints_are_refused_on_all_ranks) {
 TEST(Distributed_complex, Each_rank_writes_its_cells_once) {
   const Temporary_folder folder;
   const Complex start = make_complex(grid(4, small_meshes::ball));
-  DSC::run_in_threads(3, [&](DSC::Communicator& communicator) {
-    Distributed dsc(communicator);
-    dsc.distribute(start);
+  on_ranks(3, start, [&](Distributed& dsc, int) {
     CGAL::IO::write_PVTU(folder / "cells.pvtu", dsc);
     CGAL::IO::write_interface_PVTU(folder / "a<b & c.pvtu", dsc);
     EXPECT_THROW(CGAL::IO::write_PVTU(folder / "no/cells.pvtu", dsc), DSC::Error);
@@ -697,13 +682,12 @@ TEST(Distributed_complex, Each_rank_writes_its_cells_once) {
 
 TEST(Distributed_complex, Errors_on_one_rank_are_thrown_on_all_ranks) {
   const Complex start = make_complex(grid(4, small_meshes::ball));
-  DSC::run_in_threads(3, [&](DSC::Communicator& communicator) {
-    Distributed dsc(communicator);
+  on_ranks(3, [&](Distributed& dsc, int rank) {
     EXPECT_THROW(dsc.distribute(start, [](std::size_t) { return 3; }), DSC::Error);
     dsc.distribute(start);
     const std::uint64_t before = dsc.checksum();
     const auto field = [&](const Point&, double) -> Vector {
-      if (communicator.rank() == 1)
+      if (rank == 1)
         throw std::runtime_error("no velocity");
       return {.01, 0, 0};
     };
@@ -720,25 +704,24 @@ TEST(Distributed_complex, Errors_on_one_rank_are_thrown_on_all_ranks) {
                                const std::vector<Point>& positions, double,
                                std::vector<Vector>& velocities) {
       velocities.assign(positions.size(), Vector(.01, 0, 0));
-      if (communicator.rank() == 2)
+      if (rank == 2)
         throw std::runtime_error("no facets");
     };
     EXPECT_EQ(message_of(on_facets), "no facets");
     EXPECT_NE(message_of([&](const Point&, double) {
                 const double nan = std::numeric_limits<double>::quiet_NaN();
-                return communicator.rank() == 0 ? Vector(nan, 0, 0) : Vector(.01, 0, 0);
+                return rank == 0 ? Vector(nan, 0, 0) : Vector(.01, 0, 0);
               }),
               "");
     EXPECT_NE(
         message_of([&](const DSC::Interface_snapshot<Complex>&, const std::vector<Point>& positions,
                        double, std::vector<Vector>& velocities) {
           const double nan = std::numeric_limits<double>::quiet_NaN();
-          velocities.assign(positions.size(),
-                            communicator.rank() == 0 ? Vector(nan, 0, 0) : Vector(.01, 0, 0));
+          velocities.assign(positions.size(), rank == 0 ? Vector(nan, 0, 0) : Vector(.01, 0, 0));
         }),
         "");
     DSC::Distributed_options<Distributed> options;
-    options.quality_threshold = communicator.rank() == 1 ? 2 : .2;
+    options.quality_threshold = rank == 1 ? 2 : .2;
     EXPECT_THROW(advect_interface(dsc, DSC::Normal_offset{.01}, 0, 1, options), DSC::Error);
     EXPECT_EQ(dsc.checksum(), before);
   });
@@ -748,15 +731,13 @@ TEST(Distributed_complex, Errors_on_one_rank_are_thrown_on_all_ranks) {
 TEST(Distributed_complex, Interrupts_of_one_rank_stop_all_ranks) {
   const Case c = cases()[3];
   const Result one = run(c, {"one rank", 1, {}});
-  DSC::run_in_threads(3, [&](DSC::Communicator& communicator) {
-    Distributed dsc(communicator);
-    dsc.distribute(c.start);
+  on_ranks(3, c.start, [&](Distributed& dsc, int rank) {
     for (int step = 0; step < 3; ++step) {
       const auto before = dsc.state();
       {
         int calls = 0;
         const DSC::Progress_scope scope(
-            [&](const char*) { return communicator.rank() != 1 || ++calls < 3 + 40 * step; },
+            [&](const char*) { return rank != 1 || ++calls < 3 + 40 * step; },
             std::chrono::milliseconds(0));
         EXPECT_THROW(c.step(dsc, step), DSC::Interrupted_error);
       }
@@ -769,9 +750,7 @@ TEST(Distributed_complex, Interrupts_of_one_rank_stop_all_ranks) {
 
 // The complex stays valid after an error in a patch, and later events name all changes.
 TEST(Distributed_complex, Goes_on_after_an_error_in_a_patch) {
-  DSC::run_in_threads(3, [&](DSC::Communicator& communicator) {
-    Distributed dsc(communicator);
-    dsc.distribute(make_complex(grid(8, small_meshes::two_balls)));
+  on_ranks(3, make_complex(grid(8, small_meshes::two_balls)), [&](Distributed& dsc, int rank) {
     DSC::Distributed_options<Distributed> options;
     bool has_thrown = false;
     options.topology_control = [](const Distributed::Part&, Distributed::Part::Cell_handle,
@@ -785,7 +764,7 @@ TEST(Distributed_complex, Goes_on_after_an_error_in_a_patch) {
         has_thrown = true;
       }
       const Complex gathered = dsc.gather();
-      EXPECT_TRUE(communicator.rank() > 0 || gathered.is_valid(true));
+      EXPECT_TRUE(rank > 0 || gathered.is_valid(true));
     }
     EXPECT_TRUE(has_thrown);
     EXPECT_EQ(dsc.number_of_components(1), 1u);
@@ -804,14 +783,12 @@ TEST(Distributed_complex, A_rank_that_ends_ends_the_others) {
 }
 
 TEST(Distributed_complex, Stops_at_the_boundary_of_a_box) {
-  DSC::run_in_threads(2, [&](DSC::Communicator& communicator) {
-    Distributed dsc(communicator);
-    dsc.distribute(make_complex(grid(8, small_meshes::ball)));
+  on_ranks(2, make_complex(grid(8, small_meshes::ball)), [&](Distributed& dsc, int rank) {
     const auto far = [](const Point&, double) { return Vector(2, 0, 0); };
     const Report report = advect_interface(dsc, far, 0, .3);
     EXPECT_GT(report.stopped_at_boundary, 0);
     const Complex gathered = dsc.gather();
-    EXPECT_TRUE(communicator.rank() > 0 || gathered.is_valid(true));
+    EXPECT_TRUE(rank > 0 || gathered.is_valid(true));
   });
 }
 

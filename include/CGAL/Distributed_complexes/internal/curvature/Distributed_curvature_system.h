@@ -11,14 +11,14 @@
 #include <CGAL/Distributed_complexes/Distributed_complex.h>
 #include <CGAL/Interface_flows/internal/curvature/Interface_forces.h>
 #include <CGAL/Mesh_support/Error.h>
+#include <CGAL/Mesh_support/internal/numbers/Conjugate_gradients.h>
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
@@ -40,14 +40,16 @@ public:
   Distributed_curvature_system(const Distributed& dsc, const Interface& interface_,
                                const Forces& forces, double dt)
       : m_dsc(dsc), m_interface(interface_), m_forces(forces), m_dt(dt),
-        m_is_own(interface_.indices.size()), m_diagonal(interface_.indices.size()) {
+        m_diagonal(interface_.indices.size()) {
     bool is_flat = false;
-    for (std::size_t v = 0; v < m_is_own.size(); ++v) {
-      m_is_own[v] = dsc.mesh().is_own(interface_.indices[v]);
-      const auto* const constraint = forces.constraint(v);
-      is_flat = is_flat || (m_is_own[v] && !(forces.share(v) > 0) &&
-                            !(constraint != nullptr && constraint->isZero(0)));
+    for (std::size_t v = 0; v < m_diagonal.size(); ++v) {
       m_diagonal[v] = forces.mass(v).diagonal();
+      if (!dsc.mesh().is_own(interface_.indices[v]))
+        continue;
+      m_own.push_back(v);
+      const auto* const constraint = forces.constraint(v);
+      is_flat =
+          is_flat || (!(forces.share(v) > 0) && !(constraint != nullptr && constraint->isZero(0)));
     }
     dsc.communicator().agree_on_error(
         is_flat ? "the step of mean curvature flow cannot be computed: all facets of a vertex have "
@@ -62,45 +64,61 @@ public:
   // \throws Error on all ranks if the method does not converge
   Vectors solve(Vectors right) const {
     static constexpr double tolerance = 1e-13, sufficient = 1e-9; // of the relative residual
-    const std::size_t n = right.size();
-    for (std::size_t v = 0; v < n; ++v)
+    for (std::size_t v = 0; v < right.size(); ++v)
       right[v] = constrained(v, right[v]);
-    Vectors solution(n, Vector::Zero()), residuals = right, preconditioned(n), directions(n);
-    const auto precondition = [&] {
-      for (std::size_t v = 0; v < n; ++v)
-        preconditioned[v] = constrained(v, residuals[v].cwiseQuotient(m_diagonal[v]).eval());
-    };
-    precondition();
-    directions = preconditioned;
-    const double size = product(right, right);
-    double energy = product(residuals, preconditioned), rest = size;
-    const std::size_t most =
-        2 * d *
-        std::size_t(m_dsc.communicator().reduced(Communicator::Operation::sum, number_of_own()));
-    for (std::size_t i = 0; i < most && rest > tolerance * tolerance * size; ++i) {
-      m_dsc.communicator().check_progress();
-      const Vectors products = apply(directions);
-      const double curvature = product(directions, products);
-      if (!(curvature > 0))
-        break;
-      const double step = energy / curvature;
-      for (std::size_t v = 0; v < n; ++v) {
-        solution[v] += step * directions[v];
-        residuals[v] -= step * products[v];
-      }
-      precondition();
-      const double next = product(residuals, preconditioned);
-      for (std::size_t v = 0; v < n; ++v)
-        directions[v] = preconditioned[v] + next / energy * directions[v];
-      energy = next;
-      rest = product(residuals, residuals);
-    }
+    const std::size_t most = 2 * d *
+                             std::size_t(m_dsc.communicator().reduced(Communicator::Operation::sum,
+                                                                      std::int64_t(m_own.size())));
+    double size = 0, rest = 0; // squared norms of the right-hand side and of the residual
+    std::size_t iterations = 0;
+    Vectors solution = conjugate_gradients(
+        *this, std::move(right), [&](const Vector& /* energy */, const Vectors& residuals) {
+          rest = sum([&](std::size_t v) { return product(residuals[v], residuals[v]); })[0];
+          if (iterations == 0)
+            size = rest;
+          return iterations++ < most && rest > tolerance * tolerance * size;
+        });
     if (!(rest <= sufficient * sufficient * size)) // equal on all ranks
       throw Error(
           "the step of mean curvature flow cannot be computed: the linear system is too ill "
           "conditioned; use a shorter time step");
-    share(solution);
+    m_dsc.share(m_interface, solution);
     return solution;
+  }
+
+  // The rows of own vertices for `conjugate_gradients()`.
+
+  // The sides are the axes, which are coupled: all have the scalar product of the vectors.
+  static Vector product(const Vector& x, const Vector& y) { return Vector::Constant(x.dot(y)); }
+  static bool is_stuck(const Vector& curvature) { return !(curvature[0] > 0); }
+
+  Vector preconditioned(std::size_t v, const Vector& x) const {
+    return constrained(v, x.cwiseQuotient(m_diagonal[v]));
+  }
+
+  Vector apply(Vectors& directions, Vectors& products) const {
+    m_dsc.communicator().check_progress();
+    m_dsc.share(m_interface, directions);
+    for (std::size_t v = 0; v < directions.size(); ++v)
+      products[v] = m_forces.mass(v) * directions[v];
+    for (const auto& pull : m_forces.pulls()) {
+      const Vector difference = m_dt * pull.weight * (directions[pull.from] - directions[pull.to]);
+      products[pull.from] += difference;
+      products[pull.to] -= difference;
+    }
+    for_each_row([&](std::size_t v) { products[v] = constrained(v, products[v]); });
+    return sum([&](std::size_t v) { return product(directions[v], products[v]); });
+  }
+
+  template <class Function> void for_each_row(const Function& f) const {
+    for (std::size_t v : m_own)
+      f(v);
+  }
+
+  template <class Function> Vector sum(const Function& f) const {
+    std::vector<std::array<double, 1>> terms;
+    for_each_row([&](std::size_t v) { terms.push_back({f(v)[0]}); });
+    return Vector::Constant(Exact_sums<1>(m_dsc.communicator())(terms)[0]);
   }
 
 private:
@@ -109,50 +127,11 @@ private:
     return constraint != nullptr ? (*constraint * x).eval() : x;
   }
 
-  std::int64_t number_of_own() const {
-    return std::count(m_is_own.begin(), m_is_own.end(), char(true));
-  }
-
-  // Replaces the vectors of ghosts by those of their owners.
-  void share(Vectors& vectors) const {
-    std::vector<std::array<double, d>> values(vectors.size());
-    for (std::size_t v = 0; v < vectors.size(); ++v)
-      std::copy_n(vectors[v].data(), d, values[v].begin());
-    m_dsc.share(m_interface, values);
-    for (std::size_t v = 0; v < vectors.size(); ++v)
-      vectors[v] = Vector(values[v].data());
-  }
-
-  // Returns the product of the rows of own vertices with vectors, whose ghosts are replaced.
-  Vectors apply(Vectors& x) const {
-    share(x);
-    Vectors result(x.size(), Vector::Zero());
-    for (std::size_t v = 0; v < x.size(); ++v)
-      result[v] = m_forces.mass(v) * x[v];
-    for (const auto& pull : m_forces.pulls()) {
-      const Vector difference = m_dt * pull.weight * (x[pull.from] - x[pull.to]);
-      result[pull.from] += difference;
-      result[pull.to] -= difference;
-    }
-    for (std::size_t v = 0; v < x.size(); ++v)
-      result[v] = constrained(v, result[v]);
-    return result;
-  }
-
-  // Returns the scalar product over the own vertices of all ranks.
-  double product(const Vectors& x, const Vectors& y) const {
-    std::vector<std::array<double, 1>> terms;
-    for (std::size_t v = 0; v < x.size(); ++v)
-      if (m_is_own[v])
-        terms.push_back({x[v].dot(y[v])});
-    return Exact_sums<1>(m_dsc.communicator())(terms)[0];
-  }
-
   const Distributed& m_dsc;
   const Interface& m_interface;
   const Forces& m_forces;
   double m_dt;
-  std::vector<char> m_is_own;
+  std::vector<std::size_t> m_own; // vertices of this rank
   Vectors m_diagonal;
 };
 

@@ -125,9 +125,8 @@ public:
     m_mesh.are_components_known = true;
     end_labels(report);
     std::vector<std::int64_t> numbers = {0, m_stopped_at_boundary};
-    for (Index c = 0; c < m_mesh.piece.cell_bound(); ++c)
-      if (m_mesh.is_own_cell(c))
-        numbers[0] += m_mesh.quality(c) < Complex::quality_floor;
+    for (Index c : m_mesh.own_cells())
+      numbers[0] += m_mesh.quality(c) < Complex::quality_floor;
     m_mesh.communicator->reduce(Communicator::Operation::sum, numbers);
     report.flat = numbers[0];
     report.stopped_at_boundary = numbers[1];
@@ -143,8 +142,8 @@ private:
   // Finds the box that is the domain.
   void find_box() {
     std::vector<std::int64_t> is_box(1, 1);
-    for (Index v = 0; v < m_mesh.piece.vertex_bound(); ++v)
-      if (m_mesh.is_own(v) && (m_mesh.piece.vertex(v).boundary_class & Boundary_class::fixed) != 0)
+    for (Index v : m_mesh.own_vertices())
+      if ((m_mesh.piece.vertex(v).boundary_class & Boundary_class::fixed) != 0)
         is_box[0] = 0;
     m_box = m_mesh.extent();
     m_mesh.communicator->reduce(Operation::minimum, is_box);
@@ -169,9 +168,7 @@ private:
   // Marks the cells to be improved: moved cells of low quality, and cells around vertices that did
   // not arrive.
   void activate(const std::vector<std::uint8_t>& has_moved) {
-    for (Index c = 0; c < m_mesh.piece.cell_bound(); ++c) {
-      if (!m_mesh.piece.has_cell(c))
-        continue;
+    for (Index c : m_mesh.piece.cells()) {
       auto& cell = m_mesh.piece.cell(c);
       bool is_moved = false, is_open = false;
       for (Index v : cell.vertices) {
@@ -232,9 +229,7 @@ private:
     std::int64_t unfinished = 0, vanished = 0;
     double longest = 0;
     std::vector<std::array<double, 1>> distances;
-    for (Index v = 0; v < m_mesh.piece.vertex_bound(); ++v) {
-      if (!m_mesh.piece.has_vertex(v))
-        continue;
+    for (Index v : m_mesh.piece.vertices()) {
       auto& vertex = m_mesh.piece.vertex(v);
       if (vertex.is_open && !is_interface[v]) {
         vertex.is_open = false;
@@ -264,9 +259,7 @@ private:
       return std::tie(a.pass, a.patch, a.label, a.where) <
              std::tie(b.pass, b.patch, b.label, b.where);
     });
-    const Label_totals totals(m_mesh.domain_measure);
-    Distributed_components<Complex> components(m_mesh, totals);
-    for (const Component_event& event : components.update(m_mesh.components)) {
+    for (const Component_event& event : Distributed_components<Complex>(m_mesh).update()) {
       const auto place = std::find_if(places.begin(), places.end(), [&](const auto& candidate) {
         return candidate.label == event.label;
       });
@@ -313,10 +306,9 @@ private:
     std::map<std::uint32_t, std::size_t> places;
     for (const auto& [number, component] : m_mesh.components)
       places.emplace(number, places.size());
-    for (Index c = 0; c < m_mesh.piece.cell_bound(); ++c)
-      if (m_mesh.is_own_cell(c))
-        units[places.at(std::uint32_t(m_mesh.piece.cell(c).data.component))] +=
-            totals.units(m_mesh.measure(c));
+    for (Index c : m_mesh.own_cells())
+      units[places.at(std::uint32_t(m_mesh.piece.cell(c).data.component))] +=
+          totals.units(m_mesh.measure(c));
     m_mesh.communicator->reduce(Operation::sum, units);
     for (auto& [number, component] : m_mesh.components)
       component.volume = units[places.at(number)];

@@ -12,6 +12,9 @@
 #include <CGAL/Deformable_simplicial_complexes/Linear_element.h>
 #include <CGAL/Distributed_complexes/internal/ranks/Distributed_mesh.h>
 #include <CGAL/Distributed_complexes/internal/ranks/Exact_sums.h>
+#include <CGAL/Mesh_support/internal/numbers/Conjugate_gradients.h>
+
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -28,74 +31,64 @@ The harmonic extension of displacements on a distributed complex: the system of
 scalar products do not depend on the distribution. So all ranks compute the same displacements, for
 any number of ranks.
 */
-template <class Complex> class Distributed_extension
+template <class Complex>
+class Distributed_extension : public Diagonal_preconditioner<Complex::dimension>
 {
 public:
   static constexpr int d = Complex::dimension;
   using Mesh = Distributed_mesh<Complex>;
   using Index = typename Mesh::Index;
-  using Vector = std::array<double, d>;
+  using Vector = Eigen::Matrix<double, d, 1>;
+  using Vectors = std::vector<Vector>; // one for each vertex here
 
   // `is_free[v]` marks the vertices to which displacements are extended.
   Distributed_extension(const Mesh& mesh, const std::vector<std::uint8_t>& is_free)
-      : m_mesh(mesh), m_sums(*mesh.communicator), m_first_entry(1, 0) {
-    for (Index v = 0; v < mesh.piece.vertex_bound(); ++v)
-      if (mesh.is_own(v) && is_free[v])
+      : Diagonal_preconditioner<d>(mesh.piece.vertex_bound()), m_mesh(mesh), m_first_entry(1, 0) {
+    for (Index v : mesh.own_vertices())
+      if (is_free[v])
         add_row(v);
   }
 
   // Replaces the displacements of free vertices. On input, displacements of other vertices are
   // known, and displacements of free vertices are 0.
-  void extend(std::vector<Vector>& displacements) {
+  void extend(std::vector<std::array<double, d>>& displacements) const {
     static constexpr double part = 5e-3; // relative reduction of the residuals
     static constexpr int maximum_number_of_iterations = 200;
-    const std::size_t n = m_rows.size();
-    std::vector<Vector> residuals(n), inverses(n), products(n),
-        directions(displacements.size(), Vector{});
-    std::vector<Vector> terms(n);
-    for (std::size_t r = 0; r < n; ++r) {
-      // Displacements of free vertices are 0, so only known displacements contribute.
-      residuals[r] = product(r, displacements);
-      const auto sides = m_mesh.piece.vertex(m_rows[r]).boundary_class;
-      for (int k = 0; k < d; ++k) {
-        residuals[r][k] = -residuals[r][k];
-        inverses[r][k] =
-            m_diagonal[r] > 0 && !Boundary_class::fixes(sides, k) ? 1 / m_diagonal[r] : 0;
-        directions[m_rows[r]][k] = inverses[r][k] * residuals[r][k];
-        terms[r][k] = directions[m_rows[r]][k] * residuals[r][k];
-      }
-    }
-    Vector energy = m_sums(terms);
-    const Vector first = energy;
-    const auto is_solved = [&] {
-      for (int k = 0; k < d; ++k)
-        if (energy[k] > part * part * first[k])
-          return false;
-      return true;
-    };
-    for (int i = 0; i < maximum_number_of_iterations && !is_solved(); ++i) {
-      m_mesh.communicator->check_progress();
-      m_mesh.ghosts.update(directions);
-      for (std::size_t r = 0; r < n; ++r) {
-        products[r] = product(r, directions);
-        for (int k = 0; k < d; ++k)
-          terms[r][k] = products[r][k] * directions[m_rows[r]][k];
-      }
-      const Vector step = ratio(energy, m_sums(terms));
-      for (std::size_t r = 0; r < n; ++r)
-        for (int k = 0; k < d; ++k) {
-          displacements[m_rows[r]][k] += step[k] * directions[m_rows[r]][k];
-          residuals[r][k] -= step[k] * products[r][k];
-          terms[r][k] = residuals[r][k] * inverses[r][k] * residuals[r][k];
-        }
-      const Vector next = m_sums(terms), beta = ratio(next, energy);
-      for (std::size_t r = 0; r < n; ++r)
-        for (int k = 0; k < d; ++k)
-          directions[m_rows[r]][k] =
-              inverses[r][k] * residuals[r][k] + beta[k] * directions[m_rows[r]][k];
-      energy = next;
-    }
+    Vectors known, residuals(displacements.size(), Vector::Zero());
+    for (const auto& x : displacements)
+      known.push_back(Vector(x.data()));
+    // Displacements of free vertices are 0, so only known displacements contribute.
+    for (std::size_t r = 0; r < m_rows.size(); ++r)
+      residuals[m_rows[r]] = -row_product(r, known);
+    const Vectors solution =
+        reduce_residuals(*this, std::move(residuals), part, maximum_number_of_iterations);
+    for (Index v : m_rows)
+      std::copy_n(solution[v].data(), d, displacements[v].begin());
     m_mesh.ghosts.update(displacements);
+  }
+
+  // The rows for `conjugate_gradients()`, by vertex.
+
+  Vector apply(Vectors& directions, Vectors& products) const {
+    m_mesh.communicator->check_progress();
+    m_mesh.ghosts.update(directions);
+    for (std::size_t r = 0; r < m_rows.size(); ++r)
+      products[m_rows[r]] = row_product(r, directions);
+    return sum([&](std::size_t v) { return this->product(products[v], directions[v]); });
+  }
+
+  template <class Function> void for_each_row(const Function& f) const {
+    for (Index v : m_rows)
+      f(v);
+  }
+
+  template <class Function> Vector sum(const Function& f) const {
+    std::vector<std::array<double, d>> terms;
+    for_each_row([&](std::size_t v) {
+      const Vector term = f(v);
+      std::copy_n(term.data(), d, terms.emplace_back().begin());
+    });
+    return Vector(Exact_sums<d>(*m_mesh.communicator)(terms).data());
   }
 
 private:
@@ -137,32 +130,22 @@ private:
     }
     for (std::size_t i = first; i < m_entries.size(); ++i)
       diagonal -= m_entries[i].value;
+    const auto sides = m_mesh.piece.vertex(v).boundary_class;
+    this->set_diagonal(v, diagonal, [&](int k) { return Boundary_class::fixes(sides, k); });
     m_rows.push_back(v);
     m_diagonal.push_back(diagonal);
     m_first_entry.push_back(m_entries.size());
   }
 
-  Vector product(std::size_t row, const std::vector<Vector>& vectors) const {
-    Vector result;
-    for (int k = 0; k < d; ++k)
-      result[k] = m_diagonal[row] * vectors[m_rows[row]][k];
+  // Returns the product of a row with vectors.
+  Vector row_product(std::size_t row, const Vectors& vectors) const {
+    Vector result = m_diagonal[row] * vectors[m_rows[row]];
     for (std::size_t i = m_first_entry[row]; i < m_first_entry[row + 1]; ++i)
-      for (int k = 0; k < d; ++k)
-        result[k] += m_entries[i].value * vectors[m_entries[i].column][k];
-    return result;
-  }
-
-  // Returns the quotients of the components; 0 for a component that is already solved.
-  static Vector ratio(const Vector& a, const Vector& b) {
-    Vector result = {};
-    for (int k = 0; k < d; ++k)
-      if (b[k] > 0)
-        result[k] = a[k] / b[k];
+      result += m_entries[i].value * vectors[m_entries[i].column];
     return result;
   }
 
   const Mesh& m_mesh;
-  Exact_sums<d> m_sums;
   std::vector<Index> m_rows; // free vertices of this rank
   std::vector<double> m_diagonal;
   std::vector<std::size_t> m_first_entry;

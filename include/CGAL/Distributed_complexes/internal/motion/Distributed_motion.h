@@ -90,9 +90,7 @@ private:
     std::vector<std::int64_t> numbers(2, 0); // of moving vertices, of vertices
     unsigned moving_sides = 0;
     m_longest = 0;
-    for (Index v = 0; v < m_mesh.piece.vertex_bound(); ++v) {
-      if (!m_mesh.is_own(v))
-        continue;
+    for (Index v : m_mesh.own_vertices()) {
       ++numbers[1];
       if (!is_moving(v))
         continue;
@@ -131,8 +129,8 @@ private:
     }
     std::vector<std::uint8_t> layer(m_mesh.piece.vertex_bound(), 0); // plus 1
     std::vector<Index> front, next;
-    for (Index v = 0; v < m_mesh.piece.vertex_bound(); ++v)
-      if (m_mesh.piece.has_vertex(v) && is_moving(v)) {
+    for (Index v : m_mesh.piece.vertices())
+      if (is_moving(v)) {
         layer[v] = 1;
         front.push_back(v);
       }
@@ -164,11 +162,10 @@ private:
     if (flow) {
       std::vector<Index> vertices;
       std::vector<Position> positions;
-      for (Index v = 0; v < n; ++v)
-        if (m_mesh.piece.has_vertex(v)) {
-          vertices.push_back(v);
-          positions.push_back(m_mesh.position(v));
-        }
+      for (Index v : m_mesh.piece.vertices()) {
+        vertices.push_back(v);
+        positions.push_back(m_mesh.position(v));
+      }
       std::vector<Position> destinations;
       m_mesh.communicator->call_together([&] {
         destinations = flow(positions);
@@ -184,8 +181,8 @@ private:
     }
     // Free vertices at which the flow is unknown follow it by 0.
     m_displacements.assign(n, Vector{});
-    for (Index v = 0; v < n; ++v) {
-      if (!m_mesh.piece.has_vertex(v) || m_is_free[v])
+    for (Index v : m_mesh.piece.vertices()) {
+      if (m_is_free[v])
         continue;
       Vector deviation = is_moving(v) ? remaining(v) : Vector{};
       if (is_known[v])
@@ -195,9 +192,7 @@ private:
         m_displacements[v] = deviation;
     }
     Distributed_extension<Complex>(m_mesh, m_is_free).extend(m_displacements);
-    for (Index v = 0; v < n; ++v) {
-      if (!m_mesh.piece.has_vertex(v))
-        continue;
+    for (Index v : m_mesh.piece.vertices()) {
       if (m_is_free[v]) {
         for (int k = 0; k < d; ++k) {
           if (is_known[v])
@@ -231,14 +226,13 @@ private:
 
   // Reduces displacements until no cell is inverted or degraded.
   void reduce_displacements() {
-    const Index n = m_mesh.piece.vertex_bound();
-    m_fractions.assign(n, 0);
-    for (Index v = 0; v < n; ++v)
-      if (m_mesh.piece.has_vertex(v) && m_displacements[v] != Vector{})
+    m_fractions.assign(m_mesh.piece.vertex_bound(), 0);
+    for (Index v : m_mesh.piece.vertices())
+      if (m_displacements[v] != Vector{})
         m_fractions[v] = 1;
     std::vector<Index> suspects;
-    for (Index c = 0; c < m_mesh.piece.cell_bound(); ++c)
-      if (m_mesh.piece.has_cell(c) && moves(c))
+    for (Index c : m_mesh.piece.cells())
+      if (moves(c))
         suspects.push_back(c);
     for (;;) {
       std::vector<Index> reduced;
@@ -322,22 +316,16 @@ private:
   }
 
   void commit() {
-    const Index n = m_mesh.piece.vertex_bound();
-    std::vector<Vector> targets(n);
-    for (Index v = 0; v < n; ++v)
-      if (m_mesh.piece.has_vertex(v))
-        targets[v] = target(v);
-    for (Index v = 0; v < n; ++v) {
-      if (!m_mesh.piece.has_vertex(v))
-        continue;
+    std::vector<Vector> targets(m_mesh.piece.vertex_bound());
+    for (Index v : m_mesh.piece.vertices())
+      targets[v] = target(v);
+    for (Index v : m_mesh.piece.vertices()) {
       auto& vertex = m_mesh.piece.vertex(v);
       m_has_moved[v] = targets[v] != vertex.point;
       vertex.point = targets[v];
       vertex.is_open = is_moving(v) && vertex.point != vertex.destination;
     }
-    for (Index c = 0; c < m_mesh.piece.cell_bound(); ++c) {
-      if (!m_mesh.piece.has_cell(c))
-        continue;
+    for (Index c : m_mesh.piece.cells()) {
       auto& cell = m_mesh.piece.cell(c);
       if (std::none_of(cell.vertices.begin(), cell.vertices.end(),
                        [&](Index v) { return m_has_moved[v]; }))

@@ -19,10 +19,8 @@
 #include <CGAL/Interface_remeshing/Interface_adaptation.h>
 #include <CGAL/Interface_remeshing/internal/interface/Curvature_lengths.h>
 #include <CGAL/Interface_remeshing/internal/remeshing/Interface_improver.h>
-#include <CGAL/Mesh_support/coordinates.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -93,13 +91,8 @@ private:
   Smooth_normals<Complex> smooth_normals() const {
     Smooth_normals<Complex> result(m_interface.snapshot, m_interface.positions,
                                    m_options.feature_angle);
-    std::vector<std::array<double, d>> normals;
-    for (const auto& normal : result.normals)
-      normals.push_back(coordinates_of<d>(normal));
-    m_dsc.share(m_interface, normals);
+    m_dsc.share(m_interface, result.normals);
     m_dsc.share(m_interface, result.is_smooth);
-    for (std::size_t v = 0; v < normals.size(); ++v)
-      result.normals[v] = vector_of<Complex>(normals[v]);
     return result;
   }
 

@@ -202,27 +202,35 @@ public:
 
   // Vertices and cells before and after, ordered by id and by vertices.
   const std::vector<Patch_vertex>& vertices_before() const { return m_before; }
+  const Vertex& before(Global_id id) const { return place(m_before, id)->data; }
+  const Vertex& after(Global_id id) const { return *place(m_after, id); }
   const std::vector<Cell>& cells_before() const { return m_cells_before; }
-  const std::vector<Vertex>& vertices_after() const { return m_after; }
   const std::vector<Cell>& cells_after() const { return m_cells_after; }
 
 private:
   static constexpr Global_id provisional = Global_id(1) << 63;
   static constexpr std::size_t none = std::size_t(-1); // no cell
 
-  static bool less_id(const Patch_vertex& a, const Patch_vertex& b) {
-    return a.data.id < b.data.id;
+  static Global_id id_of(const Vertex& v) { return v.id; }
+  static Global_id id_of(const Patch_vertex& v) { return v.data.id; }
+
+  template <class List> static void sort_by_id(List& list) {
+    std::sort(list.begin(), list.end(),
+              [](const auto& a, const auto& b) { return id_of(a) < id_of(b); });
+  }
+
+  // Returns the place of an id in an ordered list of vertices.
+  template <class List> static auto place(List& list, Global_id id) {
+    return std::lower_bound(list.begin(), list.end(), id,
+                            [](const auto& v, Global_id key) { return id_of(v) < key; });
   }
 
   std::size_t index_before(Global_id id) const {
-    const auto it =
-        std::lower_bound(m_before.begin(), m_before.end(), id,
-                         [](const Patch_vertex& v, Global_id key) { return v.data.id < key; });
-    return std::size_t(it - m_before.begin());
+    return std::size_t(place(m_before, id) - m_before.begin());
   }
 
   void sort_input() {
-    std::sort(m_before.begin(), m_before.end(), less_id);
+    sort_by_id(m_before);
     m_before.erase(std::unique(m_before.begin(), m_before.end(),
                                [](const Patch_vertex& a, const Patch_vertex& b) {
                                  return a.data.id == b.data.id;
@@ -318,8 +326,7 @@ private:
           data.is_open && data.point != data.destination && (part.is_interface(v) || is_cut(v));
       m_after.push_back(data);
     }
-    std::sort(m_after.begin(), m_after.end(),
-              [](const Vertex& a, const Vertex& b) { return a.id < b.id; });
+    sort_by_id(m_after);
     for (auto c : part.cells()) {
       Cell cell = {};
       for (int i = 0; i < corners; ++i)
@@ -353,11 +360,6 @@ private:
 
   static bool is_cut(typename Part::Vertex_handle v) { return Part_domain::is_constrained(*v); }
 
-  Vertex& after(Global_id id) {
-    return *std::lower_bound(m_after.begin(), m_after.end(), id,
-                             [](const Vertex& v, Global_id key) { return v.id < key; });
-  }
-
   // Gives each new vertex the owner of a neighbor. New vertices have the largest ids.
   void find_owners(int rank) {
     for (const Cell& c : m_cells_after) {
@@ -366,7 +368,7 @@ private:
       const int first = sorted[0] >= provisional ? -1 : after(sorted[0]).owner;
       for (Global_id id : sorted)
         if (id >= provisional && after(id).owner < 0)
-          after(id).owner = first;
+          place(m_after, id)->owner = first;
     }
     for (Vertex& v : m_after)
       if (v.owner < 0)
@@ -413,8 +415,7 @@ private:
       const Vertex& before = m_before[i].data;
       if (!before.is_open)
         continue;
-      const auto it = std::lower_bound(m_after.begin(), m_after.end(), before.id,
-                                       [](const Vertex& v, Global_id key) { return v.id < key; });
+      const auto it = place(m_after, before.id);
       const bool is_there = it != m_after.end() && it->id == before.id;
       result += !is_there || (!it->is_open && it->point != it->destination);
     }

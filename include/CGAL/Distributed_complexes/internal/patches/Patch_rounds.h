@@ -262,23 +262,13 @@ private:
       writer.write(sent_cells);
     }
     std::map<Patch_key, Patch<Complex>> patches;
-    for (const auto& message : send(writers)) {
-      Message_reader reader(message.bytes);
-      while (!reader.is_at_end()) {
-        const Patch_key key = reader.read<Patch_key>();
-        const auto sent_vertices = reader.read_list<Patch_vertex>();
-        const auto sent_cells = reader.read_list<Sent_cell<d>>();
-        patches.emplace(key, Patch<Complex>(key)).first->second.add(sent_vertices, sent_cells);
-      }
-    }
+    exchange_messages(*m_mesh.communicator, writers, [&](int, Message_reader& reader) {
+      const Patch_key key = reader.read<Patch_key>();
+      const auto sent_vertices = reader.read_list<Patch_vertex>();
+      const auto sent_cells = reader.read_list<Sent_cell<d>>();
+      patches.emplace(key, Patch<Complex>(key)).first->second.add(sent_vertices, sent_cells);
+    });
     return patches;
-  }
-
-  std::vector<Communicator::Message> send(std::map<int, Message_writer>& writers) {
-    std::vector<Communicator::Message> messages;
-    for (auto& [rank, writer] : writers)
-      messages.push_back({rank, writer.take()});
-    return m_mesh.communicator->exchange(std::move(messages));
   }
 
   // Gives the new vertices of all ranks ids that increase with the keys of their patches.
@@ -317,37 +307,23 @@ private:
       for (int rank : ranks)
         write_changes(patch, rank, writers[rank]);
     }
-    for (const auto& message : send(writers)) {
-      Message_reader reader(message.bytes);
-      while (!reader.is_at_end()) {
-        const auto removed = reader.read_list<Cell_ids>();
-        for (const Cell_ids& ids : removed)
-          m_mesh.piece.remove(m_mesh.piece.find_cell(ids));
-        for (const auto& v : reader.read_list<Piece_vertex<d>>())
-          m_mesh.piece.put(v);
-        for (const auto& c : reader.read_list<Sent_cell<d>>())
-          m_mesh.piece.put(c);
-        for (const Cell_ids& ids : removed)
-          for (Global_id id : ids)
-            m_mesh.piece.remove_if_unused(id);
-      }
-    }
+    exchange_messages(*m_mesh.communicator, writers, [&](int, Message_reader& reader) {
+      const auto removed = reader.read_list<Cell_ids>();
+      for (const Cell_ids& ids : removed)
+        m_mesh.piece.remove(m_mesh.piece.find_cell(ids));
+      for (const auto& v : reader.read_list<Piece_vertex<d>>())
+        m_mesh.piece.put(v);
+      for (const auto& c : reader.read_list<Sent_cell<d>>())
+        m_mesh.piece.put(c);
+      for (const Cell_ids& ids : removed)
+        for (Global_id id : ids)
+          m_mesh.piece.remove_if_unused(id);
+    });
     m_mesh.find_ghosts();
   }
 
   // Writes the changes of a patch that concern a rank: of cells with a vertex that the rank owns.
   void write_changes(const Patch<Complex>& patch, int rank, Message_writer& writer) const {
-    const auto& before = patch.vertices_before();
-    const auto& after = patch.vertices_after();
-    const auto vertex_before = [&](Global_id id) -> const Piece_vertex<d>* {
-      const auto it = std::lower_bound(before.begin(), before.end(), id,
-                                       [](const auto& v, Global_id k) { return v.data.id < k; });
-      return it != before.end() && it->data.id == id ? &it->data : nullptr;
-    };
-    const auto vertex_after = [&](Global_id id) -> const Piece_vertex<d>& {
-      return *std::lower_bound(after.begin(), after.end(), id,
-                               [](const auto& v, Global_id k) { return v.id < k; });
-    };
     std::vector<Cell_ids> removed;
     std::vector<Sent_cell<d>> put;
     std::vector<Global_id> needed; // vertices
@@ -360,7 +336,7 @@ private:
       if (is_removed) {
         const Cell_ids& ids = old_cells[i].vertices;
         if (std::any_of(ids.begin(), ids.end(),
-                        [&](Global_id id) { return vertex_before(id)->owner == rank; }))
+                        [&](Global_id id) { return patch.before(id).owner == rank; }))
           removed.push_back(ids);
         ++i;
         continue;
@@ -368,13 +344,13 @@ private:
       const Sent_cell<d>& c = new_cells[k];
       const bool is_kept = i < old_cells.size() && old_cells[i].vertices == c.vertices;
       if (std::any_of(c.vertices.begin(), c.vertices.end(),
-                      [&](Global_id id) { return vertex_after(id).owner == rank; })) {
+                      [&](Global_id id) { return patch.after(id).owner == rank; })) {
         if (!is_kept || !(old_cells[i].data == c.data)) {
           put.push_back(c);
           needed.insert(needed.end(), c.vertices.begin(), c.vertices.end());
         } else {
           for (Global_id id : c.vertices)
-            if (!are_equal(*vertex_before(id), vertex_after(id)))
+            if (!are_equal(patch.before(id), patch.after(id)))
               needed.push_back(id);
         }
       }
@@ -385,7 +361,7 @@ private:
     needed.erase(std::unique(needed.begin(), needed.end()), needed.end());
     std::vector<Piece_vertex<d>> vertices;
     for (Global_id id : needed)
-      vertices.push_back(vertex_after(id));
+      vertices.push_back(patch.after(id));
     writer.write(removed);
     writer.write(vertices);
     writer.write(put);

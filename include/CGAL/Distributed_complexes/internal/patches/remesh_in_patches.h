@@ -10,7 +10,6 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Failure_memory.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Label_totals.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 #include <CGAL/Distributed_complexes/internal/patches/Patch.h>
 #include <CGAL/Distributed_complexes/internal/patches/Patch_rounds.h>
@@ -86,8 +85,7 @@ Improvement_report remesh_in_patches(Distributed_mesh<Complex>& mesh, Attempt at
     result += counts;
   }
   if (are_known && result.patches > 0) // measures the new volumes
-    Distributed_components<Complex>(mesh, Label_totals(mesh.domain_measure))
-        .update(mesh.components);
+    Distributed_components<Complex>(mesh).update();
   mesh.are_components_known = are_known;
   return {std::size_t(result.split), std::size_t(result.collapsed), std::size_t(result.flipped),
           std::size_t(result.smoothed), std::size_t(result.inserted)};

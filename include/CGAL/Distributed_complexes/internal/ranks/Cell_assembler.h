@@ -40,17 +40,11 @@ public:
 
   explicit Cell_assembler(Mesh& mesh) : m_mesh(mesh) {}
 
-  void clear() {
-    m_mesh.piece = Piece<d>();
-    m_mesh.components.clear();
-    m_mesh.find_ghosts();
-  }
-
   // Sends the cells of this rank to the ranks that hold them.
   template <class Cells> void place(const Cells& cells) {
     static constexpr Global_id bound = Global_id(1) << 62;
     Communicator& communicator = *m_mesh.communicator;
-    clear();
+    m_mesh.clear();
     communicator.call_together([&] {
       if (cells.points.size() != cells.ids.size() || cells.labels.size() != cells.cells.size())
         throw Error("the numbers of ids and points, or of cells and labels, differ");
@@ -64,14 +58,9 @@ public:
     });
     Distributed_graph<d> graph;
     m_box = extent_of_ranks(communicator, extent_of<d>(cells.points));
-    double side = 0; // the longest one
-    for (int k = 0; k < d; ++k)
-      side = (std::max)(side, m_box.upper(k) - m_box.lower(k));
     for (const auto& p : cells.points) {
       graph.weights.push_back(1);
-      graph.positions.emplace_back();
-      for (int k = 0; k < d; ++k)
-        graph.positions.back()[k] = side > 0 ? (p[k] - m_box.lower(k)) / side : 0;
+      graph.positions.push_back(m_box.in_unit_cube(p));
     }
     // The owner of a vertex follows from its position, so all ranks find the same one.
     const std::vector<int> owners = Curve_partitioner()(communicator, graph);
@@ -110,8 +99,7 @@ public:
     m_mesh.communicator->call_together([&] { check_cells(); });
     check_volume();
     measure_edges();
-    Distributed_components<Complex>(m_mesh, Label_totals(m_mesh.domain_measure))
-        .update(m_mesh.components);
+    Distributed_components<Complex>(m_mesh).update();
     m_mesh.are_components_known = true;
   }
 
@@ -156,9 +144,8 @@ private:
     static constexpr double rounding = 1e-6;
     const Label_totals totals(m_mesh.domain_measure);
     std::int64_t units = 0;
-    for (Index c = 0; c < m_mesh.piece.cell_bound(); ++c)
-      if (m_mesh.is_own_cell(c))
-        units += totals.units(m_mesh.measure(c));
+    for (Index c : m_mesh.own_cells())
+      units += totals.units(m_mesh.measure(c));
     units = m_mesh.communicator->reduced(Communicator::Operation::sum, units);
     if (!(std::abs(totals.volume_of(units) - m_mesh.domain_measure) <=
           rounding * m_mesh.domain_measure))
@@ -173,8 +160,8 @@ private:
     std::vector<std::array<double, 2>> sums; // lengths and numbers of edges of own facets
     double shortest = std::numeric_limits<double>::infinity();
     std::vector<float> spacings(piece.vertex_bound(), 0);
-    for (Index v = 0; v < piece.vertex_bound(); ++v) {
-      if (!m_mesh.is_own(v) || !piece.has_several_labels(v))
+    for (Index v : m_mesh.own_vertices()) {
+      if (!piece.has_several_labels(v))
         continue;
       double sum = 0;
       int number = 0;

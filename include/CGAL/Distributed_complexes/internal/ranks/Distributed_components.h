@@ -38,20 +38,19 @@ public:
   using Mesh = Distributed_mesh<Complex>;
   using Index = typename Mesh::Index;
 
-  // `totals` defines the unit of volumes.
-  Distributed_components(Mesh& mesh, const Label_totals& totals)
-      : m_mesh(mesh), m_totals(totals), m_sets(mesh.piece.cell_bound()) {}
+  explicit Distributed_components(Mesh& mesh)
+      : m_mesh(mesh), m_totals(mesh.domain_measure), m_sets(mesh.piece.cell_bound()) {}
 
   // Numbers the components. A component keeps its number. A merged component gets the least number
   // of its parts that is still free. If a component is split, the part with the least hash of a
-  // cell keeps the number. Cells with the number 0 are new. `known` are the components before, and
-  // is replaced. Returns the changes.
-  std::vector<Component_event> update(Known_components& known) {
+  // cell keeps the number. Cells with the number 0 are new. Replaces the components of the mesh.
+  // Returns the changes.
+  std::vector<Component_event> update() {
     unite_neighbors();
     describe_own_components();
     connect_ranks();
     unite_ranks();
-    return name_components(known);
+    return name_components(m_mesh.components);
   }
 
 private:
@@ -81,9 +80,7 @@ private:
   // Unites the cells that the rank holds with their neighbors of the same label.
   void unite_neighbors() {
     const auto& piece = m_mesh.piece;
-    for (Index c = 0; c < piece.cell_bound(); ++c) {
-      if (!piece.has_cell(c))
-        continue;
+    for (Index c : piece.cells()) {
       const auto& vertices = piece.cell(c).vertices;
       for (int i = 0; i <= d; ++i) {
         const Index corner = vertices[(i + 1) % (d + 1)];
@@ -99,9 +96,7 @@ private:
     const auto& piece = m_mesh.piece;
     m_number_of.assign(piece.cell_bound(), 0);
     std::set<std::pair<std::uint32_t, std::uint32_t>> origins;
-    for (Index c = 0; c < piece.cell_bound(); ++c) {
-      if (!piece.has_cell(c))
-        continue;
+    for (Index c : piece.cells()) {
       const auto root = m_sets.find(c);
       if (root == c) { // the least cell of a set comes first
         m_number_of[c] = std::uint32_t(m_shares.size());
@@ -125,8 +120,8 @@ private:
   void connect_ranks() {
     const auto& piece = m_mesh.piece;
     std::map<int, std::vector<Shared_cell>> lists;
-    for (Index c = 0; c < piece.cell_bound(); ++c)
-      if (piece.has_cell(c) && piece.owner(c) != m_mesh.rank())
+    for (Index c : piece.cells())
+      if (piece.owner(c) != m_mesh.rank())
         lists[piece.owner(c)].push_back({piece.ids(c), m_number_of[c]});
     std::set<std::array<std::uint32_t, 3>> links; // rank, number there, number here
     exchange_lists(*m_mesh.communicator, lists,
@@ -227,9 +222,8 @@ private:
     known.clear();
     for (const Whole* whole : order)
       known[whole->number] = {whole->label, whole->volume};
-    for (Index c = 0; c < m_mesh.piece.cell_bound(); ++c)
-      if (m_mesh.piece.has_cell(c))
-        m_mesh.piece.cell(c).data.component = m_wholes[m_whole_of_share[m_number_of[c]]].number;
+    for (Index c : m_mesh.piece.cells())
+      m_mesh.piece.cell(c).data.component = m_wholes[m_whole_of_share[m_number_of[c]]].number;
     return events;
   }
 
@@ -244,7 +238,7 @@ private:
   };
 
   Mesh& m_mesh;
-  const Label_totals& m_totals;
+  Label_totals m_totals;                  // defines the unit of volumes
   Disjoint_sets m_sets;                   // of held cells
   std::vector<std::uint32_t> m_number_of; // component of each held cell, on this rank
   std::vector<Share> m_shares;

@@ -25,6 +25,7 @@
 #include <cstdint>
 #include <cstring>
 #include <map>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -42,8 +43,8 @@ public:
     const int me = communicator.rank();
     if (communicator.size() == 1)
       return;
-    for (Index v = 0; v < piece.vertex_bound(); ++v) {
-      if (!piece.has_vertex(v) || piece.vertex(v).owner == me)
+    for (Index v : piece.vertices()) {
+      if (piece.vertex(v).owner == me)
         continue;
       m_ghosts[piece.vertex(v).owner].push_back(v);
       // The owner of v holds all vertices of the cells around v.
@@ -63,20 +64,34 @@ public:
   }
 
   // Sends the values of own vertices to the ranks that hold them. `values` has an entry for each
-  // index of a vertex. Calls `changed(v)` for each ghost whose value changed.
+  // index of a vertex: a trivially copyable one, or a point or a vector. Calls `changed(v)` for
+  // each ghost whose value changed.
   template <class Value, class Changed>
   void update(std::vector<Value>& values, const Changed& changed) const {
-    std::map<int, std::vector<Value>> lists;
+    static constexpr bool is_plain = std::is_trivially_copyable<Value>::value;
+    using Plain = std::conditional_t<is_plain, Value, std::array<double, d>>;
+    const auto plain = [](const Value& value) -> Plain {
+      if constexpr (is_plain)
+        return value;
+      else
+        return coordinates_of<d>(value);
+    };
+    std::map<int, std::vector<Plain>> lists;
     for (const auto& [rank, vertices] : m_shared)
       for (Index v : vertices)
-        lists[rank].push_back(values[v]);
-    exchange_lists(*m_communicator, lists, [&](int rank, const std::vector<Value>& list) {
+        lists[rank].push_back(plain(values[v]));
+    exchange_lists(*m_communicator, lists, [&](int rank, const std::vector<Plain>& list) {
       const std::vector<Index>& ghosts = m_ghosts.at(rank);
-      for (std::size_t i = 0; i < list.size(); ++i)
-        if (std::memcmp(&values[ghosts[i]], &list[i], sizeof(Value)) != 0) { // -0. differs from 0.
+      for (std::size_t i = 0; i < list.size(); ++i) {
+        const Plain before = plain(values[ghosts[i]]);
+        if (std::memcmp(&before, &list[i], sizeof(Plain)) == 0) // -0. differs from 0.
+          continue;
+        if constexpr (is_plain)
           values[ghosts[i]] = list[i];
-          changed(ghosts[i]);
-        }
+        else
+          values[ghosts[i]] = point_of<Value>(list[i]);
+        changed(ghosts[i]);
+      }
     });
   }
 
@@ -118,15 +133,27 @@ template <int d> Extent<d> extent_of_ranks(Communicator& communicator, const Ext
   return extent_of<d>(gather_items(communicator, corners));
 }
 
-// The piece of a distributed complex on this rank, the communicator, and everything that all ranks
-// know: the geometry traits, and the lengths of the complex.
-template <class Complex> struct Distributed_mesh
+// What operations on a distributed complex change: the piece of this rank, and what all ranks know.
+template <int d> struct Distributed_state
+{
+  Piece<d> piece;
+  Known_components components;
+  bool are_components_known = true; // false during a change, and after an exception in it
+  double mean_interface_edge = 0, minimum_interface_edge = 0;
+  Global_id next_id = 0; // of new vertices
+};
+
+// The state of a distributed complex, the communicator, and what stays: the geometry traits, and
+// the size of the complex.
+template <class Complex> struct Distributed_mesh : Distributed_state<Complex::dimension>
 {
   static constexpr int d = Complex::dimension;
   static constexpr int corners = d + 1;
   using Index = typename Piece<d>::Index;
   using Position = typename Complex::Approximate_point;
   using Space = typename Complex::Space;
+  using Distributed_state<d>::piece;
+  using Distributed_state<d>::components;
 
   explicit Distributed_mesh(Communicator& communicator)
       : communicator(&communicator), ghosts(piece, communicator) {}
@@ -134,6 +161,19 @@ template <class Complex> struct Distributed_mesh
   int rank() const { return communicator->rank(); }
   bool is_own(Index v) const { return piece.has_vertex(v) && piece.vertex(v).owner == rank(); }
   bool is_own_cell(Index c) const { return piece.has_cell(c) && piece.owner(c) == rank(); }
+  // The indices of the vertices and of the cells that this rank owns.
+  auto own_vertices() const {
+    return indices_where(piece.vertex_bound(), [this](Index v) { return is_own(v); });
+  }
+  auto own_cells() const {
+    return indices_where(piece.cell_bound(), [this](Index c) { return is_own_cell(c); });
+  }
+
+  void clear() {
+    piece = Piece<d>();
+    components.clear();
+    find_ghosts();
+  }
 
   // Returns the work at a vertex: of a motion, and of recent improvements.
   std::int64_t weight(Index v) const {
@@ -172,9 +212,8 @@ template <class Complex> struct Distributed_mesh
   // Returns for each index whether the vertex is on the interface.
   std::vector<std::uint8_t> interface_flags() const {
     std::vector<std::uint8_t> result(piece.vertex_bound(), 0);
-    for (Index v = 0; v < piece.vertex_bound(); ++v)
-      if (is_own(v))
-        result[v] = piece.has_several_labels(v);
+    for (Index v : own_vertices())
+      result[v] = piece.has_several_labels(v);
     ghosts.update(result);
     return result;
   }
@@ -184,18 +223,15 @@ template <class Complex> struct Distributed_mesh
   template <class Condition>
   std::vector<std::uint8_t> vertices_with_edge(const Condition& condition) const {
     std::vector<std::uint8_t> result(piece.vertex_bound(), 0);
-    for (Index v = 0; v < piece.vertex_bound(); ++v)
-      if (is_own(v))
-        for_each_neighbor(v, [&](Index w) { result[v] = result[v] || condition(v, w); });
+    for (Index v : own_vertices())
+      for_each_neighbor(v, [&](Index w) { result[v] = result[v] || condition(v, w); });
     ghosts.update(result);
     return result;
   }
 
   // Sets `is_active` of each cell: whether `condition(v, w)` holds for an edge of the cell.
   template <class Condition> void activate_cells_with_edge(const Condition& condition) {
-    for (Index c = 0; c < piece.cell_bound(); ++c) {
-      if (!piece.has_cell(c))
-        continue;
+    for (Index c : piece.cells()) {
       auto& cell = piece.cell(c);
       cell.data.is_active = false;
       for (int i = 0; i < corners; ++i)
@@ -208,9 +244,8 @@ template <class Complex> struct Distributed_mesh
   // Returns the box around all vertices of all ranks.
   Extent<d> extent() const {
     Extent<d> own;
-    for (Index v = 0; v < piece.vertex_bound(); ++v)
-      if (is_own(v))
-        own.add(piece.vertex(v).point);
+    for (Index v : own_vertices())
+      own.add(piece.vertex(v).point);
     return extent_of_ranks(*communicator, own);
   }
 
@@ -223,16 +258,11 @@ template <class Complex> struct Distributed_mesh
   }
 
   Communicator* communicator;
-  Piece<d> piece;
   Ghosts<d> ghosts;
   typename Complex::Geom_traits traits;
   typename Complex::Quality_measure quality_measure;
   typename Complex::Normalization normalization;
-  double mean_interface_edge = 0, minimum_interface_edge = 0;
-  Global_id next_id = 0;     // of new vertices
   double domain_measure = 1; // of the box around the complex when it was built; unit of volumes
-  Known_components components;
-  bool are_components_known = true; // false during a change, and after an exception in it
 };
 
 } // namespace CGAL::Deformable_simplicial_complexes::internal

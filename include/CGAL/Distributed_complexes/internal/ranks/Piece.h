@@ -11,6 +11,11 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/assemble_triangulation.h>
 #include <CGAL/Mesh_support/Error.h>
 
+#include <CGAL/Iterator_range.h>
+
+#include <boost/iterator/counting_iterator.hpp>
+#include <boost/iterator/filter_iterator.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -22,6 +27,13 @@
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 using Global_id = std::uint64_t;
+
+// Returns the indices below a bound for which a condition holds, in increasing order.
+template <class Condition> auto indices_where(std::uint32_t bound, const Condition& condition) {
+  const boost::counting_iterator<std::uint32_t> begin(0), end(bound);
+  return make_range(boost::make_filter_iterator(condition, begin, end),
+                    boost::make_filter_iterator(condition, end, end));
+}
 
 // Mixes the bits of a number (the finalizer of SplitMix64).
 inline std::uint64_t mixed(std::uint64_t x) {
@@ -120,6 +132,13 @@ public:
   Index cell_bound() const { return Index(m_cells.size()); }
   bool has_vertex(Index v) const { return !m_stars[v].empty(); }
   bool has_cell(Index c) const { return m_cells[c].vertices[0] != none; }
+  // The indices of all vertices and of all cells.
+  auto vertices() const {
+    return indices_where(vertex_bound(), [this](Index v) { return has_vertex(v); });
+  }
+  auto cells() const {
+    return indices_where(cell_bound(), [this](Index c) { return has_cell(c); });
+  }
 
   Vertex& vertex(Index v) { return m_vertices[v]; }
   const Vertex& vertex(Index v) const { return m_vertices[v]; }

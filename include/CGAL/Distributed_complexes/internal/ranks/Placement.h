@@ -65,18 +65,12 @@ public:
 
   // Sends the cells, and adds those that arrive to a piece. Collective.
   void send(Communicator& communicator, Piece<d>& piece) {
-    std::vector<Communicator::Message> messages;
-    for (auto& [rank, writer] : m_writers)
-      messages.push_back({rank, writer.take()});
-    for (const auto& message : communicator.exchange(std::move(messages))) {
-      Message_reader reader(message.bytes);
-      while (!reader.is_at_end()) {
-        for (const Vertex& v : reader.template read_list<Vertex>())
-          piece.put(v);
-        for (const Cell& c : reader.template read_list<Cell>())
-          piece.put(c);
-      }
-    }
+    exchange_messages(communicator, m_writers, [&](int, Message_reader& reader) {
+      for (const Vertex& v : reader.read_list<Vertex>())
+        piece.put(v);
+      for (const Cell& c : reader.read_list<Cell>())
+        piece.put(c);
+    });
   }
 
 private:

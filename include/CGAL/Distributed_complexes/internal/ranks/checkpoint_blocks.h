@@ -98,12 +98,11 @@ template <class Complex> Communicator::Bytes bytes_of_piece(const Distributed_me
   static constexpr int d = Complex::dimension;
   std::vector<Sent_cell<d>> cells;
   std::vector<std::uint8_t> is_needed(mesh.piece.vertex_bound(), 0);
-  for (Index c = 0; c < mesh.piece.cell_bound(); ++c)
-    if (mesh.is_own_cell(c)) {
-      cells.push_back(mesh.piece.sent(c));
-      for (Index v : mesh.piece.cell(c).vertices)
-        is_needed[v] = 1;
-    }
+  for (Index c : mesh.own_cells()) {
+    cells.push_back(mesh.piece.sent(c));
+    for (Index v : mesh.piece.cell(c).vertices)
+      is_needed[v] = 1;
+  }
   std::vector<Piece_vertex<d>> vertices;
   for (Index v = 0; v < mesh.piece.vertex_bound(); ++v)
     if (is_needed[v])
@@ -171,12 +170,7 @@ template <class Complex>
 std::string read_checkpoint_blocks(const std::string& path, Distributed_mesh<Complex>& mesh) {
   static constexpr int d = Complex::dimension;
   Communicator& communicator = *mesh.communicator;
-  const auto clear = [&] {
-    mesh.piece = Piece<d>();
-    mesh.components.clear();
-    mesh.find_ghosts();
-  };
-  clear();
+  mesh.clear();
   std::ifstream in;
   std::uint64_t left = 0;
   Communicator::Bytes block;
@@ -230,7 +224,7 @@ std::string read_checkpoint_blocks(const std::string& path, Distributed_mesh<Com
         placement.add(vertices, cells);
       });
     } catch (...) {
-      clear();
+      mesh.clear();
       throw;
     }
     placement.send(communicator, mesh.piece);

@@ -81,19 +81,30 @@ private:
   std::size_t m_position = 0;
 };
 
+// Sends messages to ranks. Calls `receive(rank, reader)` for the messages that arrive, by
+// increasing sender, for each until it is read.
+template <class Receive>
+void exchange_messages(Communicator& communicator, std::map<int, Message_writer>& writers,
+                       const Receive& receive) {
+  std::vector<Communicator::Message> messages;
+  for (auto& [rank, writer] : writers)
+    messages.push_back({rank, writer.take()});
+  for (const auto& message : communicator.exchange(std::move(messages)))
+    for (Message_reader reader(message.bytes); !reader.is_at_end();)
+      receive(message.rank, reader);
+}
+
 // Sends each rank a list of items, and calls `receive(rank, items)` for each list that arrives, by
 // increasing sender.
 template <class Item, class Receive>
 void exchange_lists(Communicator& communicator, const std::map<int, std::vector<Item>>& lists,
                     const Receive& receive) {
-  std::vector<Communicator::Message> messages;
-  for (const auto& [rank, items] : lists) {
-    Message_writer writer;
-    writer.write(items);
-    messages.push_back({rank, writer.take()});
-  }
-  for (const auto& message : communicator.exchange(std::move(messages)))
-    receive(message.rank, Message_reader(message.bytes).read_list<Item>());
+  std::map<int, Message_writer> writers;
+  for (const auto& [rank, items] : lists)
+    writers[rank].write(items);
+  exchange_messages(communicator, writers, [&](int rank, Message_reader& reader) {
+    receive(rank, reader.read_list<Item>());
+  });
 }
 
 // Returns the items of all ranks, by increasing rank.

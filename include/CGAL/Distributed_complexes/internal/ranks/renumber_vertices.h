@@ -31,12 +31,11 @@ template <class Complex> void renumber_vertices(Distributed_mesh<Complex>& mesh,
   const Global_id range = bound / unsigned(size) + 1;
   std::map<int, std::vector<Global_id>> ids;
   std::map<int, std::vector<Index>> vertices;
-  for (Index v = 0; v < mesh.piece.vertex_bound(); ++v)
-    if (mesh.is_own(v)) {
-      const int rank = int(mesh.piece.vertex(v).id / range);
-      ids[rank].push_back(mesh.piece.vertex(v).id);
-      vertices[rank].push_back(v);
-    }
+  for (Index v : mesh.own_vertices()) {
+    const int rank = int(mesh.piece.vertex(v).id / range);
+    ids[rank].push_back(mesh.piece.vertex(v).id);
+    vertices[rank].push_back(v);
+  }
   std::vector<Global_id> sorted;
   std::map<int, std::vector<Global_id>> answers;
   exchange_lists(communicator, ids, [&](int rank, const std::vector<Global_id>& list) {
@@ -60,19 +59,17 @@ template <class Complex> void renumber_vertices(Distributed_mesh<Complex>& mesh,
   });
   mesh.ghosts.update(numbers);
   Piece<d> renumbered;
-  for (Index v = 0; v < mesh.piece.vertex_bound(); ++v)
-    if (mesh.piece.has_vertex(v)) {
-      Piece_vertex<d> vertex = mesh.piece.vertex(v);
-      vertex.id = numbers[v];
-      renumbered.put(vertex);
-    }
-  for (Index c = 0; c < mesh.piece.cell_bound(); ++c)
-    if (mesh.piece.has_cell(c)) {
-      Sent_cell<d> cell = mesh.piece.sent(c);
-      for (int i = 0; i <= d; ++i)
-        cell.vertices[i] = numbers[mesh.piece.cell(c).vertices[i]];
-      renumbered.put(cell); // the order of the vertices stays
-    }
+  for (Index v : mesh.piece.vertices()) {
+    Piece_vertex<d> vertex = mesh.piece.vertex(v);
+    vertex.id = numbers[v];
+    renumbered.put(vertex);
+  }
+  for (Index c : mesh.piece.cells()) {
+    Sent_cell<d> cell = mesh.piece.sent(c);
+    for (int i = 0; i <= d; ++i)
+      cell.vertices[i] = numbers[mesh.piece.cell(c).vertices[i]];
+    renumbered.put(cell); // the order of the vertices stays
+  }
   mesh.piece = std::move(renumbered);
   mesh.next_id = all;
   mesh.find_ghosts();

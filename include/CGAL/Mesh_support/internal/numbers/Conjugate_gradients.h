@@ -19,6 +19,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
@@ -84,15 +85,101 @@ private:
 };
 
 /*
-A preconditioned conjugate gradient solver for systems with one symmetric, positive semidefinite
-matrix and d right-hand sides, all solved in the same iterations. The preconditioner is the
-diagonal. The method is deterministic for any number of threads: scalar products are summed within
-blocks of rows, and then over the blocks in their order.
+Solves a symmetric, positive semidefinite system for d right-hand sides by the preconditioned
+conjugate gradient method, from the solution 0. All sides are solved in the same iterations.
+`System` has the rows, on several threads or processes:
+
+- `for_each_row(f)` calls f(i) for each row i that is computed here, on any threads.
+- `sum(f)` does so, too, and returns the sum of the vectors f(i) over all rows of all processes.
+- `product(x, y)` returns what a row contributes to the scalar products of the d sides.
+- `preconditioned(i, x)` applies the preconditioner to row i of a vector.
+- `apply(directions, products)` multiplies the matrix with the search directions, and returns the
+  scalar products of both. `is_stuck()` with these scalar products ends the iterations.
+
+Iterates while `goes_on(energy, residuals)`. The energies are the scalar products of the residuals
+and the preconditioned residuals.
 */
-template <int d> class Conjugate_gradients
+template <class System, class Vector, class Goes_on>
+std::vector<Vector> conjugate_gradients(const System& system, std::vector<Vector> residuals,
+                                        const Goes_on& goes_on) {
+  const auto ratio = [](const Vector& a, const Vector& b) -> Vector { // 0 for a solved side
+    return (b.array() > 0).select(a.cwiseQuotient(b), 0);
+  };
+  const std::size_t n = residuals.size();
+  std::vector<Vector> solution(n, Vector::Zero()), directions(n), products(n);
+  Vector energy = system.sum([&](std::size_t i) -> Vector {
+    directions[i] = system.preconditioned(i, residuals[i]);
+    return system.product(directions[i], residuals[i]);
+  });
+  while (goes_on(energy, residuals)) {
+    const Vector curvature = system.apply(directions, products);
+    if (system.is_stuck(curvature))
+      break;
+    const Vector step = ratio(energy, curvature);
+    const Vector next = system.sum([&](std::size_t i) -> Vector {
+      solution[i] += step.cwiseProduct(directions[i]);
+      residuals[i] -= step.cwiseProduct(products[i]);
+      return system.product(system.preconditioned(i, residuals[i]), residuals[i]);
+    });
+    const Vector beta = ratio(next, energy);
+    system.for_each_row([&](std::size_t i) {
+      directions[i] = system.preconditioned(i, residuals[i]) + beta.cwiseProduct(directions[i]);
+    });
+    energy = next;
+  }
+  return solution;
+}
+
+// Iterates until each component of the weighted residual norm is at most `part` times its initial
+// value, or the maximum number of iterations is reached.
+template <class System, class Vector>
+std::vector<Vector> reduce_residuals(const System& system, std::vector<Vector> residuals,
+                                     double part, int maximum_number_of_iterations) {
+  Vector bound;
+  int iterations = 0;
+  return conjugate_gradients(system, std::move(residuals),
+                             [&](const Vector& energy, const std::vector<Vector>&) {
+                               if (iterations == 0)
+                                 bound = part * part * energy;
+                               return iterations++ < maximum_number_of_iterations &&
+                                      (energy.array() > bound.array()).any();
+                             });
+}
+
+// Rows of a system whose sides differ in their right-hand sides and constraints. The preconditioner
+// is the diagonal.
+template <int d> class Diagonal_preconditioner
 {
 public:
   using Vector = Eigen::Matrix<double, d, 1>; // the values of a row, one for each right-hand side
+
+  static Vector product(const Vector& x, const Vector& y) { return x.cwiseProduct(y); }
+  static bool is_stuck(const Vector&) { return false; }
+  Vector preconditioned(std::size_t i, const Vector& x) const {
+    return m_inverses[i].cwiseProduct(x);
+  }
+
+protected:
+  explicit Diagonal_preconditioner(std::size_t size) : m_inverses(size) {}
+
+  template <class IsConstrained>
+  void set_diagonal(std::size_t i, double diagonal, const IsConstrained& is_constrained) {
+    for (int side = 0; side < d; ++side)
+      m_inverses[i][side] = diagonal > 0 && !is_constrained(side) ? 1 / diagonal : 0;
+  }
+
+private:
+  std::vector<Vector> m_inverses; // 0 where the solution stays 0
+};
+
+/*
+Conjugate gradients on several threads. The method is deterministic for any number of threads:
+scalar products are summed within blocks of rows, and then over the blocks in their order.
+*/
+template <int d> class Conjugate_gradients : public Diagonal_preconditioner<d>
+{
+public:
+  using Vector = Eigen::Matrix<double, d, 1>;
 
   struct Entry // an off-diagonal entry
   {
@@ -102,51 +189,33 @@ public:
 
   Conjugate_gradients(const Row_blocks<Entry>& matrix, const std::vector<double>& diagonal,
                       const For_each_index& for_each_index)
-      : m_matrix(matrix), m_diagonal(diagonal), m_for_each_index(for_each_index) {}
+      : Diagonal_preconditioner<d>(diagonal.size()), m_matrix(matrix), m_diagonal(diagonal),
+        m_for_each_index(for_each_index) {}
 
-  // Iterates until the residual norm, weighted by the inverse of the diagonal, is at most `part`
-  // times its initial value, or the maximum number of iterations is reached. Unknowns stay 0 where
-  // `is_constrained(row, side)`, and where the diagonal is not positive.
+  // Reduces the residuals. Unknowns stay 0 where `is_constrained(row, side)`, and where the
+  // diagonal is not positive.
   template <class IsConstrained>
   std::vector<Vector> solve(std::vector<Vector> residuals, const IsConstrained& is_constrained,
-                            double part, int maximum_number_of_iterations) const {
-    const std::size_t n = residuals.size();
-    std::vector<Vector> inverses(n), solution(n, Vector::Zero()), directions(n), products(n);
-    Vector energy = sum([&](std::size_t i) -> Vector {
-      for (int side = 0; side < d; ++side)
-        inverses[i][side] = m_diagonal[i] > 0 && !is_constrained(i, side) ? 1 / m_diagonal[i] : 0;
-      directions[i] = inverses[i].cwiseProduct(residuals[i]);
-      return directions[i].cwiseProduct(residuals[i]);
+                            double part, int maximum_number_of_iterations) {
+    for_each_row([&](std::size_t i) {
+      this->set_diagonal(i, m_diagonal[i], [&](int side) { return is_constrained(i, side); });
     });
-    const Vector bound = part * part * energy;
-    for (int k = 0; k < maximum_number_of_iterations && (energy.array() > bound.array()).any();
-         ++k) {
-      Progress_scope::check();
-      const Vector step = ratio(energy, sum([&](std::size_t i) -> Vector {
-                                  products[i] = product(i, directions);
-                                  return products[i].cwiseProduct(directions[i]);
-                                }));
-      const Vector next = sum([&](std::size_t i) -> Vector {
-        solution[i] += step.cwiseProduct(directions[i]);
-        residuals[i] -= step.cwiseProduct(products[i]);
-        return residuals[i].cwiseProduct(inverses[i]).cwiseProduct(residuals[i]);
-      });
-      const Vector beta = ratio(next, energy);
-      m_matrix.for_each_row(m_for_each_index, [&](std::size_t i) {
-        directions[i] = inverses[i].cwiseProduct(residuals[i]) + beta.cwiseProduct(directions[i]);
-      });
-      energy = next;
-    }
-    return solution;
+    return reduce_residuals(*this, std::move(residuals), part, maximum_number_of_iterations);
   }
 
-private:
-  // Returns the product of a row with the vectors.
-  Vector product(std::size_t i, const std::vector<Vector>& vectors) const {
-    Vector result = m_diagonal[i] * vectors[i];
-    for (const Entry& e : m_matrix.row(i))
-      result += e.value * vectors[e.column];
-    return result;
+  Vector apply(const std::vector<Vector>& directions, std::vector<Vector>& products) const {
+    Progress_scope::check();
+    return sum([&](std::size_t i) {
+      Vector product = m_diagonal[i] * directions[i];
+      for (const Entry& e : m_matrix.row(i))
+        product += e.value * directions[e.column];
+      products[i] = product;
+      return this->product(product, directions[i]);
+    });
+  }
+
+  template <class Function> void for_each_row(const Function& f) const {
+    m_matrix.for_each_row(m_for_each_index, f);
   }
 
   // Returns the sum of f over all rows, in a deterministic order.
@@ -163,15 +232,7 @@ private:
     return result;
   }
 
-  // Returns the quotients of the components; 0 for a right-hand side that is already solved.
-  static Vector ratio(const Vector& a, const Vector& b) {
-    Vector result = Vector::Zero();
-    for (int side = 0; side < d; ++side)
-      if (b[side] > 0)
-        result[side] = a[side] / b[side];
-    return result;
-  }
-
+private:
   const Row_blocks<Entry>& m_matrix;
   const std::vector<double>& m_diagonal;
   const For_each_index& m_for_each_index;

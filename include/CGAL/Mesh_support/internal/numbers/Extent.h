@@ -35,10 +35,23 @@ public:
   bool is_measurable() const {
     // The products have up to three factors.
     static constexpr double shortest = 1e-30, longest = 1e30;
-    double side = 0;
+    return longest_side() >= shortest && longest_side() <= longest;
+  }
+
+  double longest_side() const {
+    double result = 0;
     for (int axis = 0; axis < d; ++axis)
-      side = (std::max)(side, m_upper[axis] - m_lower[axis]);
-    return side >= shortest && side <= longest;
+      result = (std::max)(result, m_upper[axis] - m_lower[axis]);
+    return result;
+  }
+
+  // Returns the coordinates of a point in units of the longest side, from the lower corner.
+  template <class Point> std::array<double, d> in_unit_cube(const Point& p) const {
+    const double side = longest_side();
+    std::array<double, d> result;
+    for (int axis = 0; axis < d; ++axis)
+      result[axis] = side > 0 ? (p[axis] - m_lower[axis]) / side : 0;
+    return result;
   }
 
   double lower(int axis) const { return m_lower[axis]; }
