@@ -25,7 +25,7 @@ identical complex for any number of ranks. The first rank writes the file; it ho
 another rank at a time. A temporary file in the same folder is written and renamed when complete, so
 if a process ends while writing, the previous checkpoint is unchanged. Collective.
 
-The file has the byte order of the machine. Each piece has a checksum.
+The file is binary and the same on all machines. Each piece has a checksum.
 
 \param path name of the file; its folder must exist
 \param complex the complex

@@ -24,6 +24,7 @@
 #include <CGAL/Interface_flows/interface_flows_3.h>
 #include <CGAL/Interface_flows/velocity_fields_3.h>
 #include <CGAL/Mesh_files/VTU_3.h>
+#include <CGAL/Mesh_files/checkpoint.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <CGAL/number_utils.h>
@@ -640,6 +641,8 @@ TEST(Distributed_complex, Damaged_checkpoints_are_refused_on_all_ranks) {
     dsc.distribute(make_complex(grid(2, small_meshes::four_phases)));
     CGAL::IO::write_checkpoint(path, dsc);
   });
+  EXPECT_TRUE(CGAL::IO::is_distributed_checkpoint(path));
+  EXPECT_EQ(CGAL::IO::checkpoint_dimension(path), 0);
   std::string bytes;
   {
     std::ifstream in(path, std::ios::binary);
@@ -659,6 +662,7 @@ TEST(Distributed_complex, Damaged_checkpoints_are_refused_on_all_ranks) {
     damaged[random() % bytes.size()] ^= char(1 + random() % 255);
     expect_error(damaged);
   }
+  expect_error("\211DSCR3\r\n" + bytes.substr(8)); // the magic bytes of older versions
   DSC::run_in_threads(2, [&](DSC::Communicator& communicator) {
     Distributed dsc(communicator);
     EXPECT_THROW(CGAL::IO::read_checkpoint(folder / "missing.dsc", dsc), DSC::Error);
