@@ -148,8 +148,8 @@ SEAM = {
         checks/check_surfaces_3 checks/refuse_surface soups/Soup_bisector_3 soups/Triangle_soup_3
         soups/soup_intersections_3""",
     "Mesh_files": """
-        checkpoints/checkpoint_file grids/Vtu_document grids/Vtu_reader grids/write_vtu text/Xml_element text/files
-        text/number_of_word text/open_input""",
+        checkpoints/checkpoint_file grids/Vtu_document grids/read_vtu_tetrahedra grids/write_vtu text/Xml_element
+        text/files text/number_of_word text/open_input""",
     "Interface_flows": """
         curvature/Interface_forces paths/interface_paths paths/velocity_properties""",
 }

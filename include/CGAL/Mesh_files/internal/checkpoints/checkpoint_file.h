@@ -85,78 +85,55 @@ inline std::uint32_t crc_32(std::string_view bytes) {
   return crc.checksum();
 }
 
-// An encoder that converts data to bytes. `Item::members(item)` returns references to the members
-// of a struct, for the decoder also.
-class Checkpoint_encoder
-{
-public:
-  template <class Item> void operator()(const Item& item) {
-    if constexpr (std::is_arithmetic<Item>::value)
-      append_little_endian(m_bytes, item);
-    else
-      std::apply([this](const auto&... members) { ((*this)(members), ...); }, Item::members(item));
+template <class Item> constexpr bool has_stored_size = false;
+template <class T> constexpr bool has_stored_size<std::vector<T>> = true;
+template <> inline constexpr bool has_stored_size<std::string> = true;
+template <class Item> constexpr bool is_std_array = false;
+template <class T, std::size_t n> constexpr bool is_std_array<std::array<T, n>> = true;
+
+// Appends an item as bytes: numbers, lists with their sizes, arrays, and structs of these, for
+// which `Item::members(item)` returns references to the members.
+template <class Item> void encode(std::string& bytes, const Item& item) {
+  if constexpr (std::is_arithmetic<Item>::value) {
+    append_little_endian(bytes, item);
+  } else if constexpr (has_stored_size<Item> || is_std_array<Item>) {
+    if constexpr (has_stored_size<Item>)
+      encode(bytes, std::uint64_t(item.size()));
+    for (const auto& element : item)
+      encode(bytes, element);
+  } else {
+    std::apply([&](const auto&... members) { (encode(bytes, members), ...); }, Item::members(item));
   }
-
-  template <class T, std::size_t n> void operator()(const std::array<T, n>& elements) {
-    for (const T& element : elements)
-      (*this)(element);
-  }
-
-  template <class T> void operator()(const std::vector<T>& elements) {
-    (*this)(std::uint64_t(elements.size()));
-    for (const T& element : elements)
-      (*this)(element);
-  }
-
-  void operator()(const std::string& text) {
-    (*this)(std::uint64_t(text.size()));
-    m_bytes += text;
-  }
-
-  std::string& bytes() { return m_bytes; }
-
-private:
-  std::string m_bytes;
-};
+}
 
 // Returns the bytes of some items.
 template <class... Items> std::string encoded(const Items&... items) {
-  Checkpoint_encoder encoder;
-  (encoder(items), ...);
-  return std::move(encoder.bytes());
+  std::string bytes;
+  (encode(bytes, items), ...);
+  return bytes;
 }
 
-// A decoder for the bytes of a `Checkpoint_encoder`. It becomes invalid, and stays invalid, if
-// there are too few bytes. It allocates memory only for elements that the remaining bytes can hold.
+// A decoder for the bytes of `encode()`. It becomes invalid, and stays invalid, if there are too
+// few bytes. It allocates memory only for elements that the remaining bytes can hold.
 class Checkpoint_decoder
 {
 public:
   explicit Checkpoint_decoder(std::string_view bytes) : m_bytes(bytes) {}
 
   template <class Item> void operator()(Item& item) {
-    if constexpr (!std::is_arithmetic<Item>::value) {
+    if constexpr (std::is_arithmetic<Item>::value) {
+      if (may_take(1, sizeof(Item))) {
+        item = little_endian<Item>(m_bytes.data());
+        m_bytes.remove_prefix(sizeof(Item));
+      }
+    } else if constexpr (has_stored_size<Item> || is_std_array<Item>) {
+      if constexpr (has_stored_size<Item>)
+        item.resize(number_of_elements(encoded(typename Item::value_type()).size()));
+      for (auto& element : item)
+        (*this)(element);
+    } else {
       std::apply([this](auto&... members) { ((*this)(members), ...); }, Item::members(item));
-    } else if (may_take(1, sizeof(Item))) {
-      item = little_endian<Item>(m_bytes.data());
-      m_bytes.remove_prefix(sizeof(Item));
     }
-  }
-
-  template <class T, std::size_t n> void operator()(std::array<T, n>& elements) {
-    for (T& element : elements)
-      (*this)(element);
-  }
-
-  template <class T> void operator()(std::vector<T>& elements) {
-    elements.resize(number_of_elements(encoded(T()).size()));
-    for (T& element : elements)
-      (*this)(element);
-  }
-
-  void operator()(std::string& text) {
-    const std::size_t size = number_of_elements(1);
-    text = m_bytes.substr(0, size);
-    m_bytes.remove_prefix(size);
   }
 
   // Returns whether all expected data was present and no bytes are left.
