@@ -101,7 +101,7 @@ MODULES = {
         "checkpoints": "checkpoints",
     },
     "Distributed_complexes": {
-        "ranks": "pieces of complexes on several ranks, messages, components, checkpoints",
+        "ranks": "pieces of complexes on several ranks, messages, components",
         "patches": "patches that are treated in rounds, adaptation of a distributed interface",
         "motion": "the deformation algorithm on several ranks",
         "curvature": "the system of an implicit step of mean curvature flow on several ranks",
