@@ -85,14 +85,14 @@ bool decode_head(const Communicator::Bytes& bytes, Distributed_mesh<Complex>& me
                  std::uint32_t& number_of_pieces, std::string& metadata) {
   std::array<double, Complex::dimension> translation = {};
   std::vector<Checkpoint_component> components;
-  const bool result =
-      decode({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, number_of_pieces,
-             translation, mesh.normalization.scale, mesh.mean_interface_edge,
-             mesh.minimum_interface_edge, mesh.domain_measure, mesh.next_id, components, metadata);
+  if (!decode({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, number_of_pieces,
+              translation, mesh.normalization.scale, mesh.mean_interface_edge,
+              mesh.minimum_interface_edge, mesh.domain_measure, mesh.next_id, components, metadata))
+    return false;
   mesh.normalization.translation = vector_of<Complex>(translation);
   for (const Checkpoint_component& c : components)
     mesh.components[c.number] = {c.label, c.volume};
-  return result;
+  return true;
 }
 
 template <class Complex>
@@ -156,10 +156,6 @@ std::string read_checkpoint_blocks(const std::string& path, Distributed_mesh<Com
   std::string metadata;
   require_checkpoint(decode_head(bytes, mesh, n, metadata), path, inconsistent_checkpoint);
 
-  // The owners of the file become ranks in the same order.
-  const auto owner = [&](const Piece_vertex<d>& v) {
-    return int(std::int64_t(v.owner) * communicator.size() / n);
-  };
   for (std::uint32_t i = 0; i < n; ++i) {
     Placement<d> placement;
     try {
@@ -168,10 +164,13 @@ std::string read_checkpoint_blocks(const std::string& path, Distributed_mesh<Com
           return;
         std::vector<Piece_vertex<d>> vertices;
         std::vector<Sent_cell<d>> cells;
-        require_checkpoint(decode(reader->next(i + 1 == n), vertices, cells), path,
-                           inconsistent_checkpoint);
-        for (Piece_vertex<d>& v : vertices)
-          v.owner = owner(v);
+        bool is_consistent = decode(reader->next(i + 1 == n), vertices, cells);
+        for (Piece_vertex<d>& v : vertices) {
+          is_consistent = is_consistent && v.owner >= 0 && std::uint32_t(v.owner) < n;
+          // The owners of the file become ranks in the same order.
+          v.owner = int(std::int64_t(v.owner) * communicator.size() / n);
+        }
+        require_checkpoint(is_consistent, path, inconsistent_checkpoint);
         placement.add(vertices, cells);
       });
     } catch (...) {

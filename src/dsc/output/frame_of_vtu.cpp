@@ -66,19 +66,6 @@ void add_fields(const Vtu_reader& reader, bool on_points, Read_frame& read) {
   }
 }
 
-/// Keeps the rows of a field of some points or simplices.
-void keep_rows(const std::vector<std::size_t>& rows, bool on_points,
-               std::vector<Film_field>& fields) {
-  for (Film_field& field : fields)
-    if (field.on_points == on_points) {
-      std::vector<double> values;
-      for (const std::size_t row : rows)
-        for (std::size_t i = 0; i < field.components; ++i)
-          values.push_back(field.values[row * field.components + i]);
-      field.values.swap(values);
-    }
-}
-
 } // namespace
 
 Read_frame frame_of_vtu(const std::string& path) {
@@ -143,8 +130,10 @@ void leave_out(const std::vector<int>& labels, Read_frame& read) {
       kept.simplices.back()[j] = number[frame.simplices[i][j]];
     kept.labels.push_back(frame.labels[i]);
   }
-  keep_rows(points, true, frame.fields);
-  keep_rows(simplices, false, frame.fields);
+  for (Film_field& field : frame.fields)
+    field.values = DSC::Mesh_array{"", "", field.components, field.values}
+                       .selected(field.on_points ? points : simplices)
+                       .values;
   kept.fields.swap(frame.fields);
   frame = std::move(kept);
 }
