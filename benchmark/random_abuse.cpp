@@ -106,9 +106,10 @@ class Checksum
 public:
   void add(const Complex::State& state) {
     namespace internal = CGAL::Deformable_simplicial_complexes::internal;
-    internal::Checkpoint_encoder encoder;
-    std::apply([&](const auto&... members) { (encoder(members), ...); }, internal::members(state));
-    m_crc.process_bytes(encoder.bytes().data(), encoder.bytes().size());
+    const std::string bytes =
+        std::apply([](const auto&... members) { return internal::encoded(members...); },
+                   internal::members(state));
+    m_crc.process_bytes(bytes.data(), bytes.size());
   }
   std::uint32_t value() const { return m_crc.checksum(); }
 

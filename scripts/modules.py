@@ -101,7 +101,7 @@ MODULES = {
         "checkpoints": "checkpoints",
     },
     "Distributed_complexes": {
-        "ranks": "pieces of complexes on several ranks, messages, components, checkpoints",
+        "ranks": "pieces of complexes on several ranks, messages, components",
         "patches": "patches that are treated in rounds, adaptation of a distributed interface",
         "motion": "the deformation algorithm on several ranks",
         "curvature": "the system of an implicit step of mean curvature flow on several ranks",
@@ -147,8 +147,8 @@ SEAM = {
         checks/check_surfaces_3 checks/refuse_surface soups/Soup_bisector_3 soups/Triangle_soup_3
         soups/soup_intersections_3""",
     "Mesh_files": """
-        grids/Vtu_document grids/Vtu_reader grids/write_vtu text/Xml_element text/files text/number_of_word
-        text/open_input""",
+        checkpoints/checkpoint_file grids/Vtu_document grids/read_vtu_tetrahedra grids/write_vtu text/Xml_element
+        text/files text/number_of_word text/open_input""",
     "Interface_flows": """
         curvature/Interface_forces paths/interface_paths paths/velocity_properties""",
 }

@@ -25,21 +25,15 @@ void write_grains(const std::string& path, const Grain_run& run, const Complex& 
                                  .dump());
 }
 
-/// The complex and the state of a checkpoint.
-template <int d> struct Saved_grains
-{
-  CGAL::Deformable_simplicial_complexes::State<d> complex;
-  Grain_state state;
-};
-
-/// Reads a checkpoint that `read_grains()` accepts.
-template <int d> Saved_grains<d> read_saved_grains(const std::string& path) {
-  const auto checkpoint = CGAL::IO::read_checkpoint<d>(path);
+/// Reads a checkpoint that `read_grains()` accepts into a complex, and returns its state.
+template <class Complex> Grain_state restore_grains(const std::string& path, Complex& complex) {
+  const auto checkpoint = CGAL::IO::read_checkpoint<Complex::dimension>(path);
   const Json json = Json::parse(checkpoint.metadata);
-  Saved_grains<d> result{checkpoint.state, {}};
-  result.state.time = json.at("time");
-  result.state.step = json.at("step");
-  result.state.energy_before = json.at("energy_before");
+  complex.restore(checkpoint.state);
+  Grain_state result;
+  result.time = json.at("time");
+  result.step = json.at("step");
+  result.energy_before = json.at("energy_before");
   return result;
 }
 

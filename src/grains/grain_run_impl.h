@@ -342,9 +342,7 @@ Grain_result grow_grains(const Grain_run& run, const Make& make,
   Grain_state state;
   Grain_growth<Complex> growth(complex, energy, growth_options<d>(run));
   if (!run.resume.empty()) {
-    const auto saved = read_saved_grains<d>(run.resume);
-    complex.restore(saved.complex);
-    state = saved.state;
+    state = restore_grains(run.resume, complex);
     growth.set_time(state.time);
   }
   const Grain_result result = grow_grains(run, files, complex, growth, orientations, state, on);

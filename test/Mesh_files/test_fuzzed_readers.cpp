@@ -8,14 +8,11 @@
 #include <CGAL/Mesh_files/MEDIT_3.h>
 #include <CGAL/Mesh_files/VTU_3.h>
 #include <CGAL/Mesh_files/checkpoint.h>
-#include <CGAL/Mesh_files/internal/text/little_endian.h>
 #include <CGAL/Mesh_files/labeled_curves_2.h>
 #include <CGAL/Mesh_files/labeled_image_2.h>
 #include <CGAL/Mesh_files/labeled_surface_3.h>
 #include <CGAL/Mesh_files/point_set_3.h>
 #include <CGAL/Mesh_support/Error.h>
-
-#include <boost/crc.hpp>
 
 #include <gtest/gtest.h>
 
@@ -23,7 +20,6 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <cstdlib>
 #include <exception>
 #include <functional>
@@ -93,20 +89,6 @@ std::string checkpoint() {
   const auto dsc = small_meshes::make_complex(small_meshes::grid(2, small_meshes::four_phases));
   CGAL::IO::write_checkpoint(folder / "a.dsc", dsc.state(), "metadata");
   return file_bytes(folder / "a.dsc");
-}
-
-// Returns the bytes with a correct size and checksum, so that the reader examines them.
-std::string signed_checkpoint(std::string bytes) {
-  constexpr std::size_t begin_of_checksum = 12, header_size = 24;
-  if (bytes.size() < header_size)
-    return bytes;
-  const std::string payload = bytes.substr(header_size);
-  boost::crc_32_type crc;
-  crc.process_bytes(payload.data(), payload.size());
-  bytes.resize(begin_of_checksum);
-  internal::append_little_endian(bytes, std::uint32_t(crc.checksum()));
-  internal::append_little_endian(bytes, std::uint64_t(payload.size()));
-  return bytes + payload;
 }
 
 // A format: how it is read, and sample files.

@@ -1,5 +1,8 @@
 // Improvement of tetrahedral meshes of other programs.
 #include "program.h"
+#include "vtu_grid.h"
+
+#include <CGAL/Mesh_files/internal/grids/Vtu_reader.h>
 
 #include <gtest/gtest.h>
 
@@ -7,8 +10,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <cstring>
 #include <iomanip>
 #include <limits>
 #include <set>
@@ -19,6 +20,7 @@
 
 namespace {
 
+using CGAL::Deformable_simplicial_complexes::internal::Vtu_reader;
 using program::contents;
 using program::Json;
 using program::label_of;
@@ -101,40 +103,26 @@ std::string medit(const Mesh& mesh) {
   return text.str();
 }
 
-// `attributes` of the root element, as other programs write them.
+// Adds the cells of a mesh to a grid, and returns the file, as other programs write it.
+// `attributes` are attributes of the root element.
 std::string vtu(const Mesh& mesh, const std::string& name_of_labels,
-                const std::string& attributes = "") {
-  const auto array = [](const std::string& type, const std::string& name, int components,
-                        const auto& values, const auto& write) {
-    std::ostringstream text;
-    text << "<DataArray type=\"" << type << "\" Name=\"" << name << "\" NumberOfComponents=\""
-         << components << "\" format=\"ascii\">\n";
-    for (const auto& value : values) {
-      write(text, value);
-      text << '\n';
-    }
-    text << "</DataArray>\n";
-    return text.str();
-  };
-  const auto plain = [](std::ostream& out, const auto& value) { out << value; };
-  std::vector<std::size_t> offsets(mesh.tetrahedra.size());
-  for (std::size_t i = 0; i < offsets.size(); ++i)
-    offsets[i] = 4 * (i + 1);
-  return "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" " +
-         attributes + ">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
-         std::to_string(mesh.points.size()) + "\" NumberOfCells=\"" +
-         std::to_string(mesh.tetrahedra.size()) + "\">\n<CellData>\n" +
-         array("Int32", name_of_labels, 1, mesh.labels, plain) + "</CellData>\n<Points>\n" +
-         array("Float64", "Points", 3, mesh.points,
-               [](std::ostream& out, const auto& p) { out << numbers(p); }) +
-         "</Points>\n<Cells>\n" +
-         array("Int64", "connectivity", 1, mesh.tetrahedra,
-               [](std::ostream& out, const auto& t) {
-                 out << t[0] << ' ' << t[1] << ' ' << t[2] << ' ' << t[3];
-               }) +
-         array("Int64", "offsets", 1, offsets, plain) +
-         array("UInt8", "types", 1, std::vector<int>(mesh.tetrahedra.size(), 10), plain) +
-         "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+                const std::string& attributes = "", vtu_grid::Grid grid = vtu_grid::Grid()) {
+  std::vector<double> coordinates;
+  std::vector<std::size_t> connectivity, offsets;
+  for (const auto& p : mesh.points)
+    coordinates.insert(coordinates.end(), p.begin(), p.end());
+  for (const auto& t : mesh.tetrahedra) {
+    connectivity.insert(connectivity.end(), t.begin(), t.end());
+    offsets.push_back(connectivity.size());
+  }
+  return grid.array("CellData", "Int32", name_of_labels, mesh.labels)
+      .array("Points", "Float64", "Points", coordinates)
+      .array("Cells", "Int64", "connectivity", connectivity)
+      .array("Cells", "Int64", "offsets", offsets)
+      .array("Cells", "UInt8", "types", std::vector<int>(mesh.tetrahedra.size(), 10))
+      .text("NumberOfPoints=\"" + std::to_string(mesh.points.size()) + "\" NumberOfCells=\"" +
+                std::to_string(mesh.tetrahedra.size()) + "\"",
+            attributes);
 }
 
 // Returns the interface triangles in a mesh that the program wrote: coordinates as text, sorted.
@@ -345,8 +333,7 @@ TEST_F(Improve, may_replace_its_input) {
 TEST_F(Improve, formats_agree) {
   expect_success("improve layers.mesh -o from_mesh.mesh");
   expect_success("improve layers.mesh -o from_mesh.vtu");
-  write("compressed_text.vtu",
-        vtu(layers(), "label", "compressor=\"vtkZLibDataCompressor\" header_type=\"UInt32\""));
+  write("compressed_text.vtu", vtu(layers(), "label", "compressor=\"vtkZLibDataCompressor\""));
   for (const std::string input : {"layers.vtu", "compressed_text.vtu"}) {
     expect_success("improve " + input + " -o from_vtu.mesh");
     expect_success("improve " + input + " -o from_vtu.vtu");
@@ -383,39 +370,25 @@ TEST_F(Improve, takes_meshes_as_other_programs_write_them) {
   }
 }
 
-// Returns the numbers of an array that the program wrote, as `double`.
-std::vector<double> array_of(const std::string& file, const std::string& name) {
-  std::vector<double> result;
-  const std::size_t element = file.find("Name=\"" + name + '"');
-  if (element == std::string::npos)
-    return result;
-  const std::size_t begin = file.rfind("type=\"", element) + 6;
-  const std::string type = file.substr(begin, file.find('"', begin) - begin);
-  const std::size_t offset = std::stoul(file.substr(file.find("offset=\"", element) + 8));
-  const char* data = file.data() + file.find("\n_") + 2 + offset;
-  std::uint64_t size;
-  std::memcpy(&size, data, 8);
-  const std::size_t width = type.find("64") != std::string::npos ? 8 : 4;
-  for (data += 8; size > 0; size -= width, data += width)
-    if (type == "Float64") {
-      double x;
-      std::memcpy(&x, data, 8);
-      result.push_back(x);
-    } else if (type == "Int32") {
-      std::int32_t x;
-      std::memcpy(&x, data, 4);
-      result.push_back(x);
-    } else if (type == "Int64") {
-      std::int64_t x;
-      std::memcpy(&x, data, 8);
-      result.push_back(double(x));
-    }
-  return result;
+// Returns the numbers of an array on points or cells of a file; nothing if there is none.
+std::vector<double> array_of(const Vtu_reader& file, const std::string& name) {
+  for (const std::string section : {"PointData", "CellData"})
+    for (const auto& array : file.announced_arrays(section))
+      if (array.name == name)
+        return file.array(section, name,
+                          section == "CellData" ? file.number_of_cells() : file.number_of_points(),
+                          array.components);
+  return {};
+}
+
+std::vector<double> points_of(const Vtu_reader& file) {
+  return file.array("Points", "", file.number_of_points(), 3);
 }
 
 // Returns the volumes of the tetrahedra of a grid.
-std::vector<double> volumes(const std::string& file) {
-  const std::vector<double> p = array_of(file, "points"), corners = array_of(file, "connectivity");
+std::vector<double> volumes(const Vtu_reader& file) {
+  const std::vector<double> p = points_of(file), corners = file.array("Cells", "connectivity",
+                                                                      4 * file.number_of_cells());
   std::vector<double> result;
   for (std::size_t i = 0; i < corners.size(); i += 4) {
     double e[3][3];
@@ -430,19 +403,8 @@ std::vector<double> volumes(const std::string& file) {
   return result;
 }
 
-template <class Number>
-std::string text_array(const std::string& type, const std::string& name,
-                       const std::vector<Number>& values) {
-  std::ostringstream text;
-  text << "<DataArray type=\"" << type << "\" Name=\"" << name << "\" format=\"ascii\">\n"
-       << std::setprecision(std::numeric_limits<double>::max_digits10);
-  for (const Number value : values)
-    text << value << '\n';
-  return text.str() + "</DataArray>\n";
-}
-
 // The layers with arrays: x at points; a density and the fraction of each layer at cells.
-std::string grid_with_fields(const std::string& more_of_cells = "") {
+std::string grid_with_fields(vtu_grid::Grid grid = vtu_grid::Grid()) {
   const Mesh mesh = layers();
   std::vector<double> x, density;
   std::vector<int> parts;
@@ -452,12 +414,10 @@ std::string grid_with_fields(const std::string& more_of_cells = "") {
     density.push_back(1 + 0.25 * double(i % 7));
     parts.push_back(mesh.points[mesh.tetrahedra[i][0]][1] < 2 ? 70 : 30);
   }
-  std::string text = vtu(mesh, "material");
-  const std::string of_cells = "<CellData>\n" + text_array("Float64", "density", density) +
-                               text_array("Int32", "part", parts) + more_of_cells;
-  text.replace(text.find("<CellData>\n"), 11,
-               "<PointData>\n" + text_array("Float64", "heat", x) + "</PointData>\n" + of_cells);
-  return text;
+  grid.array("PointData", "Float64", "heat", x)
+      .array("CellData", "Float64", "density", density)
+      .array("CellData", "Int32", "part", parts);
+  return vtu(mesh, "material", "", grid);
 }
 
 TEST_F(Improve, does_not_guess_labels) {
@@ -480,7 +440,7 @@ TEST_F(Improve, does_not_guess_labels) {
   EXPECT_EQ(info("one.mesh", "interface triangles"), 0);
   // The array keeps its name, so that the file can be improved again and used as before.
   expect_success("improve material.vtu -o material.vtu --labels material");
-  const std::string improved = contents(path("material.vtu"));
+  const Vtu_reader improved(path("material.vtu").string());
   EXPECT_FALSE(array_of(improved, "material").empty());
   EXPECT_EQ(array_of(improved, "material"), array_of(improved, "label"));
 }
@@ -492,8 +452,8 @@ TEST_F(Improve, carries_arrays) {
     return report("r.json").at(moment).at("min_dihedral").get<double>();
   };
   EXPECT_GT(angle("after"), angle("before"));
-  const std::string file = contents(path("fields.vtu"));
-  const std::vector<double> points = array_of(file, "points"), heat = array_of(file, "heat");
+  const Vtu_reader file(path("fields.vtu").string());
+  const std::vector<double> points = points_of(file), heat = array_of(file, "heat");
   ASSERT_EQ(points.size(), 3 * heat.size());
   for (std::size_t i = 0; i < heat.size(); ++i) // linear functions are preserved
     EXPECT_NEAR(heat[i], 2 * points[3 * i] + 1, 1e-9);
@@ -507,7 +467,7 @@ TEST_F(Improve, carries_arrays) {
   // Returns the volumes of the input as written by the program, which changes nothing here.
   write("before.vtu", grid_with_fields());
   expect_success("improve before.vtu -o before.vtu --labels material --threshold 1e-9");
-  const std::string same = contents(path("before.vtu"));
+  const Vtu_reader same(path("before.vtu").string());
   EXPECT_NEAR(integral(volumes(file), array_of(file, "density")),
               integral(volumes(same), array_of(same, "density")), 1e-9);
   const std::vector<double> parts = array_of(file, "part"), volume = volumes(file);
@@ -524,12 +484,12 @@ TEST_F(Improve, replaces_no_input_by_less) {
   std::vector<int> ids;
   for (std::size_t i = 0; i < layers().tetrahedra.size(); ++i)
     ids.push_back(int(i));
-  write("ids.vtu", grid_with_fields(text_array("Int32", "id", ids)));
+  write("ids.vtu", grid_with_fields(vtu_grid::Grid().array("CellData", "Int32", "id", ids)));
   expect_loss_is_refused("ids.vtu --labels material", "('id')");
   const Outcome outcome = run("improve ids.vtu -o out.vtu --labels material");
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.err, "dsc: ids.vtu: not used: 1 array of cell numbers, which change ('id')\n");
-  EXPECT_FALSE(array_of(contents(path("out.vtu")), "heat").empty());
+  EXPECT_FALSE(array_of(Vtu_reader(path("out.vtu").string()), "heat").empty());
   // MEDIT files cannot contain arrays.
   write("fields.vtu", grid_with_fields());
   EXPECT_NE(run("improve fields.vtu -o out.mesh --labels material").err.find("point array (heat)"),

@@ -6,6 +6,8 @@
 #include <CGAL/Mesh_files/internal/text/File_scanner.h>
 #include <CGAL/Mesh_files/internal/text/little_endian.h>
 
+#include <boost/crc.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -139,6 +141,24 @@ inline const std::string medit =
     "MeshVersionFormatted 2\n# comment\nDimension 3\nVertices\n5\n0 0 0 0\n"
     "1 0 0 0\n0 1 0 0\n0 0 1 0\n1 1 1 0\nEdges 1\n1 2 5\nTetrahedra\n2\n"
     "1 2 3 4 3\n2 3 4 5 -7\nEnd\n";
+
+// The bytes of a checkpoint before its metadata.
+constexpr std::size_t checkpoint_header_size = 24;
+
+// Returns the bytes of a checkpoint with a correct size and checksum, so that the reader examines
+// them.
+inline std::string signed_checkpoint(std::string bytes) {
+  constexpr std::size_t begin_of_checksum = 12;
+  if (bytes.size() < checkpoint_header_size)
+    return bytes;
+  const std::string payload = bytes.substr(checkpoint_header_size);
+  boost::crc_32_type crc;
+  crc.process_bytes(payload.data(), payload.size());
+  bytes.resize(begin_of_checksum);
+  append_little_endian(bytes, std::uint32_t(crc.checksum()));
+  append_little_endian(bytes, std::uint64_t(payload.size()));
+  return bytes + payload;
+}
 
 } // namespace whole_files
 

@@ -10,12 +10,182 @@
 
 #include <CGAL/license/Distributed_complexes.h>
 
+#include <CGAL/Distributed_complexes/Communicator.h>
 #include <CGAL/Distributed_complexes/Distributed_complex.h>
-#include <CGAL/Distributed_complexes/internal/ranks/checkpoint_blocks.h>
+#include <CGAL/Distributed_complexes/internal/ranks/Distributed_mesh.h>
+#include <CGAL/Distributed_complexes/internal/ranks/Piece.h>
+#include <CGAL/Distributed_complexes/internal/ranks/Placement.h>
+#include <CGAL/Mesh_files/internal/checkpoints/checkpoint_file.h>
+#include <CGAL/Mesh_files/internal/text/open_input.h>
+#include <CGAL/Mesh_files/replace_file.h>
+#include <CGAL/Mesh_support/coordinates.h>
 
+#include <array>
+#include <cstdint>
+#include <fstream>
+#include <optional>
+#include <ostream>
 #include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
 
-namespace CGAL::IO {
+namespace CGAL {
+namespace Deformable_simplicial_complexes::internal {
+
+// A checkpoint of a distributed complex consists of a block with the data that all ranks know, and
+// a block with the vertices and cells of each rank.
+
+// An entry of `Known_components`.
+struct Checkpoint_component
+{
+  std::uint32_t number;
+  std::int32_t label;
+  std::int64_t volume;
+
+  template <class Component> static auto members(Component& c) {
+    return std::tie(c.number, c.label, c.volume);
+  }
+};
+
+// Returns the own cells of a rank, and all their vertices.
+template <class Complex> std::string encoded_piece(const Distributed_mesh<Complex>& mesh) {
+  using Index = typename Distributed_mesh<Complex>::Index;
+  static constexpr int d = Complex::dimension;
+  std::vector<Sent_cell<d>> cells;
+  std::vector<std::uint8_t> is_needed(mesh.piece.vertex_bound(), 0);
+  for (Index c : mesh.own_cells()) {
+    cells.push_back(mesh.piece.sent(c));
+    for (Index v : mesh.piece.cell(c).vertices)
+      is_needed[v] = 1;
+  }
+  std::vector<Piece_vertex<d>> vertices;
+  for (Index v = 0; v < mesh.piece.vertex_bound(); ++v)
+    if (is_needed[v])
+      vertices.push_back(mesh.piece.vertex(v));
+  return encoded(vertices, cells);
+}
+
+// Returns the data that all ranks know.
+template <class Complex>
+std::string encoded_head(const Distributed_mesh<Complex>& mesh, const std::string& metadata) {
+  std::vector<Checkpoint_component> components;
+  for (const auto& [number, component] : mesh.components)
+    components.push_back({number, component.label, component.volume});
+  return encoded(std::uint32_t(mesh.communicator->size()),
+                 coordinates_of<Complex::dimension>(mesh.normalization.translation),
+                 mesh.normalization.scale, mesh.mean_interface_edge, mesh.minimum_interface_edge,
+                 mesh.domain_measure, mesh.next_id, components, metadata);
+}
+
+// Decodes the data that all ranks know. Returns whether it is complete.
+template <class Complex>
+bool decode_head(const Communicator::Bytes& bytes, Distributed_mesh<Complex>& mesh,
+                 std::uint32_t& number_of_pieces, std::string& metadata) {
+  std::array<double, Complex::dimension> translation = {};
+  std::vector<Checkpoint_component> components;
+  if (!decode({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, number_of_pieces,
+              translation, mesh.normalization.scale, mesh.mean_interface_edge,
+              mesh.minimum_interface_edge, mesh.domain_measure, mesh.next_id, components, metadata))
+    return false;
+  mesh.normalization.translation = vector_of<Complex>(translation);
+  for (const Checkpoint_component& c : components)
+    mesh.components[c.number] = {c.label, c.volume};
+  return true;
+}
+
+template <class Complex>
+void write_checkpoint_blocks(const std::string& path, const Distributed_mesh<Complex>& mesh,
+                             const std::string& metadata) {
+  Communicator& communicator = *mesh.communicator;
+  const std::string own = encoded_piece(mesh);
+  // Returns the piece of a rank, on the first rank.
+  const auto next_piece = [&](int rank) {
+    std::vector<Communicator::Message> messages;
+    if (mesh.rank() == rank)
+      messages.push_back({0, {own.begin(), own.end()}});
+    auto arrived = communicator.exchange(std::move(messages));
+    return arrived.empty() ? Communicator::Bytes() : std::move(arrived.front().bytes);
+  };
+  int sent = 0; // pieces
+  communicator.call_together([&] {
+    try {
+      if (mesh.rank() == 0)
+        replace_file_by_stream(path, [&](std::ostream& out) {
+          out << checkpoint_magic(Checkpoint_kind::ranks, Complex::dimension);
+          write_block(out, encoded_head(mesh, metadata));
+          while (sent < communicator.size()) {
+            const Communicator::Bytes piece = next_piece(sent++);
+            write_block(out, {reinterpret_cast<const char*>(piece.data()), piece.size()});
+          }
+        });
+    } catch (...) {
+      // The other ranks send their pieces, even if the first one can no longer write.
+      while (sent < communicator.size())
+        next_piece(sent++);
+      throw;
+    }
+    while (sent < communicator.size())
+      next_piece(sent++);
+  });
+}
+
+template <class Complex>
+std::string read_checkpoint_blocks(const std::string& path, Distributed_mesh<Complex>& mesh) {
+  static constexpr int d = Complex::dimension;
+  Communicator& communicator = *mesh.communicator;
+  mesh.clear();
+  std::ifstream in;
+  std::optional<Checkpoint_reader> reader; // on the first rank
+  std::string head;
+  communicator.call_together([&] {
+    if (mesh.rank() != 0)
+      return;
+    in = open_input(path, ".dsc");
+    reader.emplace(in, path, Checkpoint_kind::ranks, d);
+    head = reader->next(false);
+  });
+  const auto bytes = communicator.all_gather({head.begin(), head.end()}).front();
+  std::uint32_t n = 0; // number of pieces
+  std::string metadata;
+  require_checkpoint(decode_head(bytes, mesh, n, metadata), path, inconsistent_checkpoint);
+
+  for (std::uint32_t i = 0; i < n; ++i) {
+    Placement<d> placement;
+    try {
+      communicator.call_together([&] {
+        if (mesh.rank() != 0)
+          return;
+        std::vector<Piece_vertex<d>> vertices;
+        std::vector<Sent_cell<d>> cells;
+        bool is_consistent = decode(reader->next(i + 1 == n), vertices, cells);
+        for (Piece_vertex<d>& v : vertices) {
+          is_consistent = is_consistent && v.owner >= 0 && std::uint32_t(v.owner) < n;
+          // The owners of the file become ranks in the same order.
+          v.owner = int(std::int64_t(v.owner) * communicator.size() / n);
+        }
+        require_checkpoint(is_consistent, path, inconsistent_checkpoint);
+        placement.add(vertices, cells);
+      });
+    } catch (...) {
+      mesh.clear();
+      throw;
+    }
+    placement.send(communicator, mesh.piece);
+  }
+  mesh.find_ghosts();
+  // A checkpoint that was written after an exception in a motion has new components.
+  bool has_new_cells = false;
+  for (std::uint32_t c = 0; c < mesh.piece.cell_bound(); ++c)
+    has_new_cells = has_new_cells || mesh.piece.cell(c).data.component == 0;
+  mesh.are_components_known =
+      communicator.reduced(Communicator::Operation::maximum, has_new_cells ? 1 : 0) == 0;
+  return metadata;
+}
+
+} // namespace Deformable_simplicial_complexes::internal
+
+namespace IO {
 
 /*!
 \ingroup PkgDistributedComplexesRef
@@ -25,7 +195,7 @@ identical complex for any number of ranks. The first rank writes the file; it ho
 another rank at a time. A temporary file in the same folder is written and renamed when complete, so
 if a process ends while writing, the previous checkpoint is unchanged. Collective.
 
-The file has the byte order of the machine. Each piece has a checksum.
+The file is binary and the same on all machines. Each piece has a checksum.
 
 \param path name of the file; its folder must exist
 \param complex the complex
@@ -60,6 +230,7 @@ read_checkpoint(const std::string& path,
   return Deformable_simplicial_complexes::internal::read_checkpoint_blocks(path, complex.mesh());
 }
 
-} // namespace CGAL::IO
+} // namespace IO
+} // namespace CGAL
 
 #endif // CGAL_DISTRIBUTED_COMPLEXES_DISTRIBUTED_CHECKPOINT_H

@@ -12,7 +12,13 @@
 
 #include <CGAL/Deformable_simplicial_complexes/State.h>
 #include <CGAL/Mesh_files/internal/checkpoints/checkpoint_file.h>
+#include <CGAL/Mesh_files/internal/text/open_input.h>
+#include <CGAL/Mesh_files/replace_file.h>
 
+#include <fstream>
+#include <istream>
+#include <ostream>
+#include <sstream>
 #include <string>
 
 namespace CGAL::IO {
@@ -52,7 +58,9 @@ template <int d>
 void write_checkpoint(const std::string& path,
                       const Deformable_simplicial_complexes::State<d>& state,
                       const std::string& metadata = std::string()) {
-  Deformable_simplicial_complexes::internal::write_checkpoint_file(path, state, metadata);
+  Deformable_simplicial_complexes::replace_file_by_stream(path, [&](std::ostream& out) {
+    Deformable_simplicial_complexes::internal::write_whole(out, state, metadata);
+  });
 }
 
 /*!
@@ -72,7 +80,8 @@ small multiple of the size of the file.
 */
 template <int d = 3>
 Deformable_simplicial_complexes::internal::Checkpoint<d> read_checkpoint(const std::string& path) {
-  return Deformable_simplicial_complexes::internal::read_checkpoint_file<d>(path);
+  std::ifstream in = Deformable_simplicial_complexes::internal::open_input(path, ".dsc");
+  return Deformable_simplicial_complexes::internal::read_whole<d>(in, path);
 }
 
 /// \ingroup PkgMeshFilesRef
@@ -82,13 +91,33 @@ inline Checkpoint_2 read_checkpoint_2(const std::string& path) { return read_che
 /*!
 \ingroup PkgMeshFilesRef
 
-Returns the dimension of the complex in a checkpoint file; 0 if the file is not a checkpoint.
-Constant time.
+Returns the dimension of the complex in a checkpoint file; 0 if the file is not a checkpoint, or is
+one of several ranks. Constant time.
 
 \throws Deformable_simplicial_complexes::File_error if the file cannot be opened
 */
 inline int checkpoint_dimension(const std::string& path) {
-  return Deformable_simplicial_complexes::internal::checkpoint_file_dimension(path);
+  using namespace Deformable_simplicial_complexes::internal;
+  std::ifstream in = open_input(path, ".dsc");
+  const std::string magic = checkpoint_magic_of(in);
+  for (int d : {2, 3})
+    if (magic == checkpoint_magic(Checkpoint_kind::whole, d))
+      return d;
+  return 0;
+}
+
+/*!
+\ingroup PkgMeshFilesRef
+
+Returns whether a file starts like a checkpoint of a distributed complex, in any version; `false` if
+it cannot be read.
+*/
+inline bool is_distributed_checkpoint(const std::string& path) {
+  using namespace Deformable_simplicial_complexes::internal;
+  std::ifstream in(path, std::ios::binary);
+  const std::string magic = checkpoint_magic_of(in);
+  return is_old_magic_of_ranks(magic) || magic == checkpoint_magic(Checkpoint_kind::ranks, 2) ||
+         magic == checkpoint_magic(Checkpoint_kind::ranks, 3);
 }
 
 /*!
@@ -99,7 +128,9 @@ Returns the bytes of the file that `write_checkpoint()` writes. Linear in the si
 template <int d>
 std::string checkpoint_to_bytes(const Deformable_simplicial_complexes::State<d>& state,
                                 const std::string& metadata = std::string()) {
-  return Deformable_simplicial_complexes::internal::checkpoint_to_bytes(state, metadata);
+  std::ostringstream out;
+  Deformable_simplicial_complexes::internal::write_whole(out, state, metadata);
+  return out.str();
 }
 
 /*!
@@ -113,8 +144,8 @@ Returns the content of a file with the given bytes. Linear in the number of byte
 template <int d>
 Deformable_simplicial_complexes::internal::Checkpoint<d>
 checkpoint_from_bytes(const std::string& bytes) {
-  return Deformable_simplicial_complexes::internal::checkpoint_from_bytes<d>(bytes,
-                                                                             "the checkpoint");
+  std::istringstream in(bytes);
+  return Deformable_simplicial_complexes::internal::read_whole<d>(in, "the checkpoint");
 }
 
 } // namespace CGAL::IO

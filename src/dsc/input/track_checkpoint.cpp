@@ -6,7 +6,6 @@
 
 #include "motions/tracked_complex_3.h"
 
-#include <CGAL/Distributed_complexes/is_distributed_checkpoint.h>
 #include <CGAL/Mesh_files/checkpoint.h>
 
 namespace dsc {

@@ -4,11 +4,12 @@
 
 #include "output/frame_of_vtu.h"
 
-#include <CGAL/Mesh_files/internal/grids/Vtu_reader.h>
+#include <CGAL/Mesh_files/internal/grids/read_vtu_tetrahedra.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace dsc {
@@ -31,21 +32,6 @@ std::size_t corners_of(const Vtu_reader& reader, std::size_t number_of_cells) {
     reader.fail("the cells are not tetrahedra, triangles or segments only; choose a file that dsc "
                 "wrote");
   return type->second;
-}
-
-std::vector<std::array<std::uint32_t, 4>> simplices_of(const Vtu_reader& reader, std::size_t number,
-                                                       std::size_t corners,
-                                                       std::size_t number_of_points) {
-  const std::vector<double> indices = reader.array("Cells", "connectivity", number * corners);
-  std::vector<std::array<std::uint32_t, 4>> result(number);
-  for (std::size_t i = 0; i < indices.size(); ++i) {
-    if (!(indices[i] >= 0 && indices[i] < double(number_of_points)) ||
-        indices[i] != std::trunc(indices[i]))
-      reader.fail("cell " + std::to_string(i / corners) +
-                  " has a vertex that does not exist; correct the array 'connectivity'");
-    result[i / corners][i % corners] = std::uint32_t(indices[i]);
-  }
-  return result;
 }
 
 /// Returns whether the viewer computes this array, or does not need it.
@@ -80,19 +66,6 @@ void add_fields(const Vtu_reader& reader, bool on_points, Read_frame& read) {
   }
 }
 
-/// Keeps the rows of a field of some points or simplices.
-void keep_rows(const std::vector<std::size_t>& rows, bool on_points,
-               std::vector<Film_field>& fields) {
-  for (Film_field& field : fields)
-    if (field.on_points == on_points) {
-      std::vector<double> values;
-      for (const std::size_t row : rows)
-        for (std::size_t i = 0; i < field.components; ++i)
-          values.push_back(field.values[row * field.components + i]);
-      field.values.swap(values);
-    }
-}
-
 } // namespace
 
 Read_frame frame_of_vtu(const std::string& path) {
@@ -110,12 +83,14 @@ Read_frame frame_of_vtu(const std::string& path) {
   const std::vector<double> coordinates = reader.array("Points", "", points, 3);
   for (std::size_t i = 0; i < coordinates.size(); i += 3)
     frame.points.push_back({coordinates[i], coordinates[i + 1], coordinates[i + 2]});
-  frame.simplices = simplices_of(reader, cells, corners, points);
+  std::vector<std::size_t> all(cells);
+  std::iota(all.begin(), all.end(), std::size_t(0));
+  frame.simplices =
+      DSC::internal::read_vtu_corners<std::uint32_t>(reader, all, cells, points, corners);
   const std::vector<double> labels = is_interface ? reader.array("CellData", "label_pair", cells, 2)
                                                   : reader.array("CellData", "label", cells);
-  for (const double label : labels)
-    if (!(std::abs(label) < 2147483648.) || label != std::trunc(label)) // 2^31
-      reader.fail("a label is not an integer of 32 bits; correct the array of the labels");
+  if (!std::all_of(labels.begin(), labels.end(), DSC::internal::is_vtu_label))
+    reader.fail("a label is not an integer of 32 bits; correct the array of the labels");
   for (std::size_t i = 0; i < cells; ++i)
     // The normals of a facet point out of the larger label, which is the first one in the file.
     frame.labels.push_back(is_interface
@@ -155,8 +130,10 @@ void leave_out(const std::vector<int>& labels, Read_frame& read) {
       kept.simplices.back()[j] = number[frame.simplices[i][j]];
     kept.labels.push_back(frame.labels[i]);
   }
-  keep_rows(points, true, frame.fields);
-  keep_rows(simplices, false, frame.fields);
+  for (Film_field& field : frame.fields)
+    field.values = DSC::Mesh_array{"", "", field.components, field.values}
+                       .selected(field.on_points ? points : simplices)
+                       .values;
   kept.fields.swap(frame.fields);
   frame = std::move(kept);
 }

@@ -24,6 +24,7 @@
 #include <CGAL/Interface_flows/interface_flows_3.h>
 #include <CGAL/Interface_flows/velocity_fields_3.h>
 #include <CGAL/Mesh_files/VTU_3.h>
+#include <CGAL/Mesh_files/checkpoint.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <CGAL/number_utils.h>
@@ -629,6 +630,8 @@ TEST(Distributed_complex, Damaged_checkpoints_are_refused_on_all_ranks) {
   const std::string path = folder / "checkpoint.dsc";
   on_ranks(2, make_complex(grid(2, small_meshes::four_phases)),
            [&](Distributed& dsc, int) { CGAL::IO::write_checkpoint(path, dsc); });
+  EXPECT_TRUE(CGAL::IO::is_distributed_checkpoint(path));
+  EXPECT_EQ(CGAL::IO::checkpoint_dimension(path), 0);
   std::string bytes;
   {
     std::ifstream in(path, std::ios::binary);
@@ -647,6 +650,7 @@ TEST(Distributed_complex, Damaged_checkpoints_are_refused_on_all_ranks) {
     damaged[random() % bytes.size()] ^= char(1 + random() % 255);
     expect_error(damaged);
   }
+  expect_error("\211DSCR3\r\n" + bytes.substr(8)); // the magic bytes of older versions
   on_ranks(2, [&](Distributed& dsc, int) {
     EXPECT_THROW(CGAL::IO::read_checkpoint(folder / "missing.dsc", dsc), DSC::Error);
     EXPECT_THROW(CGAL::IO::write_checkpoint(folder / "no/folder.dsc", dsc), DSC::Error);

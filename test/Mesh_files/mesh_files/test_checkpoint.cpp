@@ -1,12 +1,11 @@
 #include "small_meshes.h"
 #include "temporary_folder.h"
+#include "whole_files.h"
 
 #include <CGAL/Deformable_simplicial_complexes/State.h>
 #include <CGAL/Mesh_files/File_error.h>
 #include <CGAL/Mesh_files/checkpoint.h>
 #include <CGAL/Mesh_files/internal/text/little_endian.h>
-
-#include <boost/crc.hpp>
 
 #include <gtest/gtest.h>
 
@@ -25,7 +24,8 @@ using CGAL::Deformable_simplicial_complexes::File_error;
 using State = DSC::State<3>;
 namespace internal = CGAL::Deformable_simplicial_complexes::internal;
 
-constexpr std::size_t header_size = 24;
+using whole_files::checkpoint_header_size;
+using whole_files::signed_checkpoint;
 
 State ball_state() {
   auto dsc = small_meshes::make_complex(small_meshes::grid(4, small_meshes::ball));
@@ -47,16 +47,6 @@ std::string complaint(const std::string& path) {
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
-}
-
-// Returns a file with the given payload, with correct size and checksum.
-std::string file_with(const std::string& header_of_another_file, const std::string& payload) {
-  boost::crc_32_type crc;
-  crc.process_bytes(payload.data(), payload.size());
-  std::string bytes = header_of_another_file.substr(0, 12);
-  internal::append_little_endian(bytes, std::uint32_t(crc.checksum()));
-  internal::append_little_endian(bytes, std::uint64_t(payload.size()));
-  return bytes + payload;
 }
 
 TEST(Checkpoint, state_and_metadata_come_back_bit_for_bit) {
@@ -126,7 +116,7 @@ TEST(Checkpoint, truncated_files_are_refused) {
     write_bytes(path, whole.substr(0, size));
     EXPECT_NE(complaint(path), "") << size;
   }
-  write_bytes(path, whole.substr(0, header_size - 1));
+  write_bytes(path, whole.substr(0, checkpoint_header_size - 1));
   EXPECT_TRUE(contains(complaint(path), "truncated"));
   write_bytes(path, whole.substr(0, whole.size() - 1));
   EXPECT_TRUE(contains(complaint(path), "truncated"));
@@ -138,7 +128,7 @@ TEST(Checkpoint, damaged_files_are_refused) {
   const Temporary_folder folder;
   CGAL::IO::write_checkpoint(folder / "whole.dsc", ball_state(), "metadata");
   const std::string whole = file_bytes(folder / "whole.dsc"), path = folder / "damaged.dsc";
-  for (std::size_t i = 0; i < whole.size(); i += i < 2 * header_size ? 1 : 97) {
+  for (std::size_t i = 0; i < whole.size(); i += i < 2 * checkpoint_header_size ? 1 : 97) {
     std::string damaged = whole;
     damaged[i] = char(damaged[i] ^ (1 << i % 8));
     write_bytes(path, damaged);
@@ -165,15 +155,15 @@ TEST(Checkpoint, foreign_files_are_refused) {
 TEST(Checkpoint, impossible_sizes_are_refused) {
   const Temporary_folder folder;
   CGAL::IO::write_checkpoint(folder / "a.dsc", ball_state(), "");
-  const std::string whole = file_bytes(folder / "a.dsc"), payload = whole.substr(header_size);
-  ASSERT_EQ(file_with(whole, payload), whole);
+  const std::string whole = file_bytes(folder / "a.dsc");
+  ASSERT_EQ(signed_checkpoint(whole), whole);
   for (std::size_t position : {0, 8}) // sizes of the metadata and of the points
     for (std::uint64_t size : {std::uint64_t(1) << 40, std::uint64_t(1) << 61, ~std::uint64_t(0)}) {
       std::string field;
       internal::append_little_endian(field, size);
-      std::string forged = payload;
-      forged.replace(position, field.size(), field);
-      write_bytes(folder / "forged.dsc", file_with(whole, forged));
+      std::string forged = whole;
+      forged.replace(checkpoint_header_size + position, field.size(), field);
+      write_bytes(folder / "forged.dsc", signed_checkpoint(forged));
       EXPECT_TRUE(contains(complaint(folder / "forged.dsc"), "is inconsistent"));
     }
 }
@@ -183,10 +173,12 @@ TEST(Checkpoint, arrays_that_do_not_fit_together_are_refused) {
   State state = ball_state();
   CGAL::IO::write_checkpoint(folder / "a.dsc", state);
   state.cell_labels.pop_back();
-  internal::Checkpoint_encoder payload;
-  payload(std::string());
-  std::apply([&](const auto&... members) { (payload(members), ...); }, internal::members(state));
-  write_bytes(folder / "b.dsc", file_with(file_bytes(folder / "a.dsc"), payload.bytes()));
+  const std::string payload = std::apply(
+      [](const auto&... members) { return internal::encoded(std::string(), members...); },
+      internal::members(state));
+  write_bytes(
+      folder / "b.dsc",
+      signed_checkpoint(file_bytes(folder / "a.dsc").substr(0, checkpoint_header_size) + payload));
   EXPECT_TRUE(contains(complaint(folder / "b.dsc"), "is inconsistent"));
 }
 

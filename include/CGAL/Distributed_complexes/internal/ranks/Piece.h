@@ -20,6 +20,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -59,6 +60,12 @@ template <int d> struct Piece_vertex
   std::uint8_t is_open;    // whether the destination can still be reached
   std::uint8_t padding;    // so that equal vertices have equal bytes
 
+  // Returns references to the members, for checkpoints.
+  template <class Vertex> static auto members(Vertex& v) {
+    return std::tie(v.id, v.point, v.before, v.destination, v.target_length, v.spacing, v.work,
+                    v.owner, v.boundary_class, v.has_motion, v.is_open);
+  }
+
   void end_motion() {
     has_motion = is_open = 0;
     before = destination = {};
@@ -74,11 +81,15 @@ struct Piece_cell_data
   std::uint8_t failures;
   std::uint8_t is_active; // whether the pass under way still has to improve the cell
   std::uint8_t padding[6];
+
+  // Returns references to the members, for checkpoints.
+  template <class Data> static auto members(Data& data) {
+    return std::tie(data.component, data.label, data.noted_quality, data.failures, data.is_active);
+  }
 };
 
 inline bool operator==(const Piece_cell_data& a, const Piece_cell_data& b) {
-  return a.component == b.component && a.label == b.label && a.noted_quality == b.noted_quality &&
-         a.failures == b.failures && a.is_active == b.is_active;
+  return Piece_cell_data::members(a) == Piece_cell_data::members(b);
 }
 
 // A cell as it is sent. The vertices are increasing, except that the last two are exchanged if the
@@ -87,6 +98,8 @@ template <int d> struct Sent_cell
 {
   std::array<Global_id, d + 1> vertices;
   Piece_cell_data data;
+
+  template <class Cell> static auto members(Cell& c) { return std::tie(c.vertices, c.data); }
 };
 
 template <int d> bool less_vertices(const Sent_cell<d>& a, const Sent_cell<d>& b) {

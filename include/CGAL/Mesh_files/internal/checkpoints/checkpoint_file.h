@@ -10,10 +10,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/State.h>
 #include <CGAL/Mesh_files/File_error.h>
-#include <CGAL/Mesh_files/internal/text/files.h>
 #include <CGAL/Mesh_files/internal/text/little_endian.h>
-#include <CGAL/Mesh_files/internal/text/open_input.h>
-#include <CGAL/Mesh_files/replace_file.h>
 
 #include <CGAL/assertions.h>
 
@@ -22,7 +19,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <fstream>
+#include <ios>
+#include <istream>
 #include <ostream>
 #include <string>
 #include <string_view>
@@ -33,16 +31,36 @@
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
-// Returns the first eight bytes of a checkpoint file. A conversion of line ends or to seven-bit
-// characters changes these bytes, so such damage is detected.
-template <int d> std::string checkpoint_magic() {
-  return "\211DSC" + std::to_string(d) + "\r\n\032";
-}
-constexpr std::size_t checkpoint_magic_size = 8;
-constexpr std::uint32_t checkpoint_version = 5;
-constexpr std::size_t checkpoint_header_size = 24;
+// A checkpoint file consists of magic bytes and blocks. A block is a version, a checksum, a size,
+// and data. A whole complex is a single block, a distributed complex is a sequence of blocks. All
+// numbers are little-endian.
 
-// The data that follows the metadata in a file of version `checkpoint_version`.
+constexpr std::uint32_t checkpoint_version = 5;
+constexpr std::size_t checkpoint_block_header_size = 16;
+
+// The content of a file, as a letter of the magic bytes.
+enum class Checkpoint_kind : char { whole = 'C', ranks = 'R' };
+
+// Returns the first bytes of a checkpoint file. A conversion of line ends or to seven-bit
+// characters changes these bytes, so such damage is detected.
+inline std::string checkpoint_magic(Checkpoint_kind kind, int dimension) {
+  return "\211DS" + std::string(1, char(kind)) + std::to_string(dimension) + "\r\n\032";
+}
+
+// Returns the first bytes of a stream, for comparison with magic bytes.
+inline std::string checkpoint_magic_of(std::istream& in) {
+  std::string result(8, '\0');
+  in.read(&result[0], static_cast<std::streamsize>(result.size()));
+  result.resize(static_cast<std::size_t>(in.gcount()));
+  return result;
+}
+
+// Returns whether a file of several ranks has version 1 or 2, whose blocks were different.
+inline bool is_old_magic_of_ranks(const std::string& magic) {
+  return magic.compare(0, 5, "\211DSCR") == 0;
+}
+
+// The data that follows the metadata of a whole complex in version `checkpoint_version`.
 template <int d>
 using Checkpoint_members =
     std::tuple<std::vector<std::array<double, d>>&,            // points
@@ -61,89 +79,156 @@ static_assert(
     std::is_same<decltype(members(std::declval<State<3>&>())), Checkpoint_members<3>>::value,
     "the members of the state differ from the members in files: increase checkpoint_version");
 
-inline std::uint32_t crc_32(const char* bytes, std::size_t size) {
+inline std::uint32_t crc_32(std::string_view bytes) {
   boost::crc_32_type crc;
-  crc.process_bytes(bytes, size);
+  crc.process_bytes(bytes.data(), bytes.size());
   return crc.checksum();
 }
 
-// An encoder that converts data to little-endian bytes.
-class Checkpoint_encoder
-{
-public:
-  template <class Number> void operator()(Number number) { append_little_endian(m_bytes, number); }
+template <class Item> constexpr bool has_stored_size = false;
+template <class T> constexpr bool has_stored_size<std::vector<T>> = true;
+template <> inline constexpr bool has_stored_size<std::string> = true;
+template <class Item> constexpr bool is_std_array = false;
+template <class T, std::size_t n> constexpr bool is_std_array<std::array<T, n>> = true;
 
-  template <class T, std::size_t n> void operator()(const std::array<T, n>& elements) {
-    for (const T& element : elements)
-      (*this)(element);
+// Appends an item as bytes: numbers, lists with their sizes, arrays, and structs of these, for
+// which `Item::members(item)` returns references to the members.
+template <class Item> void encode(std::string& bytes, const Item& item) {
+  if constexpr (std::is_arithmetic<Item>::value) {
+    append_little_endian(bytes, item);
+  } else if constexpr (has_stored_size<Item> || is_std_array<Item>) {
+    if constexpr (has_stored_size<Item>)
+      encode(bytes, std::uint64_t(item.size()));
+    for (const auto& element : item)
+      encode(bytes, element);
+  } else {
+    std::apply([&](const auto&... members) { (encode(bytes, members), ...); }, Item::members(item));
   }
+}
 
-  template <class T> void operator()(const std::vector<T>& elements) {
-    (*this)(std::uint64_t(elements.size()));
-    for (const T& element : elements)
-      (*this)(element);
-  }
+// Returns the bytes of some items.
+template <class... Items> std::string encoded(const Items&... items) {
+  std::string bytes;
+  (encode(bytes, items), ...);
+  return bytes;
+}
 
-  void operator()(const std::string& text) {
-    (*this)(std::uint64_t(text.size()));
-    m_bytes += text;
-  }
-
-  const std::string& bytes() const { return m_bytes; }
-
-private:
-  std::string m_bytes;
-};
-
-// A decoder for the bytes of a `Checkpoint_encoder`. It becomes invalid, and stays invalid, if
-// there are too few bytes. It allocates memory only for elements that the remaining bytes can hold.
+// A decoder for the bytes of `encode()`. It becomes invalid, and stays invalid, if there are too
+// few bytes. It allocates memory only for elements that the remaining bytes can hold.
 class Checkpoint_decoder
 {
 public:
-  Checkpoint_decoder(const char* begin, const char* end) : m_position(begin), m_end(end) {}
+  explicit Checkpoint_decoder(std::string_view bytes) : m_bytes(bytes) {}
 
-  template <class Number> void operator()(Number& number) {
-    m_is_valid = m_is_valid && sizeof(Number) <= remaining();
-    if (m_is_valid) {
-      number = little_endian<Number>(m_position);
-      m_position += sizeof(Number);
+  template <class Item> void operator()(Item& item) {
+    if constexpr (std::is_arithmetic<Item>::value) {
+      if (may_take(1, sizeof(Item))) {
+        item = little_endian<Item>(m_bytes.data());
+        m_bytes.remove_prefix(sizeof(Item));
+      }
+    } else if constexpr (has_stored_size<Item> || is_std_array<Item>) {
+      if constexpr (has_stored_size<Item>)
+        item.resize(number_of_elements(encoded(typename Item::value_type()).size()));
+      for (auto& element : item)
+        (*this)(element);
+    } else {
+      std::apply([this](auto&... members) { ((*this)(members), ...); }, Item::members(item));
     }
   }
 
-  template <class T, std::size_t n> void operator()(std::array<T, n>& elements) {
-    for (T& element : elements)
-      (*this)(element);
-  }
-
-  template <class T> void operator()(std::vector<T>& elements) {
-    elements.resize(number_of_elements(sizeof(T)));
-    for (T& element : elements)
-      (*this)(element);
-  }
-
-  void operator()(std::string& text) {
-    // before `m_position` is read, because the call advances it
-    const std::size_t size = number_of_elements(1);
-    text.assign(m_position, size);
-    m_position += size;
-  }
-
   // Returns whether all expected data was present and no bytes are left.
-  bool is_complete() const { return m_is_valid && m_position == m_end; }
+  bool is_complete() const { return m_is_valid && m_bytes.empty(); }
 
 private:
-  std::size_t remaining() const { return static_cast<std::size_t>(m_end - m_position); }
+  // Returns whether elements are left; the decoder becomes invalid if not.
+  bool may_take(std::uint64_t n, std::size_t element_size) {
+    return m_is_valid = m_is_valid && n <= m_bytes.size() / element_size;
+  }
 
   std::size_t number_of_elements(std::size_t element_size) {
     std::uint64_t n = 0;
     (*this)(n);
-    m_is_valid = m_is_valid && n <= remaining() / element_size;
-    return m_is_valid ? static_cast<std::size_t>(n) : 0;
+    return may_take(n, element_size) ? static_cast<std::size_t>(n) : 0;
   }
 
-  const char* m_position;
-  const char* m_end;
+  std::string_view m_bytes; // that are left
   bool m_is_valid = true;
+};
+
+inline void require_checkpoint(bool condition, const std::string& path, const std::string& what) {
+  if (!condition)
+    throw File_error(path + " " + what, path);
+}
+
+// Decodes the data of a block. Returns whether it consists of the items.
+template <class... Items> bool decode(std::string_view data, Items&... items) {
+  Checkpoint_decoder decoder(data);
+  (decoder(items), ...);
+  return decoder.is_complete();
+}
+constexpr const char* inconsistent_checkpoint =
+    "is inconsistent: it was not written by this package; choose another file";
+
+inline void write_block(std::ostream& out, std::string_view data) {
+  out << encoded(checkpoint_version, crc_32(data), std::uint64_t(data.size())) << data;
+}
+
+// A reader for the blocks of a checkpoint. It allocates memory only for bytes that exist. `path` is
+// the name of the file in messages.
+class Checkpoint_reader
+{
+public:
+  // Throws `File_error` if the stream has no checkpoint of this kind and dimension.
+  Checkpoint_reader(std::istream& in, std::string path, Checkpoint_kind kind, int dimension)
+      : m_in(in), m_path(std::move(path)) {
+    in.seekg(0, std::ios::end);
+    m_left = std::uint64_t(in.tellg());
+    in.seekg(0);
+    const std::string magic = checkpoint_magic_of(in);
+    m_left -= magic.size();
+    require(!is_old_magic_of_ranks(magic),
+            "was written by several processes with an older version of this package: read it with "
+            "that version");
+    require(magic == checkpoint_magic(kind, dimension),
+            std::string("is not a checkpoint of a ") +
+                (kind == Checkpoint_kind::whole ? "deformable simplicial" : "distributed") +
+                " complex in " + std::to_string(dimension) + " dimensions: choose another file");
+  }
+
+  // Returns the data of the next block. Throws `File_error` if it is truncated, damaged, or has
+  // another version, or if bytes follow the last block.
+  std::string next(bool is_last) {
+    std::uint32_t version = 0, crc = 0;
+    std::uint64_t size = 0;
+    decode(bytes(checkpoint_block_header_size), version, crc, size);
+    require(version == checkpoint_version,
+            "has version " + std::to_string(version) + " instead of " +
+                std::to_string(checkpoint_version) +
+                ": read it with the version of this package that wrote it");
+    std::string data = bytes(size);
+    require(crc == crc_32(data) && (m_left == 0 || !is_last),
+            "is damaged: continue from an older checkpoint or a copy of the file");
+    return data;
+  }
+
+private:
+  void require(bool condition, const std::string& what) const {
+    require_checkpoint(condition, m_path, what);
+  }
+
+  // Returns the next bytes. Throws `File_error` if there are fewer.
+  std::string bytes(std::uint64_t size) {
+    const char* const truncated = "is truncated: continue from an older checkpoint";
+    require(size <= m_left, truncated);
+    std::string result(static_cast<std::size_t>(size), '\0');
+    require(bool(m_in.read(&result[0], static_cast<std::streamsize>(size))), truncated);
+    m_left -= size;
+    return result;
+  }
+
+  std::istream& m_in;
+  std::string m_path;
+  std::uint64_t m_left; // number of bytes
 };
 
 // The content of a checkpoint file.
@@ -153,98 +238,26 @@ template <int d> struct Checkpoint
   std::string metadata; ///< the data added by the program, e.g. time and settings
 };
 
-// Calls `use(header, payload)` with the two parts of a checkpoint file. The header consists of
-// magic bytes, version, checksum and size.
+// Writes a checkpoint of a whole complex.
 // \pre The arrays of the state have consistent sizes.
-template <int d, class Use>
-void with_checkpoint_parts(const State<d>& state, const std::string& metadata, const Use& use) {
+template <int d>
+void write_whole(std::ostream& out, const State<d>& state, const std::string& metadata) {
   CGAL_precondition(has_consistent_sizes(state));
-
-  Checkpoint_encoder payload;
-  payload(metadata);
-  std::apply([&](const auto&... members) { (payload(members), ...); }, members(state));
-
-  Checkpoint_encoder header;
-  header(checkpoint_version);
-  header(crc_32(payload.bytes().data(), payload.bytes().size()));
-  header(std::uint64_t(payload.bytes().size()));
-  use(checkpoint_magic<d>() + header.bytes(), payload.bytes());
+  out << checkpoint_magic(Checkpoint_kind::whole, d);
+  std::apply([&](const auto&... members) { write_block(out, encoded(metadata, members...)); },
+             members(state));
 }
 
-// Returns the bytes of a checkpoint file.
-// \pre The arrays of the state have consistent sizes.
-template <int d>
-std::string checkpoint_to_bytes(const State<d>& state, const std::string& metadata) {
-  std::string result;
-  with_checkpoint_parts(
-      state, metadata,
-      [&](const std::string& header, const std::string& payload) { result = header + payload; });
+// Reads a checkpoint of a whole complex. Throws `File_error` as `IO::read_checkpoint()` does.
+template <int d> Checkpoint<d> read_whole(std::istream& in, const std::string& path) {
+  const std::string data = Checkpoint_reader(in, path, Checkpoint_kind::whole, d).next(true);
+  Checkpoint<d> result;
+  const bool is_complete =
+      std::apply([&](auto&... members) { return decode(data, result.metadata, members...); },
+                 members(result.state));
+  require_checkpoint(is_complete && has_consistent_sizes(result.state), path,
+                     inconsistent_checkpoint);
   return result;
-}
-
-// Writes a checkpoint file. The file is replaced only if everything has been written.
-// \pre The arrays of the state have consistent sizes.
-template <int d>
-void write_checkpoint_file(const std::string& path, const State<d>& state,
-                           const std::string& metadata) {
-  with_checkpoint_parts(
-      state, metadata, [&](const std::string& header, const std::string& payload) {
-        replace_file_by_stream(path, [&](std::ostream& out) { out << header << payload; });
-      });
-}
-
-// Returns the dimension given by the first bytes of a file, or 0 if the file is not a checkpoint.
-inline int checkpoint_file_dimension(const std::string& path) {
-  std::string bytes(checkpoint_magic_size, '\0');
-  std::ifstream in = open_input(path, ".dsc");
-  in.read(&bytes[0], std::streamsize(bytes.size()));
-  return bytes == checkpoint_magic<2>() ? 2 : bytes == checkpoint_magic<3>() ? 3 : 0;
-}
-
-// Returns the content of a checkpoint file with given bytes. Throws `File_error` if it is not a
-// checkpoint of dimension `d`, has another version, is truncated, or is damaged. `path` is its
-// name.
-template <int d>
-Checkpoint<d> checkpoint_from_bytes(const std::string& bytes, const std::string& path) {
-  const auto require = [&](bool condition, const std::string& what) {
-    if (!condition)
-      throw File_error(path + " " + what, path);
-  };
-
-  require(bytes.compare(0, checkpoint_magic_size, checkpoint_magic<d>()) == 0,
-          "is not a checkpoint of a deformable simplicial complex in " + std::to_string(d) +
-              " dimensions: choose another file");
-  require(bytes.size() >= checkpoint_header_size,
-          "is truncated: continue from an older checkpoint");
-
-  std::uint32_t version = 0, crc = 0;
-  std::uint64_t size = 0;
-  const char* payload_begin = bytes.data() + checkpoint_header_size;
-  Checkpoint_decoder header(bytes.data() + checkpoint_magic_size, payload_begin);
-  header(version);
-  header(crc);
-  header(size);
-  require(version == checkpoint_version,
-          "has version " + std::to_string(version) + " instead of " +
-              std::to_string(checkpoint_version) +
-              ": read it with the version of this package that wrote it");
-  const std::size_t payload_size = bytes.size() - checkpoint_header_size;
-  require(size <= payload_size, "is truncated: continue from an older checkpoint");
-  require(size == payload_size && crc == crc_32(payload_begin, payload_size),
-          "is damaged: continue from an older checkpoint or a copy of the file");
-
-  Checkpoint<d> checkpoint;
-  Checkpoint_decoder payload(payload_begin, payload_begin + payload_size);
-  payload(checkpoint.metadata);
-  std::apply([&](auto&... members) { (payload(members), ...); }, members(checkpoint.state));
-  require(payload.is_complete() && has_consistent_sizes(checkpoint.state),
-          "is inconsistent: it was not written by this package; choose another file");
-  return checkpoint;
-}
-
-// Reads a checkpoint file. Throws `File_error` as `checkpoint_from_bytes()` does.
-template <int d> Checkpoint<d> read_checkpoint_file(const std::string& path) {
-  return checkpoint_from_bytes<d>(file_contents(path), path);
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes::internal

@@ -99,11 +99,13 @@ vtu_tetrahedra(const Vtu_reader& reader, std::size_t number_of_cells, Unused_con
   return result;
 }
 
-// Returns the vertices of given cells, which are tetrahedra. Throws `File_error` if offsets or
-// indices are invalid.
-inline std::vector<std::array<std::size_t, 4>>
+// Returns the vertices of given cells, which have `corners` vertices each. Throws `File_error` if
+// offsets or indices are invalid.
+template <class Index>
+std::vector<std::array<Index, 4>>
 read_vtu_corners(const Vtu_reader& reader, const std::vector<std::size_t>& cells,
-                 std::size_t number_of_cells, std::size_t number_of_points) {
+                 std::size_t number_of_cells, std::size_t number_of_points, std::size_t corners) {
+  static constexpr const char* names[] = {"no", "one", "two", "three", "four"};
   const std::vector<double> offsets = reader.array("Cells", "offsets", number_of_cells);
   for (std::size_t i = 0; i < offsets.size(); ++i)
     if (!(offsets[i] >= (i == 0 ? 0 : offsets[i - 1])) || offsets[i] != std::trunc(offsets[i]) ||
@@ -114,25 +116,30 @@ read_vtu_corners(const Vtu_reader& reader, const std::vector<std::size_t>& cells
     return i == 0 ? 0 : static_cast<std::size_t>(offsets[i - 1]);
   };
   for (const std::size_t i : cells)
-    if (static_cast<std::size_t>(offsets[i]) != begin(i) + 4)
-      reader.fail("cell " + std::to_string(i) +
-                  " does not have four vertices; correct the array 'offsets'");
+    if (static_cast<std::size_t>(offsets[i]) != begin(i) + corners)
+      reader.fail("cell " + std::to_string(i) + " does not have " + names[corners] +
+                  " vertices; correct the array 'offsets'");
 
   const std::vector<double> indices = reader.array("Cells", "connectivity", begin(number_of_cells));
-  std::vector<std::array<std::size_t, 4>> result;
+  std::vector<std::array<Index, 4>> result;
   result.reserve(cells.size());
   for (const std::size_t cell : cells) {
     result.emplace_back();
-    for (std::size_t k = 0; k < 4; ++k) {
+    for (std::size_t k = 0; k < corners; ++k) {
       const double index = indices[begin(cell) + k];
       if (!(0 <= index && index < static_cast<double>(number_of_points)) ||
           index != std::trunc(index))
         reader.fail("cell " + std::to_string(cell) +
                     " has a vertex that does not exist; correct the array 'connectivity'");
-      result.back()[k] = static_cast<std::size_t>(index);
+      result.back()[k] = static_cast<Index>(index);
     }
   }
   return result;
+}
+
+inline bool is_vtu_label(double value) {
+  using Limits = std::numeric_limits<int>;
+  return Limits::min() <= value && value <= Limits::max() && value == std::trunc(value);
 }
 
 // The choice of the cell array that contains the labels.
@@ -183,7 +190,7 @@ public:
     std::vector<int> result;
     result.reserve(cells.size());
     for (const double value : array.values) {
-      if (!is_label(value)) {
+      if (!is_vtu_label(value)) {
         std::ostringstream text;
         text.precision(std::numeric_limits<double>::max_digits10);
         text << "the label of cell " << cells[result.size()] << " is not a 32-bit integer but "
@@ -196,13 +203,9 @@ public:
   }
 
 private:
-  static bool is_label(double value) {
-    using Limits = std::numeric_limits<int>;
-    return Limits::min() <= value && value <= Limits::max() && value == std::trunc(value);
-  }
-
   static bool may_be_labels(const Mesh_array& array) {
-    return array.components == 1 && std::all_of(array.values.begin(), array.values.end(), is_label);
+    return array.components == 1 &&
+           std::all_of(array.values.begin(), array.values.end(), is_vtu_label);
   }
 
   std::size_t index_of(const std::string& name) const {
@@ -298,7 +301,8 @@ inline Vtu_tetrahedra read_vtu_tetrahedra(const std::string& path, const std::st
     if (!std::isfinite(result.coordinates[i]))
       reader.fail("a coordinate of point " + std::to_string(i / 3) +
                   " is not a finite number; correct it");
-  result.tetrahedra = read_vtu_corners(reader, cells, number_of_cells, number_of_points);
+  result.tetrahedra =
+      read_vtu_corners<std::size_t>(reader, cells, number_of_cells, number_of_points, 4);
 
   std::vector<Mesh_array>& on_cells = result.arrays.cells;
   result.arrays.points = read_vtu_arrays(reader, "PointData", number_of_points, result.unused);

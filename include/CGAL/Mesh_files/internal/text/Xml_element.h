@@ -148,6 +148,19 @@ void visit_xml(std::string_view xml, const std::string& path, const Visit_elemen
     fail("an element does not end");
 }
 
+// Visits the children of an element that have a name. Throws File_error as `visit_xml()` does.
+template <class Visit>
+void for_each_child(const Xml_element& element, std::string_view name, const std::string& path,
+                    const Visit& visit) {
+  visit_xml(
+      element.content, path,
+      [&](const Xml_element& child) {
+        if (child.name == name)
+          visit(child);
+      },
+      [](std::string_view) {});
+}
+
 } // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_MESH_FILES_INTERNAL_TEXT_XML_ELEMENT_H
