@@ -6,6 +6,8 @@
 #include "arrays.h"
 #include "module.h"
 
+#include "programs/errors.h"
+
 #include <CGAL/Complex_construction/Tetrahedralization_error.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Incompressible_fluids_3/fluid_errors.h>
@@ -61,6 +63,8 @@ void translate(std::exception_ptr exception) {
     raise("FileError", error, py::dict("path"_a = error.path()));
   } catch (const DSC::Fluid_step_error& error) {
     raise("FluidStepError", error, py::dict("step"_a = error.step()));
+  } catch (const dsc::Usage_error& error) { // of the description of a solid
+    raise("InvalidSolidError", error);
   } catch (const DSC::Error& error) {
     raise("Error", error);
   }

@@ -275,6 +275,13 @@ def test_errors(call):
         call(droplet())
 
 
+def test_messages_name_the_value():
+    with pytest.raises(dsc.InvalidSolidError, match="the solid, field 'density': must be finite"):
+        droplet().add_ball((0, 0), 1, density=np.inf)
+    with pytest.raises(ValueError, match="'fixed': has no effect without the field 'density'"):
+        droplet().add_ball((0, 0), 1, fixed=["x"])
+
+
 def failing(t):
     if t > 0.01:
         raise ZeroDivisionError

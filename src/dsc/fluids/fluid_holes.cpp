@@ -23,16 +23,13 @@ using Place_of_hole = std::array<double, 3>;
 /// Returns the displacement of a solid at time 0.
 /// \throws Input_error if the solid is a box that is rotated at time 0
 Place_of_hole displacement_at_start(const Scene_solid& solid, std::size_t index) {
-  if (solid.rotation && solid.kind == Scene_solid::Kind::box) {
-    const double* angles = solid.rotation->at({0.});
-    if (std::any_of(angles, angles + solid.rotation->size(), [](double a) { return a != 0; }))
-      throw Input_error("the rotation of solids[" + std::to_string(index) +
-                        "] of the scene must be 0 at the time 0 because the solid is a box");
-  }
-  Place_of_hole result = {};
-  if (solid.displacement)
-    std::copy_n(solid.displacement->at({0.}), solid.displacement->size(), result.begin());
-  return result;
+  if (!solid.place)
+    return {};
+  const Scene_solid::Place place = solid.place(0);
+  if (solid.kind == Scene_solid::Kind::box && place.rotation != CGAL::NULL_VECTOR)
+    throw Input_error("the rotation of solids[" + std::to_string(index) +
+                      "] of the scene must be 0 at the time 0 because the solid is a box");
+  return coordinates_of(place.displacement);
 }
 
 /// Return the signed distance of a point from the boundary of a box or ball, negative inside, and
@@ -192,10 +189,10 @@ std::vector<Hole> holes_of(const Fluid_scene& scene) {
     const Scene_solid& solid = scene.solids[s];
     if (solid.kind == Scene_solid::Kind::box) {
       const Place_of_hole d = displacement_at_start(solid, s);
-      Box_shape box;
+      Box_shape box = box_shape(solid.box);
       for (std::size_t i = 0; i < 3; ++i) {
-        box.from[i] = solid.box[i] + d[i];
-        box.to[i] = solid.box[i + 3] + d[i];
+        box.from[i] += d[i];
+        box.to[i] += d[i];
       }
       result.push_back({s, box});
     } else if (solid.kind == Scene_solid::Kind::ball && !solid.contains_liquid) {
@@ -220,12 +217,7 @@ int label_of_holes(const Fluid_scene& scene) {
 
 bool may_meet(const Hole& hole, const Fluid_shape& shape, const Fluid_scene& scene) {
   const auto dimension = std::size_t(scene.dimension);
-  Box_shape box;
-  for (std::size_t i = 0; i < 3; ++i) {
-    box.from[i] = scene.domain[i];
-    box.to[i] = scene.domain[i + 3];
-  }
-  if (!meets_box(hole, box, dimension))
+  if (!meets_box(hole, box_shape(scene.domain), dimension))
     return false;
   if (const auto* given = std::get_if<Box_shape>(&shape))
     return meets_box(hole, *given, dimension);

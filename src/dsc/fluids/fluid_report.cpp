@@ -5,8 +5,9 @@
 #include "fluids/fluid_report.h"
 
 #include "fluids/fluid_probes.h"
-#include "fluids/fluid_solids.h"
 #include "programs/errors.h"
+
+#include <CGAL/Mesh_support/coordinates.h>
 
 #include <algorithm>
 #include <array>
@@ -161,6 +162,14 @@ template <class Complex> Json bodies_json(const Fluid<Complex>& fluid, const Flu
   return result;
 }
 
+/// Returns the center of a solid that is no body at a time.
+std::array<double, 3> center_at(const Scene_solid& solid, double t) {
+  using Vector = Scene_solid::Place::Vector;
+  const Vector displacement =
+      solid.place ? solid.place(t).displacement : t * DSC::point_of<Vector>(solid.velocity);
+  return coordinates_of(DSC::point_of<Vector>(solid.center) + displacement);
+}
+
 /// Returns the torque on each solid about its present center.
 template <class Complex>
 Json torques_json(const Fluid<Complex>& fluid, const Fluid_scene& scene,
@@ -172,7 +181,7 @@ Json torques_json(const Fluid<Complex>& fluid, const Fluid_scene& scene,
     const Scene_solid& solid = scene.solids[s];
     const std::array<double, 3> center = solid.is_body()
                                              ? coordinates_of(fluid.body(numbers[s]).center)
-                                             : center_of(solid, fluid.time());
+                                             : center_at(solid, fluid.time());
     result.push_back(vector_json(
         report.torques_on_solids[s] -
         CGAL::cross_product(Vector(center[0], center[1], center[2]), report.forces_on_solids[s])));

@@ -7,7 +7,6 @@
 #include "fluids/fluid_complex.h"
 #include "fluids/fluid_files.h"
 #include "fluids/fluid_processes.h"
-#include "fluids/fluid_solids.h"
 #include "fluids/fluid_start.h"
 #include "output/report_json.h"
 #include "programs/errors.h"
@@ -67,11 +66,11 @@ Fluid_run<dimension> start_fluid(const Fluid_scene& scene, const std::string& fo
   require_files(scene, folder);
   Run run;
   run.scene = scene;
-  set_centers_of_meshes(folder, run.scene);
+  read_meshes(folder, run.scene);
   run.complex = std::make_unique<typename Run::Tracked>(
       start_of_scene<typename Run::Complex>(run.scene, folder));
   require_effect(run.scene, run.complex->complex);
-  run.fluid = fluid_of_scene(run.scene, folder, run.complex->complex);
+  run.fluid = fluid_of_scene(run.scene, run.complex->complex);
   require_outside_of_solids(run.scene, *run.fluid);
   if (uses_petsc)
     use_petsc(run.fluid->solver());
@@ -98,10 +97,10 @@ Fluid_run<dimension> resume_fluid(const std::string& path, const std::string& fo
     if (run.scene.dimension != dimension)
       throw Input_error(path + " contains a complex and a scene of different dimensions; write a "
                                "checkpoint again");
-    set_centers_of_meshes(folder, run.scene);
+    read_meshes(folder, run.scene);
     run.complex = std::make_unique<typename Run::Tracked>();
     run.complex->complex.restore(checkpoint.state);
-    run.fluid = fluid_of_scene(run.scene, folder, run.complex->complex);
+    run.fluid = fluid_of_scene(run.scene, run.complex->complex);
     run.fluid->restore(state_of(json.at("fluid")));
     set_time(run.scene, run.fluid->time(), *run.fluid);
     if (uses_petsc)

@@ -8,9 +8,9 @@
 #include "fluids/fluid_scene_parts.h"
 #include "fluids/scene_files.h"
 #include "input/nearest_name.h"
-#include "output/json_fields.h"
 #include "output/report_json.h"
 #include "programs/errors.h"
+#include "scenes/json_fields.h"
 
 #include <CGAL/Mesh_files/internal/text/files.h>
 
@@ -175,8 +175,7 @@ Scene_source read_source(const Json_fields& source) {
   source.require_known({"center", "radius", "rate", "flux"});
   Scene_source result = {source.point("center"), source.positive("radius"), 0, {}};
   if (source.has("flux")) {
-    if (source.has("rate"))
-      source.refuse("flux", "cannot be combined with the field 'rate'; remove one of them");
+    source.require_not_both("flux", "rate");
     result.flux = read_flux(source);
     return result;
   }
@@ -192,7 +191,7 @@ Scene_source read_source(const Json_fields& source) {
 Vector_in_time read_vector_in_time(const Json_fields& json, const std::string& field) {
   if (!json.any(field).is_string())
     return {json.point(field), {}};
-  return {{}, read_vector_expression(json, field)};
+  return {{}, json.vector_in_time(field)};
 }
 
 std::vector<Fluid_scene::Tension> read_tensions(const Json_fields& scene) {

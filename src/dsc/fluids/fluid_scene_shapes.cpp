@@ -48,7 +48,7 @@ Ball_shape read_ball(const Json_fields& shape) {
 
 Box_shape read_box(const Json_fields& shape) {
   shape.require_known({"type", "from", "to"});
-  return read_corners(shape);
+  return box_shape(shape.corners());
 }
 
 Cylinder_shape read_cylinder(const Json_fields& shape) {
@@ -95,20 +95,6 @@ std::size_t read_mode(const Json_fields& json) {
   if (result > highest_mode)
     json.refuse("mode", "must be at most 100");
   return result;
-}
-
-Expression read_vector_expression(const Json_fields& json, const std::string& field) {
-  return json.expression(field, {"t"}, json.dimension(),
-                         json.dimension() == 2 ? "two expressions in t like '0,0.1*sin(t)'"
-                                               : "three expressions in t like '0,0,0.1*sin(t)'");
-}
-
-Box_shape read_corners(const Json_fields& json) {
-  const Box_shape box{json.point("from"), json.point("to")};
-  for (std::size_t i = 0; i < std::size_t(json.dimension()); ++i)
-    if (!(box.to[i] > box.from[i]))
-      json.refuse("to", "must be larger than 'from' in each coordinate: the box is empty");
-  return box;
 }
 
 Fluid_shape read_shape(const Json_fields& shape) {

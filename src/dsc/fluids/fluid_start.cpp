@@ -5,8 +5,8 @@
 #include "fluids/fluid_start.h"
 
 #include "fluids/fluid_shapes.h"
-#include "fluids/fluid_solids.h"
 #include "programs/errors.h"
+#include "scenes/add_solid.h"
 
 #include <algorithm>
 #include <array>
@@ -101,8 +101,7 @@ void set_field(const Scene_field& field, const Fluid_scene& scene, Fluid<Complex
 } // namespace
 
 template <class Complex>
-std::unique_ptr<Fluid<Complex>> fluid_of_scene(const Fluid_scene& scene, const std::string& folder,
-                                               Complex& complex) {
+std::unique_ptr<Fluid<Complex>> fluid_of_scene(const Fluid_scene& scene, Complex& complex) {
   using namespace CGAL::Deformable_simplicial_complexes;
   Fluid_properties properties;
   for (const Scene_liquid& liquid : scene.liquids)
@@ -122,7 +121,9 @@ std::unique_ptr<Fluid<Complex>> fluid_of_scene(const Fluid_scene& scene, const s
   auto result = std::make_unique<Fluid<Complex>>(complex, properties);
   Fluid<Complex>& fluid = *result;
   add_sources(scene, fluid);
-  add_solids(scene, folder, fluid);
+  static constexpr double difference = 1e-4; // of places of solids, in time steps
+  for (const Scene_solid& solid : scene.solids)
+    add_solid(solid, difference * scene.time_step, fluid);
   add_inflows(scene, fluid);
   add_openings(scene, fluid);
   if (scene.field)
@@ -257,14 +258,14 @@ template <class Complex> void set_velocities(const Fluid_scene& scene, Fluid<Com
 
 template void require_effect(const Fluid_scene&, const Tracked_complex_2::Complex&);
 template std::unique_ptr<Fluid<Tracked_complex_2::Complex>>
-fluid_of_scene(const Fluid_scene&, const std::string&, Tracked_complex_2::Complex&);
+fluid_of_scene(const Fluid_scene&, Tracked_complex_2::Complex&);
 template void set_time(const Fluid_scene&, double, Fluid<Tracked_complex_2::Complex>&);
 template void require_outside_of_solids(const Fluid_scene&,
                                         const Fluid<Tracked_complex_2::Complex>&);
 template void set_velocities(const Fluid_scene&, Fluid<Tracked_complex_2::Complex>&);
 template void require_effect(const Fluid_scene&, const Tracked_complex_3::Complex&);
 template std::unique_ptr<Fluid<Tracked_complex_3::Complex>>
-fluid_of_scene(const Fluid_scene&, const std::string&, Tracked_complex_3::Complex&);
+fluid_of_scene(const Fluid_scene&, Tracked_complex_3::Complex&);
 template void set_time(const Fluid_scene&, double, Fluid<Tracked_complex_3::Complex>&);
 template void require_outside_of_solids(const Fluid_scene&,
                                         const Fluid<Tracked_complex_3::Complex>&);
