@@ -50,37 +50,26 @@ private:
   void require_few_facets(double edge) const;
 
   const std::vector<Labeled_box>& m_boxes;
-  std::array<std::vector<double>, 3> m_lines,
-      m_points; // coordinates of the faces, and of all layers
+  std::array<std::set<double>, 3> m_lines;     // coordinates of the faces
+  std::array<std::vector<double>, 3> m_points; // coordinates of all layers
 };
 
 Grid_of_boxes::Grid_of_boxes(const std::vector<Labeled_box>& boxes, double edge) : m_boxes(boxes) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    std::set<double> lines;
+  for (std::size_t axis = 0; axis < 3; ++axis)
     for (const Labeled_box& labeled : boxes) {
-      lines.insert(labeled.box.from[axis]);
-      lines.insert(labeled.box.to[axis]);
+      m_lines[axis].insert(labeled.box.from[axis]);
+      m_lines[axis].insert(labeled.box.to[axis]);
     }
-    m_lines[axis].assign(lines.begin(), lines.end());
-  }
   require_few_facets(edge);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    m_points[axis] = {m_lines[axis].front()};
-    for (std::size_t line = 1; line < m_lines[axis].size(); ++line) {
-      const double from = m_lines[axis][line - 1], to = m_lines[axis][line];
-      const std::size_t parts = number_of_parts((to - from) / edge);
-      for (std::size_t i = 1; i < parts; ++i)
-        m_points[axis].push_back(from + (to - from) * double(i) / double(parts));
-      m_points[axis].push_back(to);
-    }
-  }
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    m_points[axis] = divided_lines(m_lines[axis], edge);
 }
 
 /// Throws Input_error if there would be too many facets.
 void Grid_of_boxes::require_few_facets(double edge) const {
   std::array<double, 3> cells;
   for (std::size_t axis = 0; axis < 3; ++axis)
-    cells[axis] = std::max(1., (m_lines[axis].back() - m_lines[axis].front()) / edge);
+    cells[axis] = std::max(1., (*m_lines[axis].rbegin() - *m_lines[axis].begin()) / edge);
   number_of_parts(cells[0] * cells[1] + cells[1] * cells[2] + cells[2] * cells[0]);
 }
 

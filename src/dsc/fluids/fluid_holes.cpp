@@ -32,36 +32,24 @@ Place_of_hole displacement_at_start(const Scene_solid& solid, std::size_t index)
   return coordinates_of(place.displacement);
 }
 
-/// Return the signed distance of a point from the boundary of a box or ball, negative inside, and
-/// the vector from the point to the nearest point of the boundary.
-double distance_of_box(const Box_shape& box, const Place_of_hole& p, int dimension,
-                       Place_of_hole& to_boundary) {
+Nearest_boundary nearest_boundary(const Box_shape& box, const Place_of_hole& p, int dimension) {
   using CGAL::Deformable_simplicial_complexes::Box_solid_3;
   const auto& [from, to] = box;
   const Box_solid_3 solid =
       dimension == 2 ? Box_solid_3(CGAL::Bbox_2(from[0], from[1], to[0], to[1]))
                      : Box_solid_3(CGAL::Bbox_3(from[0], from[1], from[2], to[0], to[1], to[2]));
   const auto wall = solid.nearest_wall({p[0], p[1], p[2]});
-  to_boundary = coordinates_of(-wall.distance * wall.normal);
-  return wall.distance;
+  return {wall.distance, coordinates_of(-wall.distance * wall.normal)};
 }
 
-double distance_of_ball(const Ball_shape& ball, const Place_of_hole& p,
-                        Place_of_hole& to_boundary) {
+Nearest_boundary nearest_boundary(const Ball_shape& ball, const Place_of_hole& p) {
   double r = 0;
   for (std::size_t i = 0; i < 3; ++i)
     r = std::hypot(r, p[i] - ball.center[i]);
+  Nearest_boundary result = {r - ball.radius, {}};
   for (std::size_t i = 0; i < 3; ++i)
-    to_boundary[i] = r > 0 ? (p[i] - ball.center[i]) * (ball.radius / r - 1) : 0;
-  return r - ball.radius;
-}
-
-/// Returns the signed distance of a point from the boundary of a hole, negative inside.
-double distance_of_hole(const Hole& hole, const Place_of_hole& p, int dimension,
-                        Place_of_hole& to_boundary) {
-  if (const auto* ball = std::get_if<Ball_shape>(&hole.shape))
-    return distance_of_ball(*ball, p, to_boundary);
-  return distance_of_box(std::get<Box_shape>(hole.shape), p, dimension, to_boundary);
+    result.offset[i] = r > 0 ? (p[i] - ball.center[i]) * (ball.radius / r - 1) : 0;
+  return result;
 }
 
 /// Returns the bounding box of a hole.
@@ -88,8 +76,7 @@ bool meets_box(const Hole& hole, const Box_shape& box, std::size_t dimension) {
     if (ball)
       nearest[i] = std::clamp(ball->center[i], box.from[i], box.to[i]);
   }
-  Place_of_hole unused;
-  return !ball || distance_of_ball(*ball, nearest, unused) < 0;
+  return !ball || nearest_boundary(*ball, nearest).distance < 0;
 }
 
 /// Returns whether a ray from a point crosses a curve an odd number of times: whether the curve is
@@ -127,6 +114,16 @@ bool is_around(const Surface& surface, const Place_of_hole& p) {
   return result;
 }
 
+} // namespace
+
+Nearest_boundary nearest_boundary(const Hole& hole, const std::array<double, 3>& p, int dimension) {
+  if (const auto* ball = std::get_if<Ball_shape>(&hole.shape))
+    return nearest_boundary(*ball, p);
+  return nearest_boundary(std::get<Box_shape>(hole.shape), p, dimension);
+}
+
+namespace {
+
 enum class Position { outside, inside, crossing };
 
 /// Returns the position of a hole relative to a boundary. It is `crossing`, too, if the boundary is
@@ -138,11 +135,11 @@ Position position_of_hole(const Hole& hole, const Boundary& of_hole, const Bound
   static constexpr std::size_t samples = 64;
   const Box_shape bounds = bounds_of_hole(hole);
   const double size = bounds.to[0] - bounds.from[0];
-  Place_of_hole unused, center = {};
+  Place_of_hole center = {};
   for (std::size_t i = 0; i < dimension; ++i)
     center[i] = (bounds.from[i] + bounds.to[i]) / 2;
   for (const auto& p : boundary.points)
-    if (distance_of_hole(hole, coordinates_of(p), dimension, unused) < -rounding * size)
+    if (nearest_boundary(hole, coordinates_of(p), dimension).distance < -rounding * size)
       return Position::crossing;
   const std::size_t stride = of_hole.points.size() / samples + 1;
   std::size_t all = 0, inside = 0;
@@ -153,32 +150,6 @@ Position position_of_hole(const Hole& hole, const Boundary& of_hole, const Bound
     inside += is_around(boundary, p);
   }
   return inside == 0 ? Position::outside : inside == all ? Position::inside : Position::crossing;
-}
-
-template <class Boundary>
-bool is_hole_in_liquid(const Fluid_scene& scene, const Hole& hole, const Boundary& of_hole,
-                       const std::vector<Boundary>& others) {
-  bool result = is_liquid(scene, 0);
-  double least_size = std::numeric_limits<double>::infinity();
-  for (const Boundary& boundary : others) {
-    const Position position = position_of_hole(hole, of_hole, boundary);
-    if (position == Position::crossing && is_liquid(scene, boundary.label))
-      throw Input_error("a liquid of the scene is partly inside a solid at the start: its surface "
-                        "crosses solids[" +
-                        std::to_string(hole.solid) +
-                        "], or is inside it; move the liquid or the solid");
-    if (position != Position::inside)
-      continue;
-    auto box = boundary.points.front().bbox();
-    for (const auto& p : boundary.points)
-      box += p.bbox();
-    const double size = box.xmax() - box.xmin() + box.ymax() - box.ymin();
-    if (size < least_size) {
-      least_size = size;
-      result = is_liquid(scene, boundary.label);
-    }
-  }
-  return result;
 }
 
 } // namespace
@@ -225,25 +196,35 @@ bool may_meet(const Hole& hole, const Fluid_shape& shape, const Fluid_scene& sce
   return !pool || bounds_of_hole(hole).from[dimension - 1] < pool->level;
 }
 
-bool is_in_hole(const Hole& hole, const std::array<double, 3>& p, int dimension) {
-  Place_of_hole unused;
-  return distance_of_hole(hole, p, dimension, unused) < 0;
-}
-
-std::array<double, 3> to_boundary(const Hole& hole, const std::array<double, 3>& p, int dimension) {
-  Place_of_hole result;
-  distance_of_hole(hole, p, dimension, result);
+template <class Boundary>
+bool is_in_liquid(const Fluid_scene& scene, const Hole& hole, const Boundary& of_hole,
+                  const std::vector<Boundary>& others) {
+  bool result = is_liquid(scene, 0);
+  double least_size = std::numeric_limits<double>::infinity();
+  for (const Boundary& boundary : others) {
+    const Position position = position_of_hole(hole, of_hole, boundary);
+    if (position == Position::crossing && is_liquid(scene, boundary.label))
+      throw Input_error("a liquid of the scene is partly inside a solid at the start: its surface "
+                        "crosses solids[" +
+                        std::to_string(hole.solid) +
+                        "], or is inside it; move the liquid or the solid");
+    if (position != Position::inside)
+      continue;
+    auto box = boundary.points.front().bbox();
+    for (const auto& p : boundary.points)
+      box += p.bbox();
+    const double size = box.xmax() - box.xmin() + box.ymax() - box.ymin();
+    if (size < least_size) {
+      least_size = size;
+      result = is_liquid(scene, boundary.label);
+    }
+  }
   return result;
 }
 
-bool is_in_liquid(const Fluid_scene& scene, const Hole& hole, const Curve& boundary,
-                  const std::vector<Curve>& others) {
-  return is_hole_in_liquid(scene, hole, boundary, others);
-}
-
-bool is_in_liquid(const Fluid_scene& scene, const Hole& hole, const Surface& boundary,
-                  const std::vector<Surface>& others) {
-  return is_hole_in_liquid(scene, hole, boundary, others);
-}
+template bool is_in_liquid(const Fluid_scene&, const Hole&, const Curve&,
+                           const std::vector<Curve>&);
+template bool is_in_liquid(const Fluid_scene&, const Hole&, const Surface&,
+                           const std::vector<Surface>&);
 
 } // namespace dsc

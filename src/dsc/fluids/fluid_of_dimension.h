@@ -5,6 +5,7 @@
 #ifndef DSC_FLUID_OF_DIMENSION_H
 #define DSC_FLUID_OF_DIMENSION_H
 
+#include "input/expression.h"
 #include "motions/tracked_complex_2.h"
 #include "motions/tracked_complex_3.h"
 
@@ -42,6 +43,15 @@ template <class Result> Result from_coordinates(const std::array<double, 3>& p) 
     return Result(p[0], p[1]);
   else
     return Result(p[0], p[1], p[2]);
+}
+
+/// Evaluates expressions in the coordinates of a point, and in the time if it is given.
+template <int dimension, class Coordinates, class... Time>
+const double* evaluate(const Expression& expressions, const Coordinates& p, Time... t) {
+  if constexpr (dimension == 2)
+    return expressions.at({p[0], p[1], t...});
+  else
+    return expressions.at({p[0], p[1], p[2], t...});
 }
 
 /// Returns the barycenter of a cell. In the plane, its third coordinate is 0.

@@ -8,6 +8,7 @@
 #include "programs/errors.h"
 
 #include <CGAL/Mesh_support/coordinates.h>
+#include <CGAL/Mesh_support/internal/numbers/Extent.h>
 
 #include <algorithm>
 #include <array>
@@ -55,30 +56,18 @@ template <class Complex> Json events_json(const DSC::Fluid_report<Complex>& repo
   return result;
 }
 
-/// The bounding box of points.
-class Extent
-{
-public:
-  void add(const std::array<double, 3>& p) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      m_least[i] = std::min(m_least[i], p[i]);
-      m_largest[i] = std::max(m_largest[i], p[i]);
-    }
-  }
-  Json json() const { return {m_least, m_largest}; }
+using Extent = DSC::internal::Extent<3>;
 
-private:
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::array<double, 3> m_least = {infinity, infinity, infinity},
-                        m_largest = {-infinity, -infinity, -infinity};
-};
+Json json_of(const Extent& e) {
+  return {{e.lower(0), e.lower(1), e.lower(2)}, {e.upper(0), e.upper(1), e.upper(2)}};
+}
 
 /// Returns the bounding box of the interface.
 template <class Complex> Json extent_json(const Complex& complex) {
   Extent result;
   for (const auto v : complex.interface_vertices())
     result.add(coordinates_of(complex.position(v)));
-  return result.json();
+  return json_of(result);
 }
 
 /// A connected component of a liquid.
@@ -105,7 +94,7 @@ template <class Complex> Json components_json(const Fluid<Complex>& fluid) {
     result.push_back({{"label", component.label},
                       {"volume", component.volume},
                       {"wanted_volume", volume},
-                      {"extent", component.extent.json()}});
+                      {"extent", json_of(component.extent)}});
   }
   return result;
 }

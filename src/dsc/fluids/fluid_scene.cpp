@@ -300,14 +300,6 @@ int read_dimension(const Json_fields& scene) {
 
 } // namespace
 
-std::optional<double> Scene_opening::at(const std::array<double, 3>& p, double t,
-                                        int dimension) const {
-  for (std::size_t i = 0; i < 3; ++i)
-    if (p[i] < box[i] || p[i] > box[i + 3])
-      return std::nullopt;
-  return dimension == 2 ? *pressure.at({p[0], p[1], t}) : *pressure.at({p[0], p[1], p[2], t});
-}
-
 Fluid_scene read_scene(const Json& json) {
   Json_fields scene(json, "the scene");
   scene.require_known({"title", "domain", "edge", "liquids", "gases", "sources", "surface_tension",

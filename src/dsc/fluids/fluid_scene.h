@@ -166,10 +166,6 @@ struct Scene_opening
   Expression pressure;                           ///< in x, y, z and t; in the plane in x, y and t
   std::optional<std::array<double, 3>> velocity; ///< of the side, if it is a no-slip side
   std::array<double, 6> box;
-
-  /// Returns the pressure at a point of the side, or nothing outside the box.
-  /// \throws Input_error if the pressure is not finite
-  std::optional<double> at(const std::array<double, 3>& p, double t, int dimension) const;
 };
 
 /// The input of `dsc fluid`.

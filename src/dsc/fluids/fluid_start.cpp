@@ -44,57 +44,54 @@ template <class Complex> void add_sources(const Fluid_scene& scene, Fluid<Comple
                        [flux = *source.flux](double t) { return *flux.at({t}); });
 }
 
-template <class Complex> void add_inflows(const Fluid_scene& scene, Fluid<Complex>& fluid) {
-  for (std::size_t side = 0; side < scene.inflows.size(); ++side)
-    if (const auto& inflow = scene.inflows[side])
-      fluid.set_side(int(side / 2), side % 2 == 1,
-                     {std::nullopt,
-                      [given = *inflow](const std::array<double, 3>& p,
-                                        double t) -> std::optional<std::array<double, 3>> {
-                        for (std::size_t i = 0; i < 3; ++i)
-                          if (p[i] < given.box[i] || p[i] > given.box[i + 3])
-                            return std::nullopt;
-                        return given.velocity.at(t);
-                      },
-                      {}});
+bool is_in(const std::array<double, 6>& box, const std::array<double, 3>& p) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (p[i] < box[i] || p[i] > box[i + 3])
+      return false;
+  return true;
 }
 
-template <class Complex> void add_openings(const Fluid_scene& scene, Fluid<Complex>& fluid) {
-  for (std::size_t side = 0; side < scene.openings.size(); ++side)
-    if (const auto& opening = scene.openings[side])
-      fluid.set_side(
-          int(side / 2), side % 2 == 1,
-          {opening->velocity, {}, [given = *opening](const std::array<double, 3>& p, double t) {
-             return given.at(p, t, Complex::dimension);
-           }});
-}
-
-/// Returns the value of an expression at a point, and at a time if it is given.
-template <class Point, class... Time>
-double value_at(const Expression& expression, const Point& p, Time... t) {
-  if constexpr (Point::Ambient_dimension::value == 2)
-    return *expression.at({p.x(), p.y(), t...});
-  else
-    return *expression.at({p.x(), p.y(), p.z(), t...});
+template <class Complex>
+void add_inflows_and_openings(const Fluid_scene& scene, Fluid<Complex>& fluid) {
+  using Coordinates = std::array<double, 3>;
+  for (std::size_t side = 0; side < scene.sides.size(); ++side) {
+    CGAL::Deformable_simplicial_complexes::Side_behavior behavior;
+    if (const auto& opening = scene.openings[side]) {
+      behavior.velocity = opening->velocity;
+      behavior.pressure = [given = *opening](const Coordinates& p, double t) {
+        return is_in(given.box, p)
+                   ? std::optional<double>(*evaluate<Complex::dimension>(given.pressure, p, t))
+                   : std::nullopt;
+      };
+    } else if (const auto& inflow = scene.inflows[side]) {
+      behavior.inflow = [given = *inflow](const Coordinates& p, double t) {
+        return is_in(given.box, p) ? std::optional<Coordinates>(given.velocity.at(t))
+                                   : std::nullopt;
+      };
+    } else
+      continue;
+    fluid.set_side(int(side / 2), side % 2 == 1, behavior);
+  }
 }
 
 template <class Complex>
 void set_field(const Scene_field& field, const Fluid_scene& scene, Fluid<Complex>& fluid) {
   using Point = typename Fluid<Complex>::Point;
-  fluid.set_field([&](const Point& p) { return value_at(field.initial, p); });
+  constexpr int d = Complex::dimension;
+  fluid.set_field([&](const Point& p) { return *evaluate<d>(field.initial, p); });
   static constexpr double rounding = 1e-9; // relative to the edge length
   fluid.fix_field([field, domain = scene.domain, near = rounding * scene.edge](
                       const Point& p, double t) -> std::optional<double> {
     bool is_on_side = false;
-    for (std::size_t side = 0; side < 2 * std::size_t(Complex::dimension); ++side)
+    for (std::size_t side = 0; side < std::size_t(2 * d); ++side)
       if (std::abs(p[int(side / 2)] - domain[side / 2 + 3 * (side % 2)]) <= near) {
         is_on_side = true;
         if (field.on_sides[side])
-          return value_at(*field.on_sides[side], p, t);
+          return *evaluate<d>(*field.on_sides[side], p, t);
       }
     if (is_on_side || !field.on_surface)
       return std::nullopt;
-    return value_at(*field.on_surface, p, t);
+    return *evaluate<d>(*field.on_surface, p, t);
   });
 }
 
@@ -124,8 +121,7 @@ std::unique_ptr<Fluid<Complex>> fluid_of_scene(const Fluid_scene& scene, Complex
   static constexpr double difference = 1e-4; // of places of solids, in time steps
   for (const Scene_solid& solid : scene.solids)
     add_solid(solid, difference * scene.time_step, fluid);
-  add_inflows(scene, fluid);
-  add_openings(scene, fluid);
+  add_inflows_and_openings(scene, fluid);
   if (scene.field)
     set_field(*scene.field, scene, fluid);
   set_time(scene, 0, fluid);
@@ -245,14 +241,9 @@ template <class Complex> void set_velocities(const Fluid_scene& scene, Fluid<Com
     if (found == liquid_of.end() || !scene.liquids[found->second].velocity)
       return Vector(CGAL::NULL_VECTOR);
     const Expression& velocity = *scene.liquids[found->second].velocity;
-    const auto p = complex.position(v);
-    if constexpr (Complex::dimension == 2) {
-      const double* u = velocity.at({p.x(), p.y()});
-      return Vector(u[0], u[1]);
-    } else {
-      const double* u = velocity.at({p.x(), p.y(), p.z()});
-      return Vector(u[0], u[1], u[2]);
-    }
+    constexpr int d = Complex::dimension;
+    return CGAL::Deformable_simplicial_complexes::from_coordinates<Vector>(
+        evaluate<d>(velocity, complex.position(v)), std::make_integer_sequence<int, d>());
   });
 }
 
