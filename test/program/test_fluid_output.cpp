@@ -160,6 +160,22 @@ TEST_P(Fluid_output, is_probed_at_points) {
   expect_refusal(json, "'at'");
 }
 
+// The height of a pool is a function, and its wave falls at its crest.
+TEST_P(Fluid_output, is_probed_at_heights) {
+  const bool is_plane = GetParam() == 2;
+  Json json = pool(GetParam());
+  json["edge"] = is_plane ? .1 : .25;
+  json["liquids"][0]["shape"]["height"] = "0.5+0.02*cos(pi*x)";
+  json["probes"] = {{{"name", "left"}, {"height_at", Json::parse(is_plane ? "0" : "[0,0.25]")}}};
+  json["end"] = .3;
+  json["interface_tolerance"] = 0;
+  const Json steps = steps_of(json);
+  ASSERT_EQ(steps.size(), 4u);
+  EXPECT_NEAR(steps[0].at("probes").at("left").get<double>(), .52, 1e-12);
+  EXPECT_LT(steps[3].at("probes").at("left").get<double>(), .52);
+  EXPECT_NEAR(steps[3].at("volume").get<double>(), steps[0].at("volume").get<double>(), 1e-12);
+}
+
 // A linear function of the points is the same function of the points of the smooth surface.
 TEST_F(Fluid_output_3, of_smooth_surfaces_has_velocities) {
   const Outcome outcome =
