@@ -57,7 +57,8 @@ class Solids:
         options: the options of solids, see `Fluid`
         """
         lower, upper = _box(box, self._dimension)
-        self._add({"type": "tank", "box": lower + upper, "open": _flag(is_open, "is_open")}, options)
+        tank = {"type": "tank", "box": lower + upper, "open": _flag(is_open, "is_open")}
+        self._add(tank, options)
 
     def add_box(
         self,
@@ -74,8 +75,8 @@ class Solids:
         density, fixed: the options of bodies, see `Fluid`
         options: the options of solids, see `Fluid`
         """
-        corners = {"from": self._coordinates(lower, "lower"), "to": self._coordinates(upper, "upper")}
-        self._add({"type": "box", **corners, **_body(density, fixed)}, options)
+        lower, upper = self._coordinates(lower, "lower"), self._coordinates(upper, "upper")
+        self._add({"type": "box", "from": lower, "to": upper, **_body(density, fixed)}, options)
 
     def add_ball(
         self,
@@ -92,8 +93,9 @@ class Solids:
         density, fixed: the options of bodies, see `Fluid`
         options: the options of solids, see `Fluid`
         """
-        ball = {"center": self._coordinates(center, "center"), "radius": _number(radius, "radius")}
-        self._add({"type": "ball", **ball, **_side(outside), **_body(density, fixed)}, options)
+        center, radius = self._coordinates(center, "center"), _number(radius, "radius")
+        ball = {"type": "ball", "center": center, "radius": radius, **_side(outside)}
+        self._add({**ball, **_body(density, fixed)}, options)
 
     def add_cylinder(
         self,
@@ -108,9 +110,9 @@ class Solids:
 
         options: the options of solids, see `Fluid`; the center is the point
         """
-        line = {"point": self._coordinates(point, "point"), "axis": self._coordinates(axis, "axis")}
-        radius = _number(radius, "radius")
-        self._add({"type": "cylinder", **line, "radius": radius, **_side(outside)}, options)
+        point, axis = self._coordinates(point, "point"), self._coordinates(axis, "axis")
+        cylinder = {"type": "cylinder", "point": point, "axis": axis, **_side(outside)}
+        self._add({**cylinder, "radius": _number(radius, "radius")}, options)
 
     def add_mesh(
         self,

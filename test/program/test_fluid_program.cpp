@@ -349,18 +349,15 @@ TEST_F(Fluids, what_has_no_effect_is_refused) {
              "normal": [0, 0, 1], "contact_angle": 60}]})",
          "contact_angle");
   expect(R"({"relaxation": {"time_step": 0.1, "steps": 0}})", "no effect");
-  Json json = scene();
-  json["liquids"][0]["velocity"] = "x=1,0,0";
-  expect_refusal(json, "velocity of liquids[0] of the scene 'x=1,0,0'");
-  json["liquids"][0]["velocity"] = "0,t,0";
-  expect_refusal(json, "'t'");
-  json["liquids"][0]["velocity"] = "0,sqrt(x),0";
-  expect_refusal(json, "nan at x = -");
-  json = scene();
-  json["liquids"].push_back(json["liquids"][0]);
-  json["liquids"][1]["shape"] = Json::parse(R"({"type": "surroundings"})");
-  json["liquids"][1]["label"] = 2;
-  expect_refusal(json, "'label'");
+  const auto expect_velocity = [&](const std::string& velocity, const std::string& message) {
+    expect_refusal_of_value(scene(), "/liquids/0/velocity", Json(velocity).dump(), message);
+  };
+  expect_velocity("x=1,0,0", "velocity of liquids[0] of the scene 'x=1,0,0'");
+  expect_velocity("0,t,0", "'t'");
+  expect_velocity("0,sqrt(x),0", "nan at x = -");
+  expect_refusal_of_value(scene(), "/liquids/-",
+                          R"({"shape": {"type": "surroundings"}, "density": 1, "label": 2})",
+                          "'label'");
 }
 
 // Next to a pool, shapes are cut out of tetrahedra.

@@ -222,13 +222,10 @@ TEST_F(Planar_fluids, wrong_scenes_are_refused) {
                "'triangles'");
   expect_shape(R"({"type": "file", "file": "a.off", "center": [0, 0], "radius": 1})", ".wkt");
   expect_shape(R"({"type": "pool", "level": 0, "height": "y"})", "'y'");
-  Json json = scene();
-  json["liquids"][0]["velocity"] = "0,0,0";
-  expect_refusal(json, "3 components instead of 2");
-  json = scene();
-  json["liquids"].push_back(json["liquids"][0]);
-  json["liquids"][1]["shape"]["center"] = {.5, 0};
-  expect_refusal(json, "cross");
+  expect_refusal_of_value(scene(), "/liquids/0/velocity", "\"0,0,0\"", "3 components instead of 2");
+  expect_refusal_of_value(
+      scene(), "/liquids/-",
+      R"({"shape": {"type": "ball", "center": [0.5, 0], "radius": 1}, "density": 1})", "cross");
 }
 
 TEST_F(Planar_fluids, options_of_space_are_refused) {

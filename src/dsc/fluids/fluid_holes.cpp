@@ -66,16 +66,13 @@ Box_shape bounds_of_hole(const Hole& hole) {
 }
 
 /// Returns whether a hole and the inside of a box have a common point.
-bool meets_box(const Hole& hole, const Box_shape& box, std::size_t dimension) {
+bool meets_box(const Hole& hole, const Box_shape& box, int dimension) {
+  if (!boxes_overlap(bounds_of_hole(hole), box, dimension))
+    return false;
   const auto* ball = std::get_if<Ball_shape>(&hole.shape);
-  const Box_shape bounds = bounds_of_hole(hole);
   Place_of_hole nearest = {}; // point of the box to the center of the ball
-  for (std::size_t i = 0; i < dimension; ++i) {
-    if (!(bounds.from[i] < box.to[i] && box.from[i] < bounds.to[i]))
-      return false;
-    if (ball)
-      nearest[i] = std::clamp(ball->center[i], box.from[i], box.to[i]);
-  }
+  for (std::size_t i = 0; ball && i < std::size_t(dimension); ++i)
+    nearest[i] = std::clamp(ball->center[i], box.from[i], box.to[i]);
   return !ball || nearest_boundary(*ball, nearest).distance < 0;
 }
 
@@ -186,14 +183,20 @@ int label_of_holes(const Fluid_scene& scene) {
   return largest + 1;
 }
 
+bool boxes_overlap(const Box_shape& a, const Box_shape& b, int dimension) {
+  for (std::size_t i = 0; i < std::size_t(dimension); ++i)
+    if (!(a.from[i] < b.to[i] && b.from[i] < a.to[i]))
+      return false;
+  return true;
+}
+
 bool may_meet(const Hole& hole, const Fluid_shape& shape, const Fluid_scene& scene) {
-  const auto dimension = std::size_t(scene.dimension);
-  if (!meets_box(hole, box_shape(scene.domain), dimension))
+  if (!meets_box(hole, box_shape(scene.domain), scene.dimension))
     return false;
   if (const auto* given = std::get_if<Box_shape>(&shape))
-    return meets_box(hole, *given, dimension);
+    return meets_box(hole, *given, scene.dimension);
   const auto* pool = std::get_if<Pool_shape>(&shape);
-  return !pool || bounds_of_hole(hole).from[dimension - 1] < pool->level;
+  return !pool || bounds_of_hole(hole).from[std::size_t(scene.dimension - 1)] < pool->level;
 }
 
 template <class Boundary>

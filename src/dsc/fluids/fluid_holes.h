@@ -32,6 +32,9 @@ std::vector<Hole> holes_of(const Fluid_scene& scene);
 /// liquid.
 int label_of_holes(const Fluid_scene& scene);
 
+/// Returns whether the insides of two boxes have a common point.
+bool boxes_overlap(const Box_shape& a, const Box_shape& b, int dimension);
+
 /// Returns whether a hole contains a part of a shape, or may contain it. The domain of the scene
 /// bounds the shape.
 bool may_meet(const Hole& hole, const Fluid_shape& shape, const Fluid_scene& scene);

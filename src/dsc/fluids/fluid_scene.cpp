@@ -115,8 +115,7 @@ std::optional<Expression> read_velocity(const Json_fields& liquid) {
   const bool is_planar = liquid.dimension() == 2;
   const std::string form = is_planar ? "two expressions in x and y like '-y,x'"
                                      : "three expressions in x, y and z like '-y,x,0'";
-  const std::vector<std::string> variables =
-      is_planar ? std::vector<std::string>{"x", "y"} : std::vector<std::string>{"x", "y", "z"};
+  const std::vector<std::string> variables = liquid.coordinate_names();
   if (!liquid.has("velocity"))
     return std::nullopt;
   if (liquid.any("velocity").is_string())
@@ -242,14 +241,11 @@ Scene_opening read_opening(const Json_fields& side, std::size_t number,
                            const std::array<double, 6>& domain) {
   if (side.has("inflow"))
     side.refuse("inflow", "cannot be combined with 'pressure'; remove one of them");
-  const bool is_planar = side.dimension() == 2;
-  const std::vector<std::string> variables = is_planar
-                                                 ? std::vector<std::string>{"x", "y", "t"}
-                                                 : std::vector<std::string>{"x", "y", "z", "t"};
-  const std::string form = is_planar ? "a number, or an expression in x, y and t like '1-y'"
-                                     : "a number, or an expression in x, y, z and t like '1-z'";
-  Scene_opening result{side.number_or_expression("pressure", variables, form), std::nullopt,
-                       read_part(side, number, domain)};
+  const char* form = side.dimension() == 2
+                         ? "a number, or an expression in x, y and t like '1-y'"
+                         : "a number, or an expression in x, y, z and t like '1-z'";
+  Scene_opening result{side.number_or_expression("pressure", side.coordinate_names({"t"}), form),
+                       std::nullopt, read_part(side, number, domain)};
   if (side.has("velocity")) {
     result.velocity = side.point("velocity");
     if ((*result.velocity)[number / 2] != 0)

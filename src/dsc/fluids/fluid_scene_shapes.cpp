@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace dsc {
 namespace {
@@ -80,11 +81,12 @@ Pool_shape read_pool(const Json_fields& shape) {
   Pool_shape result{shape.number("level"), {}};
   if (!shape.has("height"))
     return result;
-  if (shape.dimension() == 2)
-    result.height = shape.expression("height", {"x"}, 1, "an expression in x like '1+0.1*cos(x)'");
-  else
-    result.height =
-        shape.expression("height", {"x", "y"}, 1, "an expression in x and y like '1+0.1*cos(x)'");
+  std::vector<std::string> variables = shape.coordinate_names();
+  variables.pop_back();
+  result.height =
+      shape.expression("height", variables, 1,
+                       shape.dimension() == 2 ? "an expression in x like '1+0.1*cos(x)'"
+                                              : "an expression in x and y like '1+0.1*cos(x)'");
   return result;
 }
 

@@ -19,6 +19,15 @@ Json_fields::Json_fields(const Json& json, std::string name, int dimension)
     throw Usage_error(m_name + " must be an object in braces");
 }
 
+std::vector<std::string>
+Json_fields::coordinate_names(const std::vector<std::string>& others) const {
+  std::vector<std::string> result = {"x", "y"};
+  if (m_dimension == 3)
+    result.push_back("z");
+  result.insert(result.end(), others.begin(), others.end());
+  return result;
+}
+
 void Json_fields::refuse(const std::string& field, const std::string& why) const {
   throw Usage_error(m_name + ", field '" + field + "': " + why);
 }

@@ -28,6 +28,9 @@ public:
   int dimension() const { return m_dimension; }
   void set_dimension(int dimension) { m_dimension = dimension; }
 
+  /// Returns the names of the coordinates of points, and the names in `others`.
+  std::vector<std::string> coordinate_names(const std::vector<std::string>& others = {}) const;
+
   /// Checks that all fields are in the list. Must be called before fields are read, so that a
   /// misspelt field is reported before the missing field with the correct name.
   /// \throws Usage_error with the nearest known name if the object has another field
