@@ -5,7 +5,7 @@ from __future__ import annotations
 import dsc
 import numpy as np
 import pytest
-from shapes import CUBE_POINTS, CUBE_TRIANGLES, ball, disk, polygon, rectangle
+from shapes import CUBE_POINTS, CUBE_TRIANGLES, ball, disk, polygon, rectangle, rotation
 
 
 def droplet(**options):
@@ -27,23 +27,6 @@ def two_liquids(viscosity=0.0, tension=0.0):
 def vertices_of(fluid, label):
     cells = fluid.complex.cells()
     return np.unique(cells.cells[cells.labels == label])
-
-
-def rotation(points):
-    return np.c_[-points[:, 1], points[:, 0]]
-
-
-def test_free_fall_in_the_plane():
-    fluid = droplet(gravity=(0, -1))
-    assert isinstance(fluid.complex, dsc.Complex2)
-    for _ in range(3):
-        report = fluid.step(0.05)
-    balance = fluid.balance
-    assert balance.mass == pytest.approx(np.pi / 4, rel=0.05)
-    assert balance.momentum == pytest.approx([0, -0.15 * balance.mass], abs=1e-9)
-    assert isinstance(balance.angular_momentum, float)
-    assert report.forces_on_solids.shape == (0, 2)
-    assert fluid.velocities.shape == fluid.complex.cells().points.shape
 
 
 def test_hydrostatic_pressure():
@@ -141,14 +124,6 @@ def test_a_drop_lands_on_solids_in_the_plane(add):
         report = fluid.step(0.1)
     assert report.forces_on_solids.shape == (1, 2)
     assert report.contacts > 0 and report.depth_in_solids < 0.05
-
-
-def test_a_source_in_the_plane():
-    fluid = droplet()
-    before = fluid.balance.volume
-    fluid.set_sources([dsc.Source((0, 0), 0.3, 0.02)])
-    fluid.step(0.1)
-    assert fluid.balance.volume - before == pytest.approx(0.002, rel=0.6)  # few cells are in the disk
 
 
 @pytest.mark.parametrize(

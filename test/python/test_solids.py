@@ -5,7 +5,7 @@ from __future__ import annotations
 import dsc
 import numpy as np
 import pytest
-from shapes import CUBE_POINTS, CUBE_TRIANGLES, ball, disk
+from shapes import CUBE_POINTS, CUBE_TRIANGLES, ball, disk, rotation
 
 
 def circle(radius, edge):
@@ -45,10 +45,6 @@ def annulus(radius, viscosity):
 
 def droplet(**options):
     return dsc.Fluid(disk(0.15), {1: dsc.Liquid(1.0, 0.05)}, **options)
-
-
-def rotation(points):
-    return np.c_[-points[:, 1], points[:, 0]]
 
 
 def test_a_floating_box_rests():
