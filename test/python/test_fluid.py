@@ -65,20 +65,26 @@ def test_velocities():
     assert 0 < fluid.largest_step() < 1
 
 
-def test_a_drop_lands_on_solids():
-    for add in (
-        lambda f: f.add_plane((0, 0, -0.55), (0, 0, 1), no_slip=True),
-        lambda f: f.add_ball((0, 0, -1), 0.45, contact_angle=120),
-        lambda f: f.add_cylinder((0, 0, -1), (1, 0, 0), 0.45),
-        lambda f: f.add_mesh(CUBE_POINTS - [0.5, 0.5, 1.55], CUBE_TRIANGLES),
-        lambda f: f.add_tank([(-0.9, -0.9, -0.55), (0.9, 0.9, 0.5)], is_open=True),
-    ):
-        fluid = droplet(gravity=(0, 0, -2))
-        add(fluid)
-        for _ in range(5):
-            report = fluid.step(0.1)
-        assert report.forces_on_solids.shape == (1, 3)
-        assert report.contacts > 0 and report.depth_in_solids < 0.05
+@pytest.mark.parametrize(
+    "d, add",
+    [
+        (2, lambda f: f.add_plane((0, -0.55), (0, 1), no_slip=True)),
+        (2, lambda f: f.add_ball((0, -1), 0.45, contact_angle=120)),
+        (2, lambda f: f.add_tank([(-0.9, -0.55), (0.9, 0.5)], is_open=True, separates=False)),
+        (3, lambda f: f.add_plane((0, 0, -0.55), (0, 0, 1), no_slip=True)),
+        (3, lambda f: f.add_ball((0, 0, -1), 0.45, contact_angle=120)),
+        (3, lambda f: f.add_tank([(-0.9, -0.9, -0.55), (0.9, 0.9, 0.5)], is_open=True)),
+        (3, lambda f: f.add_cylinder((0, 0, -1), (1, 0, 0), 0.45)),
+        (3, lambda f: f.add_mesh(CUBE_POINTS - [0.5, 0.5, 1.55], CUBE_TRIANGLES)),
+    ],
+)
+def test_a_drop_lands_on_solids(d, add):
+    fluid = droplet(d=d, gravity=-2 * np.eye(d)[d - 1])
+    add(fluid)
+    for _ in range(5):
+        report = fluid.step(0.1)
+    assert report.forces_on_solids.shape == (1, d)
+    assert report.contacts > 0 and report.depth_in_solids < 0.05
 
 
 @pytest.mark.parametrize("d", [2, 3])

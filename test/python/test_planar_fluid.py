@@ -110,23 +110,6 @@ def test_pressures_of_two_liquids():
 
 
 @pytest.mark.parametrize(
-    "add",
-    [
-        lambda f: f.add_plane((0, -0.55), (0, 1), no_slip=True),
-        lambda f: f.add_ball((0, -1), 0.45, contact_angle=120),
-        lambda f: f.add_tank([(-0.9, -0.55), (0.9, 0.5)], is_open=True, separates=False),
-    ],
-)
-def test_a_drop_lands_on_solids_in_the_plane(add):
-    fluid = droplet(gravity=(0, -2))
-    add(fluid)
-    for _ in range(5):
-        report = fluid.step(0.1)
-    assert report.forces_on_solids.shape == (1, 2)
-    assert report.contacts > 0 and report.depth_in_solids < 0.05
-
-
-@pytest.mark.parametrize(
     "call",
     [
         lambda: dsc.Fluid(disk(0.3), {1: dsc.Liquid(1.0)}, gravity=(0, 0, -1)),
