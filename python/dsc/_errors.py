@@ -51,6 +51,10 @@ class InvalidDestinationError(Error):
     """Offending vertices, in the order of `Complex.interface().points`."""
 
 
+class InvalidSolidError(Error, ValueError):
+    """A value of a solid of a fluid is out of range, or cannot be combined with another value."""
+
+
 class TetrahedralizationError(Error):
     """The space around surfaces could not be filled with tetrahedra."""
 

@@ -10,7 +10,6 @@ import numpy as np
 import numpy.typing as npt
 
 from ._complex import _box, _callable, _given, _number, _numbers
-from ._errors import Error
 from ._report import Points
 
 Motion = Callable[[float], tuple[Any, Any]]
@@ -48,11 +47,8 @@ class Solids:
         point, normal: a point of its boundary, and the direction to the side of the liquids
         options: the options of solids, see `Fluid`; the center is the point
         """
-        self._compiled.add_plane(
-            self._coordinates(point, "point"),
-            self._coordinates(normal, "normal"),
-            self._options(options),
-        )
+        point, normal = self._coordinates(point, "point"), self._coordinates(normal, "normal")
+        self._add({"type": "plane", "point": point, "normal": normal}, options)
 
     def add_tank(self, box: npt.ArrayLike, *, is_open: bool = False, **options: Any) -> None:
         """Adds the walls of a tank around liquids. An open tank has no wall at the top.
@@ -60,7 +56,9 @@ class Solids:
         box: two opposite corners, shape (2, d); the top has the largest z, in the plane the largest y
         options: the options of solids, see `Fluid`
         """
-        self._compiled.add_tank(_box(box, self._dimension), is_open, self._options(options))
+        lower, upper = _box(box, self._dimension)
+        tank = {"type": "tank", "box": lower + upper, "open": _flag(is_open, "is_open")}
+        self._add(tank, options)
 
     def add_box(
         self,
@@ -77,10 +75,8 @@ class Solids:
         density, fixed: the options of bodies, see `Fluid`
         options: the options of solids, see `Fluid`
         """
-        corners = self._coordinates(lower, "lower"), self._coordinates(upper, "upper")
-        self._compiled.add_box(
-            corners, self._body(density, fixed, options), self._options(options)
-        )
+        lower, upper = self._coordinates(lower, "lower"), self._coordinates(upper, "upper")
+        self._add({"type": "box", "from": lower, "to": upper, **_body(density, fixed)}, options)
 
     def add_ball(
         self,
@@ -97,13 +93,9 @@ class Solids:
         density, fixed: the options of bodies, see `Fluid`
         options: the options of solids, see `Fluid`
         """
-        self._compiled.add_ball(
-            self._coordinates(center, "center"),
-            _number(radius, "radius"),
-            outside,
-            self._body(density, fixed, options, outside),
-            self._options(options),
-        )
+        center, radius = self._coordinates(center, "center"), _number(radius, "radius")
+        ball = {"type": "ball", "center": center, "radius": radius, **_side(outside)}
+        self._add({**ball, **_body(density, fixed)}, options)
 
     def add_cylinder(
         self,
@@ -114,18 +106,13 @@ class Solids:
         outside: bool = False,
         **options: Any,
     ) -> None:
-        """Adds an infinite solid cylinder, or its outside. Raises `Error` in the plane.
+        """Adds an infinite solid cylinder, or its outside. Raises `InvalidSolidError` in the plane.
 
         options: the options of solids, see `Fluid`; the center is the point
         """
-        self._require_space("a cylinder")
-        self._compiled.add_cylinder(
-            self._coordinates(point, "point"),
-            self._coordinates(axis, "axis"),
-            _number(radius, "radius"),
-            outside,
-            self._options(options),
-        )
+        point, axis = self._coordinates(point, "point"), self._coordinates(axis, "axis")
+        cylinder = {"type": "cylinder", "point": point, "axis": axis, **_side(outside)}
+        self._add({**cylinder, "radius": _number(radius, "radius")}, options)
 
     def add_mesh(
         self,
@@ -137,20 +124,17 @@ class Solids:
         fixed: Iterable[str] = (),
         **options: Any,
     ) -> None:
-        """Adds a solid bounded by a closed surface, its outside, or a body. Raises `Error` in the plane.
+        """Adds a solid bounded by a closed surface, its outside, or a body.
+
+        Raises `InvalidSolidError` in the plane.
 
         points, triangles: shapes (n, 3) and (m, 3)
         density, fixed: the options of bodies, see `Fluid`
         options: the options of solids, see `Fluid`; the center is the mean of the points
         """
-        self._require_space("a closed surface")
-        self._compiled.add_mesh(
-            np.asarray(points, dtype=float),
-            np.asarray(triangles),
-            outside,
-            self._body(density, fixed, options, outside),
-            self._options(options),
-        )
+        mesh = np.asarray(points, dtype=float), np.asarray(triangles)
+        body = _body(density, fixed)
+        self._add({"type": "mesh", "file": "", **_side(outside), **body}, options, mesh)
 
     @property
     def bodies(self) -> list[Body]:
@@ -160,64 +144,40 @@ class Solids:
     def _coordinates(self, values: Sequence[float], name: str) -> list[float]:
         return _numbers(values, self._dimension, name)
 
-    def _require_space(self, solid: str) -> None:
-        if self._dimension == 2:
-            raise Error(f"{solid} is a solid in space: use a plane, a tank, a box or a ball in the plane")
+    def _add(self, solid: dict[str, Any], options: dict[str, Any], mesh: Any = None) -> None:
+        """Adds a solid, which is described as in a scene of the program, with the options of solids.
 
-    def _options(self, options: dict[str, Any]) -> dict[str, Any]:
-        """Returns the options of a solid for the compiled part. Vectors have three coordinates."""
-        result = _given({}, **options)
-        step = _number(result.pop("motion_step", 1e-5), "motion_step")
+        The compiled part checks the description.
+        """
+        given = _given(options)
+        motion = self._motion(given.pop("motion", None), given.pop("motion_step", None))
+        for name, value in given.items():
+            if name == "contact_angle":
+                solid[name] = _number(value, name)
+            elif name in ("no_slip", "separates"):
+                solid["sticks" if name == "no_slip" else name] = _flag(value, name)
+            elif name == "velocity":
+                solid[name] = self._coordinates(value, name)
+            elif name == "angular_velocity":
+                solid[name] = _rotation(value, self._dimension, name)
+            else:
+                raise TypeError(f"unknown option {name!r}")
+        for name in ("density", "velocity", "angular_velocity"):
+            if motion and name in solid:
+                raise ValueError(f"motion cannot be combined with {name}; remove one of them")
+        self._compiled.add_solid(solid, mesh, motion)
+
+    def _motion(self, motion: Motion | None, step: Any) -> tuple[_Places, float] | None:
+        if motion is None:
+            if step is not None:
+                raise ValueError("motion_step has no effect without motion")
+            return None
+        step = 1e-5 if step is None else _number(step, "motion_step")
         if not 0 < step < np.inf:
             raise ValueError("motion_step must be positive and finite")
-        if "motion_step" in options and "motion" not in result:
-            raise ValueError("motion_step has no effect without motion")
-        if "motion" in result:
-            if "velocity" in result or "angular_velocity" in result:
-                raise ValueError("a solid with a motion has no velocity and no angular_velocity")
-            motion = _Places(_callable(result["motion"], "motion"), self._dimension)
-            motion(float(self._compiled.time()))  # checks the values
-            result["motion"] = motion, step
-        if "velocity" in result:
-            result["velocity"] = _in_space(self._coordinates(result["velocity"], "velocity"))
-        if "angular_velocity" in result:
-            given = result["angular_velocity"]
-            result["angular_velocity"] = _rotation(given, self._dimension, "angular_velocity")
-        return result
-
-    def _body(
-        self,
-        density: float | None,
-        fixed: Iterable[str],
-        options: dict[str, Any],
-        outside: bool = False,
-    ) -> tuple[float, list[bool], bool] | None:
-        """Returns the density, whether a body moves along each axis, and whether it rotates."""
-        names = [fixed] if isinstance(fixed, str) else list(fixed)
-        if density is None:
-            if names:
-                raise ValueError("fixed has no effect without a density")
-            return None
-        if outside:
-            raise ValueError("a body has its liquids outside, so outside must be False")
-        if options.get("motion") is not None:
-            raise ValueError("a body has no motion: use velocity and angular_velocity")
-        axes = ("x", "y", "z")[: self._dimension]
-        for name in names:
-            if name not in (*axes, "rotation"):
-                raise ValueError(f"fixed must be some of {', '.join(axes)} and rotation, not {name!r}")
-        translates = [axis not in names for axis in ("x", "y", "z")]
-        rotates = "rotation" not in names
-        self._require_free(options, translates, rotates)
-        return _number(density, "density"), translates, rotates
-
-    def _require_free(self, options: dict[str, Any], translates: list[bool], rotates: bool) -> None:
-        """Raises ValueError if the initial motion of a body has a component that is fixed."""
-        motion = self._options(options)
-        if np.any(motion.get("velocity", np.zeros(3))[~np.array(translates)]):
-            raise ValueError("velocity must be 0 in the directions of fixed")
-        if not rotates and np.any(motion.get("angular_velocity", 0)):
-            raise ValueError("angular_velocity must be 0 because fixed contains rotation")
+        places = _Places(_callable(motion, "motion"), self._dimension)
+        places(float(self._compiled.time()))  # checks the values
+        return places, step
 
 
 class _Places:
@@ -227,25 +187,34 @@ class _Places:
         self._motion = motion
         self._dimension = dimension
 
-    def __call__(self, t: float) -> tuple[Points, Points]:
+    def __call__(self, t: float) -> tuple[list[float], list[float]]:
         place = self._motion(t)
         if not isinstance(place, (tuple, list)) or len(place) != 2:
             raise ValueError("a motion must return a displacement and a rotation")
-        displacement, rotation = place
-        return (
-            _in_space(_numbers(displacement, self._dimension, "a displacement")),
-            _rotation(rotation, self._dimension, "a rotation"),
-        )
+        displacement = _numbers(place[0], self._dimension, "a displacement")
+        rotation = _rotation(place[1], self._dimension, "a rotation")
+        if isinstance(rotation, float):
+            return [*displacement, 0], [0, 0, rotation]
+        return displacement, rotation
 
 
-def _in_space(values: Any) -> Points:
-    coordinates = np.zeros(3)
-    coordinates[: len(values)] = values
-    return coordinates
+def _rotation(value: Any, dimension: int, name: str) -> float | list[float]:
+    """Returns an angle in the plane, or a vector in space."""
+    return _number(value, name) if dimension == 2 else _numbers(value, 3, name)
 
 
-def _rotation(value: Any, dimension: int, name: str) -> Points:
-    """Returns a rotation about the third axis in the plane, or about any axis in space."""
-    if dimension == 2:
-        return np.array([0, 0, _number(value, name)])
-    return np.array(_numbers(value, 3, name))
+def _flag(value: Any, name: str) -> bool:
+    if isinstance(value, str):
+        raise TypeError(f"{name} must be True or False, not {value!r}")
+    return bool(value)
+
+
+def _side(outside: bool) -> dict[str, str]:
+    """Returns where the liquids are, if the solid is inside or outside of a surface."""
+    return {"liquid": "inside" if _flag(outside, "outside") else "outside"}
+
+
+def _body(density: float | None, fixed: Iterable[str]) -> dict[str, Any]:
+    names = [fixed] if isinstance(fixed, str) else [str(name) for name in dict.fromkeys(fixed)]
+    given = None if density is None else _number(density, "density")
+    return _given({}, density=given, fixed=names or None)

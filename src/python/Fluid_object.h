@@ -9,7 +9,6 @@
 #include "arrays.h"
 
 #include <CGAL/Incompressible_fluids_3/Incompressible_fluid.h>
-#include <CGAL/Mesh_support/coordinates.h>
 
 #include <CGAL/Simple_cartesian.h>
 
@@ -40,12 +39,6 @@ template <std::size_t d> std::array<double, 3> in_space(const std::array<double,
   std::array<double, 3> result = {};
   std::copy(coordinates.begin(), coordinates.end(), result.begin());
   return result;
-}
-template <std::size_t d> Point_3 point_in_space(const std::array<double, d>& coordinates) {
-  return DSC::point_of<Point_3>(in_space(coordinates));
-}
-template <std::size_t d> Vector_3 vector_in_space(const std::array<double, d>& coordinates) {
-  return DSC::point_of<Vector_3>(in_space(coordinates));
 }
 
 /// Returns the first d coordinates of a point or a vector in space, as an array of shape (d,).

@@ -6,6 +6,8 @@
 #include "arrays.h"
 #include "module.h"
 
+#include "programs/errors.h"
+
 #include <CGAL/Complex_construction/Tetrahedralization_3.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Incompressible_fluids_3/fluid_errors.h>
@@ -55,12 +57,13 @@ void translate(std::exception_ptr exception) {
     raise("InvalidPointsError", error, py::dict("points"_a = indices(error.points())));
   } catch (const DSC::Invalid_destination_error& error) {
     raise("InvalidDestinationError", error, py::dict("vertices"_a = indices(error.vertices())));
-  } catch (const DSC::Tetrahedralization_error& error) {
     raise("TetrahedralizationError", error, py::dict("code"_a = error.code()));
   } catch (const DSC::File_error& error) {
     raise("FileError", error, py::dict("path"_a = error.path()));
   } catch (const DSC::Fluid_step_error& error) {
     raise("FluidStepError", error, py::dict("step"_a = error.step()));
+  } catch (const dsc::Usage_error& error) { // of the description of a solid
+    raise("InvalidSolidError", error);
   } catch (const DSC::Error& error) {
     raise("Error", error);
   }

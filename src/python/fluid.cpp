@@ -333,12 +333,9 @@ private:
 template <class Complex> void bind_fluid(py::module_& module, const char* name) {
   using Functions = Fluid_functions<Complex>;
   using Solids = Fluid_solids<Complex>;
-  py::class_<typename Functions::Object> fluid(module, name);
-  fluid.def(py::init(&Functions::make))
-      .def("add_plane", &Solids::add_plane)
-      .def("add_tank", &Solids::add_tank)
-      .def("add_box", &Solids::add_box)
-      .def("add_ball", &Solids::add_ball)
+  py::class_<typename Functions::Object>(module, name)
+      .def(py::init(&Functions::make))
+      .def("add_solid", &Solids::add)
       .def("bodies", &Solids::bodies)
       .def("set_side", &Functions::set_side)
       .def("set_gravity", &Functions::set_gravity)
@@ -357,8 +354,6 @@ template <class Complex> void bind_fluid(py::module_& module, const char* name) 
       .def("vorticity", &Functions::vorticity)
       .def("step", &Functions::step)
       .def("relax", &Functions::relax);
-  if constexpr (Complex::dimension == 3)
-    fluid.def("add_cylinder", &Solids::add_cylinder).def("add_mesh", &Solids::add_mesh);
 }
 
 } // namespace

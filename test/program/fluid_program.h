@@ -35,10 +35,11 @@ protected:
     json.merge_patch(Json::parse(patch));
     expect_refusal(json, text);
   }
-  // Expects that a scene is refused with another shape of its first liquid.
-  void expect_refusal_of_shape(Json json, const std::string& shape, const std::string& text) {
-    SCOPED_TRACE(shape);
-    json["liquids"][0]["shape"] = Json::parse(shape);
+  // Expects that a scene is refused with another value at a place, given as a JSON pointer.
+  void expect_refusal_of_value(Json json, const std::string& place, const std::string& value,
+                               const std::string& text) {
+    SCOPED_TRACE(place + ": " + value);
+    json[Json::json_pointer(place)] = Json::parse(value);
     expect_refusal(json, text);
   }
 };

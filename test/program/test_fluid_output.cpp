@@ -126,16 +126,10 @@ TEST_P(Fluid_output, has_fields_of_both_sides_of_the_interface) {
 }
 
 TEST_P(Fluid_output, is_probed_at_points) {
-  const auto probes_of = [&](const Json& json) {
-    const Outcome outcome = run("fluid " + write_scene(json) + " --report r.json");
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    std::vector<Json> result;
-    const Json whole = report("r.json");
-    for (const Json& step : whole.at("steps"))
-      result.push_back(step.at("probes"));
-    return result;
-  };
-  const auto at_start = probes_of(rotating_ball(GetParam())).front();
+  const Json of_ball = steps_of(rotating_ball(GetParam())), of_pool = steps_of(pool(GetParam()));
+  ASSERT_EQ(of_ball.size(), 2u);
+  ASSERT_EQ(of_pool.size(), 2u);
+  const Json &at_start = of_ball[0].at("probes"), &at_end = of_pool[1].at("probes");
   EXPECT_EQ(at_start.at("inside").at("label"), 1);
   EXPECT_EQ(at_start.at("outside").at("label"), 0);
   EXPECT_TRUE(at_start.at("outside").at("pressure").is_null());
@@ -146,7 +140,6 @@ TEST_P(Fluid_output, is_probed_at_points) {
   EXPECT_NEAR(velocity[1], .1, 1e-9);
   EXPECT_NEAR(velocity[2], 0, 1e-9);
 
-  const auto at_end = probes_of(pool(GetParam())).back();
   EXPECT_NEAR(at_end.at("deep").at("pressure").get<double>(), 2 * 3 * .3, 1e-6); // hydrostatic
   EXPECT_TRUE(at_end.at("above").at("pressure").is_null());
 
@@ -158,6 +151,22 @@ TEST_P(Fluid_output, is_probed_at_points) {
   json = pool(GetParam());
   json["probes"][0]["mode"] = 2;
   expect_refusal(json, "'at'");
+}
+
+// The height of a pool is a function, and its wave falls at its crest.
+TEST_P(Fluid_output, is_probed_at_heights) {
+  const bool is_plane = GetParam() == 2;
+  Json json = pool(GetParam());
+  json["edge"] = is_plane ? .1 : .25;
+  json["liquids"][0]["shape"]["height"] = "0.5+0.02*cos(pi*x)";
+  json["probes"] = {{{"name", "left"}, {"height_at", Json::parse(is_plane ? "0" : "[0,0.25]")}}};
+  json["end"] = .3;
+  json["interface_tolerance"] = 0;
+  const Json steps = steps_of(json);
+  ASSERT_EQ(steps.size(), 4u);
+  EXPECT_NEAR(steps[0].at("probes").at("left").get<double>(), .52, 1e-12);
+  EXPECT_LT(steps[3].at("probes").at("left").get<double>(), .52);
+  EXPECT_NEAR(steps[3].at("volume").get<double>(), steps[0].at("volume").get<double>(), 1e-12);
 }
 
 // A linear function of the points is the same function of the points of the smooth surface.

@@ -56,6 +56,11 @@ def rectangle(
     return dsc.Complex2.from_triangles(points, triangles, labels(points[triangles].mean(axis=1)))
 
 
+def rotation(points: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+    """Returns velocities of a rigid rotation of the plane with the angular velocity 1."""
+    return np.c_[-points[:, 1], points[:, 0]]
+
+
 CUBE_POINTS = np.array([[x, y, z] for x in (0.0, 1.0) for y in (0.0, 1.0) for z in (0.0, 1.0)])
 CUBE_TRIANGLES = np.array(
     [

@@ -219,6 +219,6 @@ def test_the_constructor_is_not_for_users():
 
 def test_all_errors_have_a_common_base():
     for name in ("InvalidSurfaceError", "InvalidCellsError", "InvalidPointsError", "FileError",
-                 "InvalidDestinationError", "TetrahedralizationError"):  # fmt: skip
+                 "InvalidDestinationError", "InvalidSolidError", "TetrahedralizationError"):  # fmt: skip
         assert issubclass(getattr(dsc, name), dsc.Error)
     assert not issubclass(dsc.Interrupted, dsc.Error)

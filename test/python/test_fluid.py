@@ -5,25 +5,33 @@ from __future__ import annotations
 import dsc
 import numpy as np
 import pytest
-from shapes import CUBE_POINTS, CUBE_TRIANGLES, ball
+from shapes import CUBE_POINTS, CUBE_TRIANGLES, ball, disk
 
 
-def droplet(tension=0.1, **options):
-    return dsc.Fluid(ball(0.25), {1: dsc.Liquid(1.0, 0.05)}, tensions={(0, 1): tension}, **options)
+def droplet(tension=0.1, d=3, **options):
+    c = ball(0.25) if d == 3 else disk(0.15)
+    return dsc.Fluid(c, {1: dsc.Liquid(1.0, 0.05)}, tensions={(0, 1): tension}, **options)
 
 
-def test_free_fall():
-    fluid = droplet(tension=0, gravity=(0, 0, -1))
+@pytest.mark.parametrize("d", [2, 3])
+def test_free_fall(d):
+    gravity = -np.eye(d)[d - 1]
+    fluid = droplet(tension=0, d=d, gravity=gravity)
+    assert isinstance(fluid.complex, dsc.Complex2 if d == 2 else dsc.Complex3)
     volume = fluid.balance.volume
     for _ in range(3):
         report = fluid.step(0.05)
     assert fluid.time == pytest.approx(0.15)
-    mass = fluid.balance.mass
-    assert fluid.balance.momentum == pytest.approx([0, 0, -0.15 * mass], abs=1e-9)
-    assert fluid.balance.volume == pytest.approx(volume, rel=1e-9)
+    balance = fluid.balance
+    assert balance.momentum == pytest.approx(0.15 * balance.mass * gravity, abs=1e-9)
+    assert balance.volume == pytest.approx(volume, rel=1e-9)
+    assert d == 3 or balance.mass == pytest.approx(np.pi / 4, rel=0.05)
+    assert isinstance(balance.angular_momentum, float) == (d == 2)
     assert report.dt == 0.05 and report.repetitions == 0 and report.volume_error < 1e-9
     assert report.deformation.complete
     assert report.greatest_velocity == pytest.approx(0.15, rel=0.1)
+    assert report.forces_on_solids.shape == (0, d)
+    assert fluid.velocities.shape == fluid.complex.cells().points.shape
 
 
 def test_the_fluid_works_on_a_copy():
@@ -57,37 +65,33 @@ def test_velocities():
     assert 0 < fluid.largest_step() < 1
 
 
-def test_a_liquid_rests_in_a_tank():
-    c = dsc.Complex3.from_function(
-        lambda p: (p[:, 2] < 0.5).astype(int), box=[(0, 0, 0), (1, 1, 1)], edge=0.25
-    )
-    fluid = dsc.Fluid(c, {1: dsc.Liquid(1.0, 0.01)}, gravity=(0, 0, -10))
-    fluid.add_tank([(0, 0, 0), (1, 1, 1)], is_open=True)
-    for _ in range(3):
-        report = fluid.step(0.02)
-    assert report.greatest_velocity < 0.2
-    assert fluid.complex.volumes[1] == pytest.approx(c.volumes[1], rel=1e-9)
+@pytest.mark.parametrize(
+    "d, add",
+    [
+        (2, lambda f: f.add_plane((0, -0.55), (0, 1), no_slip=True)),
+        (2, lambda f: f.add_ball((0, -1), 0.45, contact_angle=120)),
+        (2, lambda f: f.add_tank([(-0.9, -0.55), (0.9, 0.5)], is_open=True, separates=False)),
+        (3, lambda f: f.add_plane((0, 0, -0.55), (0, 0, 1), no_slip=True)),
+        (3, lambda f: f.add_ball((0, 0, -1), 0.45, contact_angle=120)),
+        (3, lambda f: f.add_tank([(-0.9, -0.9, -0.55), (0.9, 0.9, 0.5)], is_open=True)),
+        (3, lambda f: f.add_cylinder((0, 0, -1), (1, 0, 0), 0.45)),
+        (3, lambda f: f.add_mesh(CUBE_POINTS - [0.5, 0.5, 1.55], CUBE_TRIANGLES)),
+    ],
+)
+def test_a_drop_lands_on_solids(d, add):
+    fluid = droplet(d=d, gravity=-2 * np.eye(d)[d - 1])
+    add(fluid)
+    for _ in range(5):
+        report = fluid.step(0.1)
+    assert report.forces_on_solids.shape == (1, d)
+    assert report.contacts > 0 and report.depth_in_solids < 0.05
 
 
-def test_a_drop_lands_on_solids():
-    for add in (
-        lambda f: f.add_plane((0, 0, -0.55), (0, 0, 1), no_slip=True),
-        lambda f: f.add_ball((0, 0, -1), 0.45, contact_angle=120),
-        lambda f: f.add_cylinder((0, 0, -1), (1, 0, 0), 0.45),
-        lambda f: f.add_mesh(CUBE_POINTS - [0.5, 0.5, 1.55], CUBE_TRIANGLES),
-    ):
-        fluid = droplet(gravity=(0, 0, -2))
-        add(fluid)
-        for _ in range(5):
-            report = fluid.step(0.1)
-        assert report.forces_on_solids.shape == (1, 3)
-        assert report.contacts > 0 and report.depth_in_solids < 0.05
-
-
-def test_a_source():
-    fluid = droplet()
+@pytest.mark.parametrize("d", [2, 3])
+def test_a_source(d):
+    fluid = droplet(d=d)
     before = fluid.balance.volume
-    fluid.set_sources([dsc.Source((0, 0, 0), 0.3, 0.02)])
+    fluid.set_sources([dsc.Source([0] * d, 0.3, 0.02)])
     fluid.step(0.1)
     assert fluid.balance.volume - before == pytest.approx(0.002, rel=0.6)  # few cells are in the ball
 

@@ -50,37 +50,26 @@ private:
   void require_few_facets(double edge) const;
 
   const std::vector<Labeled_box>& m_boxes;
-  std::array<std::vector<double>, 3> m_lines,
-      m_points; // coordinates of the faces, and of all layers
+  std::array<std::set<double>, 3> m_lines;     // coordinates of the faces
+  std::array<std::vector<double>, 3> m_points; // coordinates of all layers
 };
 
 Grid_of_boxes::Grid_of_boxes(const std::vector<Labeled_box>& boxes, double edge) : m_boxes(boxes) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    std::set<double> lines;
+  for (std::size_t axis = 0; axis < 3; ++axis)
     for (const Labeled_box& labeled : boxes) {
-      lines.insert(labeled.box.from[axis]);
-      lines.insert(labeled.box.to[axis]);
+      m_lines[axis].insert(labeled.box.from[axis]);
+      m_lines[axis].insert(labeled.box.to[axis]);
     }
-    m_lines[axis].assign(lines.begin(), lines.end());
-  }
   require_few_facets(edge);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    m_points[axis] = {m_lines[axis].front()};
-    for (std::size_t line = 1; line < m_lines[axis].size(); ++line) {
-      const double from = m_lines[axis][line - 1], to = m_lines[axis][line];
-      const std::size_t parts = number_of_parts((to - from) / edge);
-      for (std::size_t i = 1; i < parts; ++i)
-        m_points[axis].push_back(from + (to - from) * double(i) / double(parts));
-      m_points[axis].push_back(to);
-    }
-  }
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    m_points[axis] = divided_lines(m_lines[axis], edge);
 }
 
 /// Throws Input_error if there would be too many facets.
 void Grid_of_boxes::require_few_facets(double edge) const {
   std::array<double, 3> cells;
   for (std::size_t axis = 0; axis < 3; ++axis)
-    cells[axis] = std::max(1., (m_lines[axis].back() - m_lines[axis].front()) / edge);
+    cells[axis] = std::max(1., (*m_lines[axis].rbegin() - *m_lines[axis].begin()) / edge);
   number_of_parts(cells[0] * cells[1] + cells[1] * cells[2] + cells[2] * cells[0]);
 }
 
@@ -106,19 +95,16 @@ bool Grid_of_boxes::covers(const Labeled_box& labeled, const Place& cell) const 
 
 /// Returns whether a cell in a hole is in a liquid.
 bool Grid_of_boxes::is_displaced(const Labeled_box& hole, const Place& cell) const {
-  const auto contains = [&](const auto& around) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (is_flat(axis))
-        continue;
+  std::array<double, 3> middle = {};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (!is_flat(axis)) {
       const auto i = std::size_t(cell[axis]);
-      const double middle = (m_points[axis][i] + m_points[axis][i + 1]) / 2;
-      if (middle < around.first.from[axis] || middle > around.first.to[axis])
-        return false;
+      middle[axis] = (m_points[axis][i] + m_points[axis][i + 1]) / 2;
     }
-    return true;
-  };
   const auto& boxes = hole.boxes_around;
-  const auto last = std::find_if(boxes.rbegin(), boxes.rend(), contains);
+  const auto last = std::find_if(boxes.rbegin(), boxes.rend(), [&](const auto& around) {
+    return is_about(around.first, middle, is_flat(2) ? 2 : 3);
+  });
   return last == boxes.rend() ? hole.is_in_liquid : last->second;
 }
 
@@ -194,23 +180,14 @@ bool are_joined(const Labeled_box& first, const Labeled_box& second, std::size_t
   return meet && (!has_a_inside || second.is_hole) && (!has_b_inside || first.is_hole);
 }
 
-/// Returns whether the insides of two boxes have a common point.
-bool boxes_overlap(const Box_shape& a, const Box_shape& b, std::size_t dimension) {
-  for (std::size_t i = 0; i < dimension; ++i)
-    if (!(a.from[i] < b.to[i] && b.from[i] < a.to[i]))
-      return false;
-  return true;
-}
-
 /// Returns a hole with the boxes that it meets. If only boxes of liquids are around it, the hole is
 /// cut to their bounding box. Returns nothing if it meets no liquid.
 std::optional<Labeled_box> hole_in_boxes(const Fluid_scene& scene, const Box_hole& hole,
                                          const std::vector<Labeled_box>& boxes) {
-  const auto dimension = std::size_t(scene.dimension);
   Labeled_box result{label_of_holes(scene), hole.box, true, {}, hole.is_in_liquid};
   std::optional<Box_shape> bounds; // of liquids
   for (const Labeled_box& other : boxes) {
-    if (!boxes_overlap(hole.box, other.box, dimension))
+    if (!boxes_overlap(hole.box, other.box, scene.dimension))
       continue;
     result.boxes_around.emplace_back(other.box, is_liquid(scene, other.label));
     if (!is_liquid(scene, other.label))

@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -129,15 +130,19 @@ bool fills_solid(const Ball_shape& ball, const Fluid_scene& scene) {
 }
 
 /// The boundaries of the shapes of a scene. Boundary is Curve or Surface.
-template <class Boundary, class Boundary_of, class Boundaries_of_boxes> class Scene_boundaries
+template <class Boundary> class Scene_boundaries
 {
 public:
+  using Boundary_of = std::function<std::optional<Boundary>(const Fluid_shape&)>;
+  using Boundaries_of_boxes = std::vector<Boundary> (*)(const std::vector<Labeled_box>&, double);
+
   /// \param boundary_of returns the boundary of a shape that is no box; nothing for a shape without
   /// its own boundary
   /// \param boundaries_of_boxes returns the boundaries of a group of boxes
-  Scene_boundaries(const Fluid_scene& scene, const Boundary_of& boundary_of,
-                   const Boundaries_of_boxes& boundaries_of_boxes)
-      : m_scene(scene), m_boundary_of(boundary_of), m_boundaries_of_boxes(boundaries_of_boxes) {}
+  Scene_boundaries(const Fluid_scene& scene, Boundary_of boundary_of,
+                   Boundaries_of_boxes boundaries_of_boxes)
+      : m_scene(scene), m_boundary_of(std::move(boundary_of)),
+        m_boundaries_of_boxes(boundaries_of_boxes) {}
 
   /// Returns the boundaries of all shapes in their order, and then of the holes. A group of boxes
   /// is at the place of its first box.
@@ -150,13 +155,12 @@ private:
   std::vector<Box_hole> box_holes(const std::vector<Hole>& holes) const;
 
   const Fluid_scene& m_scene;
-  const Boundary_of& m_boundary_of;
-  const Boundaries_of_boxes& m_boundaries_of_boxes;
+  Boundary_of m_boundary_of;
+  Boundaries_of_boxes m_boundaries_of_boxes;
 };
 
-template <class Boundary, class Boundary_of, class Boundaries_of_boxes>
-std::optional<Boundary> Scene_boundaries<Boundary, Boundary_of, Boundaries_of_boxes>::boundary_of(
-    const Fluid_shape& shape) const {
+template <class Boundary>
+std::optional<Boundary> Scene_boundaries<Boundary>::boundary_of(const Fluid_shape& shape) const {
   std::optional<Boundary> result = m_boundary_of(shape);
   const auto* ball = std::get_if<Ball_shape>(&shape);
   if (ball && fills_solid(*ball, m_scene))
@@ -164,9 +168,7 @@ std::optional<Boundary> Scene_boundaries<Boundary, Boundary_of, Boundaries_of_bo
   return result;
 }
 
-template <class Boundary, class Boundary_of, class Boundaries_of_boxes>
-Boundary
-Scene_boundaries<Boundary, Boundary_of, Boundaries_of_boxes>::boundary_of(const Hole& hole) const {
+template <class Boundary> Boundary Scene_boundaries<Boundary>::boundary_of(const Hole& hole) const {
   const int label = label_of_holes(m_scene);
   if (const auto* box = std::get_if<Box_shape>(&hole.shape)) {
     static constexpr double parts = 16; // largest number in the mesh of a side
@@ -182,9 +184,8 @@ Scene_boundaries<Boundary, Boundary_of, Boundaries_of_boxes>::boundary_of(const 
 }
 
 /// Returns the holes that are boxes, and whether each is in a liquid that is no box.
-template <class Boundary, class Boundary_of, class Boundaries_of_boxes>
-std::vector<Box_hole> Scene_boundaries<Boundary, Boundary_of, Boundaries_of_boxes>::box_holes(
-    const std::vector<Hole>& holes) const {
+template <class Boundary>
+std::vector<Box_hole> Scene_boundaries<Boundary>::box_holes(const std::vector<Hole>& holes) const {
   std::vector<Boundary> others; // boundaries of shapes that are no boxes
   std::vector<Box_hole> result;
   if (std::none_of(holes.begin(), holes.end(),
@@ -204,8 +205,7 @@ std::vector<Box_hole> Scene_boundaries<Boundary, Boundary_of, Boundaries_of_boxe
   return result;
 }
 
-template <class Boundary, class Boundary_of, class Boundaries_of_boxes>
-std::vector<Boundary> Scene_boundaries<Boundary, Boundary_of, Boundaries_of_boxes>::all() const {
+template <class Boundary> std::vector<Boundary> Scene_boundaries<Boundary>::all() const {
   std::vector<Boundary> result;
   const auto holes = holes_of(m_scene);
   const auto groups = groups_of_boxes(m_scene, box_holes(holes));
@@ -244,18 +244,14 @@ Complex complex_of_boundaries(const Fluid_scene& scene, const std::string& folde
   const auto domain = parameters::enclosing_box(box_of_dimension<Complex::dimension>(scene.domain))
                           .edge_per_thickness(0.);
   if constexpr (Complex::dimension == 2) {
-    const auto boundary_of = [&](const Fluid_shape& shape) {
-      return curve_of_shape(shape, scene.edge, folder);
-    };
-    const Scene_boundaries<Curve, decltype(boundary_of), decltype(curves_of_boxes)> boundaries(
-        scene, boundary_of, curves_of_boxes);
+    const Scene_boundaries<Curve> boundaries(
+        scene, [&](const auto& shape) { return curve_of_shape(shape, scene.edge, folder); },
+        curves_of_boxes);
     return DSC::make_deformable_simplicial_complex_2<Complex>(boundaries.all(), domain);
   } else {
-    const auto boundary_of = [&](const Fluid_shape& shape) {
-      return surface_of_shape(shape, scene.edge, folder);
-    };
-    const Scene_boundaries<Surface, decltype(boundary_of), decltype(surfaces_of_boxes)> boundaries(
-        scene, boundary_of, surfaces_of_boxes);
+    const Scene_boundaries<Surface> boundaries(
+        scene, [&](const auto& shape) { return surface_of_shape(shape, scene.edge, folder); },
+        surfaces_of_boxes);
     return DSC::make_deformable_simplicial_complex_3<Complex>(
         boundaries.all(), CGAL::Tetgen_tetrahedralizer_3(), domain);
   }

@@ -4,9 +4,12 @@
 
 #include "fluids/fluid_files.h"
 
+#include "input/surface.h"
 #include "programs/errors.h"
 
+#include <cstdint>
 #include <filesystem>
+#include <utility>
 #include <vector>
 
 namespace dsc {
@@ -31,6 +34,22 @@ void require_files(const Fluid_scene& scene, const std::string& folder) {
     if (const std::string place = place_of(file, folder); !std::filesystem::exists(place))
       throw Input_error("the file '" + place +
                         "' of the scene does not exist; give its folder by --data");
+}
+
+void read_meshes(const std::string& folder, Fluid_scene& scene) {
+  for (Scene_solid& solid : scene.solids) {
+    if (solid.kind != Scene_solid::Kind::mesh)
+      continue;
+    Scene_solid::Mesh mesh;
+    const Surface surface = read_surfaces({place_of(solid.file, folder)}).front();
+    for (const Surface_point& p : surface.points)
+      mesh.add_vertex({p.x(), p.y(), p.z()});
+    for (const auto& t : surface.triangles)
+      mesh.add_face(CGAL::SM_Vertex_index(std::uint32_t(t[0])),
+                    CGAL::SM_Vertex_index(std::uint32_t(t[1])),
+                    CGAL::SM_Vertex_index(std::uint32_t(t[2])));
+    solid.set_mesh(std::move(mesh));
+  }
 }
 
 } // namespace dsc

@@ -19,6 +19,10 @@ std::string place_of(const std::string& file, const std::string& folder);
 /// \throws Usage_error if a folder is given, but the scene has no file
 void require_files(const Fluid_scene& scene, const std::string& folder);
 
+/// Reads the surfaces of the solids that are meshes.
+/// \throws std::runtime_error if a file cannot be read
+void read_meshes(const std::string& folder, Fluid_scene& scene);
+
 } // namespace dsc
 
 #endif // DSC_FLUID_FILES_H

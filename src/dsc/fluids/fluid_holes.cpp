@@ -23,48 +23,33 @@ using Place_of_hole = std::array<double, 3>;
 /// Returns the displacement of a solid at time 0.
 /// \throws Input_error if the solid is a box that is rotated at time 0
 Place_of_hole displacement_at_start(const Scene_solid& solid, std::size_t index) {
-  if (solid.rotation && solid.kind == Scene_solid::Kind::box) {
-    const double* angles = solid.rotation->at({0.});
-    if (std::any_of(angles, angles + solid.rotation->size(), [](double a) { return a != 0; }))
-      throw Input_error("the rotation of solids[" + std::to_string(index) +
-                        "] of the scene must be 0 at the time 0 because the solid is a box");
-  }
-  Place_of_hole result = {};
-  if (solid.displacement)
-    std::copy_n(solid.displacement->at({0.}), solid.displacement->size(), result.begin());
-  return result;
+  if (!solid.place)
+    return {};
+  const Scene_solid::Place place = solid.place(0);
+  if (solid.kind == Scene_solid::Kind::box && place.rotation != CGAL::NULL_VECTOR)
+    throw Input_error("the rotation of solids[" + std::to_string(index) +
+                      "] of the scene must be 0 at the time 0 because the solid is a box");
+  return coordinates_of(place.displacement);
 }
 
-/// Return the signed distance of a point from the boundary of a box or ball, negative inside, and
-/// the vector from the point to the nearest point of the boundary.
-double distance_of_box(const Box_shape& box, const Place_of_hole& p, int dimension,
-                       Place_of_hole& to_boundary) {
+Nearest_boundary nearest_boundary(const Box_shape& box, const Place_of_hole& p, int dimension) {
   using CGAL::Deformable_simplicial_complexes::Box_solid_3;
   const auto& [from, to] = box;
   const Box_solid_3 solid =
       dimension == 2 ? Box_solid_3(CGAL::Bbox_2(from[0], from[1], to[0], to[1]))
                      : Box_solid_3(CGAL::Bbox_3(from[0], from[1], from[2], to[0], to[1], to[2]));
   const auto wall = solid.nearest_wall({p[0], p[1], p[2]});
-  to_boundary = coordinates_of(-wall.distance * wall.normal);
-  return wall.distance;
+  return {wall.distance, coordinates_of(-wall.distance * wall.normal)};
 }
 
-double distance_of_ball(const Ball_shape& ball, const Place_of_hole& p,
-                        Place_of_hole& to_boundary) {
+Nearest_boundary nearest_boundary(const Ball_shape& ball, const Place_of_hole& p) {
   double r = 0;
   for (std::size_t i = 0; i < 3; ++i)
     r = std::hypot(r, p[i] - ball.center[i]);
+  Nearest_boundary result = {r - ball.radius, {}};
   for (std::size_t i = 0; i < 3; ++i)
-    to_boundary[i] = r > 0 ? (p[i] - ball.center[i]) * (ball.radius / r - 1) : 0;
-  return r - ball.radius;
-}
-
-/// Returns the signed distance of a point from the boundary of a hole, negative inside.
-double distance_of_hole(const Hole& hole, const Place_of_hole& p, int dimension,
-                        Place_of_hole& to_boundary) {
-  if (const auto* ball = std::get_if<Ball_shape>(&hole.shape))
-    return distance_of_ball(*ball, p, to_boundary);
-  return distance_of_box(std::get<Box_shape>(hole.shape), p, dimension, to_boundary);
+    result.offset[i] = r > 0 ? (p[i] - ball.center[i]) * (ball.radius / r - 1) : 0;
+  return result;
 }
 
 /// Returns the bounding box of a hole.
@@ -81,18 +66,14 @@ Box_shape bounds_of_hole(const Hole& hole) {
 }
 
 /// Returns whether a hole and the inside of a box have a common point.
-bool meets_box(const Hole& hole, const Box_shape& box, std::size_t dimension) {
+bool meets_box(const Hole& hole, const Box_shape& box, int dimension) {
+  if (!boxes_overlap(bounds_of_hole(hole), box, dimension))
+    return false;
   const auto* ball = std::get_if<Ball_shape>(&hole.shape);
-  const Box_shape bounds = bounds_of_hole(hole);
   Place_of_hole nearest = {}; // point of the box to the center of the ball
-  for (std::size_t i = 0; i < dimension; ++i) {
-    if (!(bounds.from[i] < box.to[i] && box.from[i] < bounds.to[i]))
-      return false;
-    if (ball)
-      nearest[i] = std::clamp(ball->center[i], box.from[i], box.to[i]);
-  }
-  Place_of_hole unused;
-  return !ball || distance_of_ball(*ball, nearest, unused) < 0;
+  for (std::size_t i = 0; ball && i < std::size_t(dimension); ++i)
+    nearest[i] = std::clamp(ball->center[i], box.from[i], box.to[i]);
+  return !ball || nearest_boundary(*ball, nearest).distance < 0;
 }
 
 /// Returns whether a ray from a point crosses a curve an odd number of times: whether the curve is
@@ -130,6 +111,16 @@ bool is_around(const Surface& surface, const Place_of_hole& p) {
   return result;
 }
 
+} // namespace
+
+Nearest_boundary nearest_boundary(const Hole& hole, const std::array<double, 3>& p, int dimension) {
+  if (const auto* ball = std::get_if<Ball_shape>(&hole.shape))
+    return nearest_boundary(*ball, p);
+  return nearest_boundary(std::get<Box_shape>(hole.shape), p, dimension);
+}
+
+namespace {
+
 enum class Position { outside, inside, crossing };
 
 /// Returns the position of a hole relative to a boundary. It is `crossing`, too, if the boundary is
@@ -141,11 +132,11 @@ Position position_of_hole(const Hole& hole, const Boundary& of_hole, const Bound
   static constexpr std::size_t samples = 64;
   const Box_shape bounds = bounds_of_hole(hole);
   const double size = bounds.to[0] - bounds.from[0];
-  Place_of_hole unused, center = {};
+  Place_of_hole center = {};
   for (std::size_t i = 0; i < dimension; ++i)
     center[i] = (bounds.from[i] + bounds.to[i]) / 2;
   for (const auto& p : boundary.points)
-    if (distance_of_hole(hole, coordinates_of(p), dimension, unused) < -rounding * size)
+    if (nearest_boundary(hole, coordinates_of(p), dimension).distance < -rounding * size)
       return Position::crossing;
   const std::size_t stride = of_hole.points.size() / samples + 1;
   std::size_t all = 0, inside = 0;
@@ -158,9 +149,59 @@ Position position_of_hole(const Hole& hole, const Boundary& of_hole, const Bound
   return inside == 0 ? Position::outside : inside == all ? Position::inside : Position::crossing;
 }
 
+} // namespace
+
+std::vector<Hole> holes_of(const Fluid_scene& scene) {
+  std::vector<Hole> result;
+  for (std::size_t s = 0; s < scene.solids.size(); ++s) {
+    const Scene_solid& solid = scene.solids[s];
+    if (solid.kind == Scene_solid::Kind::box) {
+      const Place_of_hole d = displacement_at_start(solid, s);
+      Box_shape box = box_shape(solid.box);
+      for (std::size_t i = 0; i < 3; ++i) {
+        box.from[i] += d[i];
+        box.to[i] += d[i];
+      }
+      result.push_back({s, box});
+    } else if (solid.kind == Scene_solid::Kind::ball && !solid.contains_liquid) {
+      const Place_of_hole d = displacement_at_start(solid, s);
+      Ball_shape ball{solid.point, solid.radius, 0, 0, 0};
+      for (std::size_t i = 0; i < 3; ++i)
+        ball.center[i] += d[i];
+      result.push_back({s, ball});
+    }
+  }
+  return result;
+}
+
+int label_of_holes(const Fluid_scene& scene) {
+  if (!is_liquid(scene, 0))
+    return 0;
+  int largest = 0;
+  for (const auto& filling : shapes_of(scene))
+    largest = std::max(largest, filling.first);
+  return largest + 1;
+}
+
+bool boxes_overlap(const Box_shape& a, const Box_shape& b, int dimension) {
+  for (std::size_t i = 0; i < std::size_t(dimension); ++i)
+    if (!(a.from[i] < b.to[i] && b.from[i] < a.to[i]))
+      return false;
+  return true;
+}
+
+bool may_meet(const Hole& hole, const Fluid_shape& shape, const Fluid_scene& scene) {
+  if (!meets_box(hole, box_shape(scene.domain), scene.dimension))
+    return false;
+  if (const auto* given = std::get_if<Box_shape>(&shape))
+    return meets_box(hole, *given, scene.dimension);
+  const auto* pool = std::get_if<Pool_shape>(&shape);
+  return !pool || bounds_of_hole(hole).from[std::size_t(scene.dimension - 1)] < pool->level;
+}
+
 template <class Boundary>
-bool is_hole_in_liquid(const Fluid_scene& scene, const Hole& hole, const Boundary& of_hole,
-                       const std::vector<Boundary>& others) {
+bool is_in_liquid(const Fluid_scene& scene, const Hole& hole, const Boundary& of_hole,
+                  const std::vector<Boundary>& others) {
   bool result = is_liquid(scene, 0);
   double least_size = std::numeric_limits<double>::infinity();
   for (const Boundary& boundary : others) {
@@ -184,74 +225,9 @@ bool is_hole_in_liquid(const Fluid_scene& scene, const Hole& hole, const Boundar
   return result;
 }
 
-} // namespace
-
-std::vector<Hole> holes_of(const Fluid_scene& scene) {
-  std::vector<Hole> result;
-  for (std::size_t s = 0; s < scene.solids.size(); ++s) {
-    const Scene_solid& solid = scene.solids[s];
-    if (solid.kind == Scene_solid::Kind::box) {
-      const Place_of_hole d = displacement_at_start(solid, s);
-      Box_shape box;
-      for (std::size_t i = 0; i < 3; ++i) {
-        box.from[i] = solid.box[i] + d[i];
-        box.to[i] = solid.box[i + 3] + d[i];
-      }
-      result.push_back({s, box});
-    } else if (solid.kind == Scene_solid::Kind::ball && !solid.contains_liquid) {
-      const Place_of_hole d = displacement_at_start(solid, s);
-      Ball_shape ball{solid.point, solid.radius, 0, 0, 0};
-      for (std::size_t i = 0; i < 3; ++i)
-        ball.center[i] += d[i];
-      result.push_back({s, ball});
-    }
-  }
-  return result;
-}
-
-int label_of_holes(const Fluid_scene& scene) {
-  if (!is_liquid(scene, 0))
-    return 0;
-  int largest = 0;
-  for (const auto& filling : shapes_of(scene))
-    largest = std::max(largest, filling.first);
-  return largest + 1;
-}
-
-bool may_meet(const Hole& hole, const Fluid_shape& shape, const Fluid_scene& scene) {
-  const auto dimension = std::size_t(scene.dimension);
-  Box_shape box;
-  for (std::size_t i = 0; i < 3; ++i) {
-    box.from[i] = scene.domain[i];
-    box.to[i] = scene.domain[i + 3];
-  }
-  if (!meets_box(hole, box, dimension))
-    return false;
-  if (const auto* given = std::get_if<Box_shape>(&shape))
-    return meets_box(hole, *given, dimension);
-  const auto* pool = std::get_if<Pool_shape>(&shape);
-  return !pool || bounds_of_hole(hole).from[dimension - 1] < pool->level;
-}
-
-bool is_in_hole(const Hole& hole, const std::array<double, 3>& p, int dimension) {
-  Place_of_hole unused;
-  return distance_of_hole(hole, p, dimension, unused) < 0;
-}
-
-std::array<double, 3> to_boundary(const Hole& hole, const std::array<double, 3>& p, int dimension) {
-  Place_of_hole result;
-  distance_of_hole(hole, p, dimension, result);
-  return result;
-}
-
-bool is_in_liquid(const Fluid_scene& scene, const Hole& hole, const Curve& boundary,
-                  const std::vector<Curve>& others) {
-  return is_hole_in_liquid(scene, hole, boundary, others);
-}
-
-bool is_in_liquid(const Fluid_scene& scene, const Hole& hole, const Surface& boundary,
-                  const std::vector<Surface>& others) {
-  return is_hole_in_liquid(scene, hole, boundary, others);
-}
+template bool is_in_liquid(const Fluid_scene&, const Hole&, const Curve&,
+                           const std::vector<Curve>&);
+template bool is_in_liquid(const Fluid_scene&, const Hole&, const Surface&,
+                           const std::vector<Surface>&);
 
 } // namespace dsc

@@ -32,26 +32,33 @@ std::vector<Hole> holes_of(const Fluid_scene& scene);
 /// liquid.
 int label_of_holes(const Fluid_scene& scene);
 
+/// Returns whether the insides of two boxes have a common point.
+bool boxes_overlap(const Box_shape& a, const Box_shape& b, int dimension);
+
 /// Returns whether a hole contains a part of a shape, or may contain it. The domain of the scene
 /// bounds the shape.
 bool may_meet(const Hole& hole, const Fluid_shape& shape, const Fluid_scene& scene);
 
-/// Returns whether a point is in a hole.
-bool is_in_hole(const Hole& hole, const std::array<double, 3>& p, int dimension);
+/// The nearest point of the boundary of a hole.
+struct Nearest_boundary
+{
+  double distance;              ///< negative inside the hole
+  std::array<double, 3> offset; ///< vector to the point
+};
 
-/// Returns the vector from a point to the nearest point of the boundary of a hole.
-std::array<double, 3> to_boundary(const Hole& hole, const std::array<double, 3>& p, int dimension);
+/// Returns the point of the boundary of a hole that is nearest to a point.
+Nearest_boundary nearest_boundary(const Hole& hole, const std::array<double, 3>& p, int dimension);
 
-/// Return whether a hole is in a liquid: whether the innermost boundary around it is the boundary
+/// Returns whether a hole is in a liquid: whether the innermost boundary around it is the boundary
 /// of a liquid, or whether label 0 is a liquid and there is no boundary around it.
+/// \tparam Boundary `Curve` or `Surface`
 /// \param boundary the boundary of the hole
 /// \param others labeled boundaries
 /// \throws Input_error if the boundary of the hole crosses the boundary of a liquid, or is around
 /// it
-bool is_in_liquid(const Fluid_scene& scene, const Hole& hole, const Curve& boundary,
-                  const std::vector<Curve>& others);
-bool is_in_liquid(const Fluid_scene& scene, const Hole& hole, const Surface& boundary,
-                  const std::vector<Surface>& others);
+template <class Boundary>
+bool is_in_liquid(const Fluid_scene& scene, const Hole& hole, const Boundary& boundary,
+                  const std::vector<Boundary>& others);
 
 /// Moves the points of a curve or surface to a circle or sphere, in the directions from its center.
 template <class Boundary> void put_on_ball(const Ball_shape& ball, Boundary& boundary) {

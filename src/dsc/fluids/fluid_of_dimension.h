@@ -5,6 +5,7 @@
 #ifndef DSC_FLUID_OF_DIMENSION_H
 #define DSC_FLUID_OF_DIMENSION_H
 
+#include "input/expression.h"
 #include "motions/tracked_complex_2.h"
 #include "motions/tracked_complex_3.h"
 

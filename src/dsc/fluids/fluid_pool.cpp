@@ -90,7 +90,7 @@ public:
 
   bool is_in_hole(const std::array<double, 3>& p) const {
     return std::any_of(m_holes.begin(), m_holes.end(), [&](const Hole& hole) {
-      return dsc::is_in_hole(hole, p, m_scene.dimension);
+      return nearest_boundary(hole, p, m_scene.dimension).distance < 0;
     });
   }
 
@@ -122,7 +122,7 @@ public:
   Grid_of_pool(const Fluid_scene& scene, const Labels_of_places& labels) {
     double cells = 1;
     for (std::size_t axis = 0; axis < dimension; ++axis) {
-      m_points[axis] = layers(scene, lines(scene, labels, axis));
+      m_points[axis] = divided_lines(lines(scene, labels, axis), scene.edge);
       cells *= double(m_points[axis].size() - 1);
     }
     number_of_parts(cells);
@@ -167,19 +167,6 @@ private:
       for (const auto& filling : shapes_of(scene))
         if (const auto* pool = std::get_if<Pool_shape>(filling.second))
           add(pool->level);
-    return result;
-  }
-
-  /// Returns the coordinates of all layers between and at given lines.
-  static std::vector<double> layers(const Fluid_scene& scene, const std::set<double>& lines) {
-    std::vector<double> result = {*lines.begin()};
-    for (auto line = std::next(lines.begin()); line != lines.end(); ++line) {
-      const double from = *std::prev(line), to = *line;
-      const std::size_t parts = number_of_parts((to - from) / scene.edge);
-      for (std::size_t i = 1; i < parts; ++i)
-        result.push_back(from + (to - from) * double(i) / double(parts));
-      result.push_back(to);
-    }
     return result;
   }
 
@@ -282,7 +269,7 @@ void move_to_holes(const Labels_of_places& labels, const Fluid_scene& scene, Com
     std::array<double, 3> nearest = {};
     double least = std::numeric_limits<double>::infinity(); // squared length
     for (const Hole& hole : labels.holes()) {
-      const auto d = to_boundary(hole, place, Complex::dimension);
+      const auto d = nearest_boundary(hole, place, Complex::dimension).offset;
       const double squared = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
       if (squared < least) {
         least = squared;

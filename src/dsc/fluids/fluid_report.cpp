@@ -5,8 +5,10 @@
 #include "fluids/fluid_report.h"
 
 #include "fluids/fluid_probes.h"
-#include "fluids/fluid_solids.h"
 #include "programs/errors.h"
+
+#include <CGAL/Mesh_support/coordinates.h>
+#include <CGAL/Mesh_support/internal/numbers/Extent.h>
 
 #include <algorithm>
 #include <array>
@@ -54,30 +56,18 @@ template <class Complex> Json events_json(const DSC::Fluid_report<Complex>& repo
   return result;
 }
 
-/// The bounding box of points.
-class Extent
-{
-public:
-  void add(const std::array<double, 3>& p) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      m_least[i] = std::min(m_least[i], p[i]);
-      m_largest[i] = std::max(m_largest[i], p[i]);
-    }
-  }
-  Json json() const { return {m_least, m_largest}; }
+using Extent = DSC::internal::Extent<3>;
 
-private:
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::array<double, 3> m_least = {infinity, infinity, infinity},
-                        m_largest = {-infinity, -infinity, -infinity};
-};
+Json json_of(const Extent& e) {
+  return {{e.lower(0), e.lower(1), e.lower(2)}, {e.upper(0), e.upper(1), e.upper(2)}};
+}
 
 /// Returns the bounding box of the interface.
 template <class Complex> Json extent_json(const Complex& complex) {
   Extent result;
   for (const auto v : complex.interface_vertices())
     result.add(coordinates_of(complex.position(v)));
-  return result.json();
+  return json_of(result);
 }
 
 /// A connected component of a liquid.
@@ -104,7 +94,7 @@ template <class Complex> Json components_json(const Fluid<Complex>& fluid) {
     result.push_back({{"label", component.label},
                       {"volume", component.volume},
                       {"wanted_volume", volume},
-                      {"extent", component.extent.json()}});
+                      {"extent", json_of(component.extent)}});
   }
   return result;
 }
@@ -161,6 +151,14 @@ template <class Complex> Json bodies_json(const Fluid<Complex>& fluid, const Flu
   return result;
 }
 
+/// Returns the center of a solid that is no body at a time.
+std::array<double, 3> center_at(const Scene_solid& solid, double t) {
+  using Vector = Scene_solid::Place::Vector;
+  const Vector displacement =
+      solid.place ? solid.place(t).displacement : t * DSC::point_of<Vector>(solid.velocity);
+  return coordinates_of(DSC::point_of<Vector>(solid.center) + displacement);
+}
+
 /// Returns the torque on each solid about its present center.
 template <class Complex>
 Json torques_json(const Fluid<Complex>& fluid, const Fluid_scene& scene,
@@ -172,7 +170,7 @@ Json torques_json(const Fluid<Complex>& fluid, const Fluid_scene& scene,
     const Scene_solid& solid = scene.solids[s];
     const std::array<double, 3> center = solid.is_body()
                                              ? coordinates_of(fluid.body(numbers[s]).center)
-                                             : center_of(solid, fluid.time());
+                                             : center_at(solid, fluid.time());
     result.push_back(vector_json(
         report.torques_on_solids[s] -
         CGAL::cross_product(Vector(center[0], center[1], center[2]), report.forces_on_solids[s])));

@@ -7,7 +7,6 @@
 #include "fluids/fluid_complex.h"
 #include "fluids/fluid_files.h"
 #include "fluids/fluid_processes.h"
-#include "fluids/fluid_solids.h"
 #include "fluids/fluid_start.h"
 #include "output/report_json.h"
 #include "programs/errors.h"
@@ -15,10 +14,8 @@
 #include <CGAL/Mesh_files/checkpoint.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <cstdio>
-#include <utility>
-#include <vector>
+#include <type_traits>
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
@@ -27,35 +24,34 @@ namespace {
 
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
+/// Calls f(name, value, is_required) for each field of a state. Earlier checkpoints lack the
+/// others.
+template <class State, class Function> void for_each_field(State& state, const Function& f) {
+  f("time", state.time, true);
+  f("steps", state.steps, true);
+  f("damped_steps", state.damped_steps, true);
+  f("knows_accelerations", state.knows_accelerations, true);
+  f("motion", state.motion, true);
+  f("deviations", state.deviations, false);
+  f("volumes", state.volumes, true);
+  f("pressures_and_volumes_of_gases", state.gases, true);
+  f("bodies", state.bodies, false);
+  f("field", state.field, false);
+}
+
 Json state_json(const DSC::Fluid_state& state) {
-  return {{"time", state.time},
-          {"steps", state.steps},
-          {"damped_steps", state.damped_steps},
-          {"knows_accelerations", state.knows_accelerations},
-          {"motion", state.motion},
-          {"deviations", state.deviations},
-          {"volumes", state.volumes},
-          {"pressures_and_volumes_of_gases", state.gases},
-          {"bodies", state.bodies},
-          {"field", state.field}};
+  Json result;
+  for_each_field(state, [&](const char* name, const auto& value, bool) { result[name] = value; });
+  return result;
 }
 
 DSC::Fluid_state state_of(const Json& json) {
-  DSC::Fluid_state state;
-  state.time = json.at("time");
-  state.steps = json.at("steps");
-  state.damped_steps = json.at("damped_steps");
-  state.knows_accelerations = json.at("knows_accelerations");
-  state.motion = json.at("motion").get<decltype(state.motion)>();
-  if (json.contains("deviations")) // version 1 of checkpoints has none
-    state.deviations = json.at("deviations").get<decltype(state.deviations)>();
-  state.volumes = json.at("volumes").get<std::vector<std::pair<std::uint32_t, double>>>();
-  state.gases = json.at("pressures_and_volumes_of_gases").get<decltype(state.gases)>();
-  if (json.contains("bodies")) // missing in earlier checkpoints
-    state.bodies = json.at("bodies").get<decltype(state.bodies)>();
-  if (json.contains("field")) // missing in earlier checkpoints
-    state.field = json.at("field").get<decltype(state.field)>();
-  return state;
+  DSC::Fluid_state result;
+  for_each_field(result, [&](const char* name, auto& value, bool is_required) {
+    if (is_required || json.contains(name))
+      value = json.at(name).get<std::decay_t<decltype(value)>>();
+  });
+  return result;
 }
 
 } // namespace
@@ -67,11 +63,11 @@ Fluid_run<dimension> start_fluid(const Fluid_scene& scene, const std::string& fo
   require_files(scene, folder);
   Run run;
   run.scene = scene;
-  set_centers_of_meshes(folder, run.scene);
+  read_meshes(folder, run.scene);
   run.complex = std::make_unique<typename Run::Tracked>(
       start_of_scene<typename Run::Complex>(run.scene, folder));
   require_effect(run.scene, run.complex->complex);
-  run.fluid = fluid_of_scene(run.scene, folder, run.complex->complex);
+  run.fluid = fluid_of_scene(run.scene, run.complex->complex);
   require_outside_of_solids(run.scene, *run.fluid);
   if (uses_petsc)
     use_petsc(run.fluid->solver());
@@ -98,10 +94,10 @@ Fluid_run<dimension> resume_fluid(const std::string& path, const std::string& fo
     if (run.scene.dimension != dimension)
       throw Input_error(path + " contains a complex and a scene of different dimensions; write a "
                                "checkpoint again");
-    set_centers_of_meshes(folder, run.scene);
+    read_meshes(folder, run.scene);
     run.complex = std::make_unique<typename Run::Tracked>();
     run.complex->complex.restore(checkpoint.state);
-    run.fluid = fluid_of_scene(run.scene, folder, run.complex->complex);
+    run.fluid = fluid_of_scene(run.scene, run.complex->complex);
     run.fluid->restore(state_of(json.at("fluid")));
     set_time(run.scene, run.fluid->time(), *run.fluid);
     if (uses_petsc)

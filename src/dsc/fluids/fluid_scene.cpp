@@ -8,9 +8,9 @@
 #include "fluids/fluid_scene_parts.h"
 #include "fluids/scene_files.h"
 #include "input/nearest_name.h"
-#include "output/json_fields.h"
 #include "output/report_json.h"
 #include "programs/errors.h"
+#include "scenes/json_fields.h"
 
 #include <CGAL/Mesh_files/internal/text/files.h>
 
@@ -115,7 +115,7 @@ std::optional<Expression> read_velocity(const Json_fields& liquid) {
   const bool is_planar = liquid.dimension() == 2;
   const std::string form = is_planar ? "two expressions in x and y like '-y,x'"
                                      : "three expressions in x, y and z like '-y,x,0'";
-  const std::vector<std::string> variables = coordinate_names(liquid.dimension());
+  const std::vector<std::string> variables = liquid.coordinate_names();
   if (!liquid.has("velocity"))
     return std::nullopt;
   if (liquid.any("velocity").is_string())
@@ -174,8 +174,7 @@ Scene_source read_source(const Json_fields& source) {
   source.require_known({"center", "radius", "rate", "flux"});
   Scene_source result = {source.point("center"), source.positive("radius"), 0, {}};
   if (source.has("flux")) {
-    if (source.has("rate"))
-      source.refuse("flux", "cannot be combined with the field 'rate'; remove one of them");
+    source.require_not_both("flux", "rate");
     result.flux = read_flux(source);
     return result;
   }
@@ -191,7 +190,7 @@ Scene_source read_source(const Json_fields& source) {
 Vector_in_time read_vector_in_time(const Json_fields& json, const std::string& field) {
   if (!json.any(field).is_string())
     return {json.point(field), {}};
-  return {{}, read_vector_expression(json, field)};
+  return {{}, json.vector_in_time(field)};
 }
 
 std::vector<Fluid_scene::Tension> read_tensions(const Json_fields& scene) {
@@ -242,12 +241,11 @@ Scene_opening read_opening(const Json_fields& side, std::size_t number,
                            const std::array<double, 6>& domain) {
   if (side.has("inflow"))
     side.refuse("inflow", "cannot be combined with 'pressure'; remove one of them");
-  const std::string form = side.dimension() == 2
-                               ? "a number, or an expression in x, y and t like '1-y'"
-                               : "a number, or an expression in x, y, z and t like '1-z'";
-  Scene_opening result{
-      side.number_or_expression("pressure", coordinate_names(side.dimension(), {"t"}), form),
-      std::nullopt, read_part(side, number, domain)};
+  const char* form = side.dimension() == 2
+                         ? "a number, or an expression in x, y and t like '1-y'"
+                         : "a number, or an expression in x, y, z and t like '1-z'";
+  Scene_opening result{side.number_or_expression("pressure", side.coordinate_names({"t"}), form),
+                       std::nullopt, read_part(side, number, domain)};
   if (side.has("velocity")) {
     result.velocity = side.point("velocity");
     if ((*result.velocity)[number / 2] != 0)
@@ -297,14 +295,6 @@ int read_dimension(const Json_fields& scene) {
 }
 
 } // namespace
-
-std::optional<double> Scene_opening::at(const std::array<double, 3>& p, double t,
-                                        int dimension) const {
-  for (std::size_t i = 0; i < 3; ++i)
-    if (p[i] < box[i] || p[i] > box[i + 3])
-      return std::nullopt;
-  return *pressure.at_point(p, dimension, t);
-}
 
 Fluid_scene read_scene(const Json& json) {
   Json_fields scene(json, "the scene");

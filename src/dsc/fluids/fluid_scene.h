@@ -8,6 +8,7 @@
 #include "input/expression.h"
 #include "input/run_start.h"
 #include "output/report_json.h"
+#include "scenes/scene_solid.h"
 
 #include <algorithm>
 #include <array>
@@ -54,6 +55,11 @@ struct Box_shape
 {
   std::array<double, 3> from, to;
 };
+
+/// Returns the box with given least and largest coordinates.
+inline Box_shape box_shape(const std::array<double, 6>& b) {
+  return {{b[0], b[1], b[2]}, {b[3], b[4], b[5]}};
+}
 
 /// A cylinder in space between the centers of its two caps. At distance s from the first cap, its
 /// radius is `radius` (1 + amplitude cos(2 pi s / wave_length)).
@@ -115,44 +121,6 @@ struct Scene_source
   std::optional<Expression> flux;
 };
 
-struct Scene_solid
-{
-  enum class Kind { plane, tank, box, ball, cylinder, mesh };
-
-  Kind kind;
-  std::array<double, 3> point = {}, direction = {}; ///< of plane and cylinder; center of a ball
-  double radius = 0;
-  std::array<double, 6> box = {}; ///< of a tank or box
-  bool is_open = false;
-  bool contains_liquid = false; ///< of a ball, cylinder or mesh
-  std::string file;
-  double contact_angle = 90;
-  bool sticks = false, separates = true;
-  /// In the plane, only the third coordinate of the angular velocity is not 0. For a body, they are
-  /// the initial motion. Other solids move with constant velocities, and rotate about `center`.
-  std::array<double, 3> velocity = {}, angular_velocity = {};
-  std::optional<double> density; ///< of a body that liquids move
-  /// For each axis: whether a body cannot move along it.
-  std::array<bool, 3> is_fixed = {};
-  bool is_rotation_fixed = false; ///< whether a body cannot rotate
-  /// Expressions in t: the coordinates of the displacement, and of the rotation vector about
-  /// `center` in radians. In the plane, the rotation is one angle.
-  std::optional<Expression> displacement, rotation;
-  /// Without displacement and rotation: a given center of a tank, box or mesh. Otherwise, the
-  /// middle of a tank, box or ball, the mean of the vertices of a mesh, `point` of other solids.
-  /// Without its file, a mesh has the center 0.
-  std::array<double, 3> center = {};
-  bool has_given_center = false; ///< of a tank, box or mesh
-
-  bool is_body() const { return density.has_value(); }
-  bool is_moved_by_expressions() const { return displacement || rotation; }
-  /// Returns whether the solid can move.
-  bool moves() const {
-    return is_body() || is_moved_by_expressions() || velocity != std::array<double, 3>() ||
-           angular_velocity != std::array<double, 3>();
-  }
-};
-
 /// The field that liquids carry. Expressions are in the coordinates of a point, and those of given
 /// values also in t.
 struct Scene_field
@@ -198,10 +166,6 @@ struct Scene_opening
   Expression pressure;                           ///< in x, y, z and t; in the plane in x, y and t
   std::optional<std::array<double, 3>> velocity; ///< of the side, if it is a no-slip side
   std::array<double, 6> box;
-
-  /// Returns the pressure at a point of the side, or nothing outside the box.
-  /// \throws Input_error if the pressure is not finite
-  std::optional<double> at(const std::array<double, 3>& p, double t, int dimension) const;
 };
 
 /// The input of `dsc fluid`.

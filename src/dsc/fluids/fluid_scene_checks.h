@@ -6,7 +6,7 @@
 #define DSC_FLUID_SCENE_CHECKS_H
 
 #include "fluids/fluid_scene.h"
-#include "output/json_fields.h"
+#include "scenes/json_fields.h"
 
 namespace dsc {
 

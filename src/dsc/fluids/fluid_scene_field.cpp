@@ -17,8 +17,8 @@ void read_given_values(const Json_fields& fixed, Scene_field& result) {
   std::vector<std::string> places(names_of_sides.begin(),
                                   names_of_sides.begin() + 2 * fixed.dimension());
   places.push_back("surface");
-  const std::vector<std::string> variables = coordinate_names(fixed.dimension(), {"t"});
   fixed.require_known(places);
+  const std::vector<std::string> variables = fixed.coordinate_names({"t"});
   const std::string form = "a number, or an expression in the coordinates and t like '1+0.1*x'";
   for (std::size_t side = 0; side + 1 < places.size(); ++side)
     if (fixed.has(places[side]))
@@ -32,7 +32,7 @@ void read_given_values(const Json_fields& fixed, Scene_field& result) {
 Scene_field read_field(const Json_fields& field) {
   field.require_known({"initial", "diffusivity", "fixed"});
   Scene_field result{
-      field.number_or_expression("initial", coordinate_names(field.dimension()),
+      field.number_or_expression("initial", field.coordinate_names(),
                                  "a number, or an expression in the coordinates like '1+0.1*x'"),
       field.not_negative("diffusivity", 0),
       {},

@@ -6,7 +6,7 @@
 #define DSC_FLUID_SCENE_PARTS_H
 
 #include "fluids/fluid_scene.h"
-#include "output/json_fields.h"
+#include "scenes/json_fields.h"
 
 #include <array>
 #include <cstddef>
@@ -17,7 +17,6 @@ namespace dsc {
 /// Read a part of a scene. The dimension of the fields is the dimension of the scene.
 /// \throws Usage_error if a field is unknown, missing, out of range or without effect
 Fluid_shape read_shape(const Json_fields& shape);
-Scene_solid read_solid(const Json_fields& solid);
 Scene_probe read_probe(const Json_fields& probe);
 Scene_field read_field(const Json_fields& field);
 
@@ -26,17 +25,9 @@ Scene_field read_field(const Json_fields& field);
 Fluid_scene::Tension read_tension(const Json_fields& json, const std::string& field,
                                   const std::array<int, 2>& labels);
 
-/// Returns a field with an expression in t for each coordinate of a vector.
-/// \throws Usage_error
-Expression read_vector_expression(const Json_fields& json, const std::string& field);
-
 /// Returns the field `mode`, at most 100.
 /// \throws Usage_error
 std::size_t read_mode(const Json_fields& json);
-
-/// Returns the corners of a box, the fields `from` and `to`.
-/// \throws Usage_error if the box is empty
-Box_shape read_corners(const Json_fields& json);
 
 } // namespace dsc
 

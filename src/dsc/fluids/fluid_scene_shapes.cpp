@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace dsc {
 namespace {
@@ -48,7 +49,7 @@ Ball_shape read_ball(const Json_fields& shape) {
 
 Box_shape read_box(const Json_fields& shape) {
   shape.require_known({"type", "from", "to"});
-  return read_corners(shape);
+  return box_shape(shape.corners());
 }
 
 Cylinder_shape read_cylinder(const Json_fields& shape) {
@@ -80,11 +81,12 @@ Pool_shape read_pool(const Json_fields& shape) {
   Pool_shape result{shape.number("level"), {}};
   if (!shape.has("height"))
     return result;
-  if (shape.dimension() == 2)
-    result.height = shape.expression("height", {"x"}, 1, "an expression in x like '1+0.1*cos(x)'");
-  else
-    result.height =
-        shape.expression("height", {"x", "y"}, 1, "an expression in x and y like '1+0.1*cos(x)'");
+  std::vector<std::string> variables = shape.coordinate_names();
+  variables.pop_back();
+  result.height =
+      shape.expression("height", variables, 1,
+                       shape.dimension() == 2 ? "an expression in x like '1+0.1*cos(x)'"
+                                              : "an expression in x and y like '1+0.1*cos(x)'");
   return result;
 }
 
@@ -95,20 +97,6 @@ std::size_t read_mode(const Json_fields& json) {
   if (result > highest_mode)
     json.refuse("mode", "must be at most 100");
   return result;
-}
-
-Expression read_vector_expression(const Json_fields& json, const std::string& field) {
-  return json.expression(field, {"t"}, json.dimension(),
-                         json.dimension() == 2 ? "two expressions in t like '0,0.1*sin(t)'"
-                                               : "three expressions in t like '0,0,0.1*sin(t)'");
-}
-
-Box_shape read_corners(const Json_fields& json) {
-  const Box_shape box{json.point("from"), json.point("to")};
-  for (std::size_t i = 0; i < std::size_t(json.dimension()); ++i)
-    if (!(box.to[i] > box.from[i]))
-      json.refuse("to", "must be larger than 'from' in each coordinate: the box is empty");
-  return box;
 }
 
 Fluid_shape read_shape(const Json_fields& shape) {

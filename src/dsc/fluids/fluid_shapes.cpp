@@ -11,6 +11,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <set>
 #include <vector>
 
 namespace dsc {
@@ -21,6 +23,18 @@ std::size_t number_of_parts(double parts) {
     throw Input_error("the edge length of the scene is too small for its shapes or its domain; "
                       "choose a larger 'edge'");
   return std::size_t(std::lround(std::max(1., parts)));
+}
+
+std::vector<double> divided_lines(const std::set<double>& lines, double edge) {
+  std::vector<double> result = {*lines.begin()};
+  for (auto line = std::next(lines.begin()); line != lines.end(); ++line) {
+    const double from = *std::prev(line), to = *line;
+    const std::size_t parts = number_of_parts((to - from) / edge);
+    for (std::size_t i = 1; i < parts; ++i)
+      result.push_back(from + (to - from) * double(i) / double(parts));
+    result.push_back(to);
+  }
+  return result;
 }
 
 Surface surface_of(const Ball_shape& ball, double edge) {

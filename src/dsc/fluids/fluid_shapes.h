@@ -10,12 +10,18 @@
 
 #include <array>
 #include <cstddef>
+#include <set>
+#include <vector>
 
 namespace dsc {
 
 /// Returns the number of parts, rounded, at least 1.
 /// \throws Input_error if the number exceeds the memory of any computer
 std::size_t number_of_parts(double parts);
+
+/// Returns the coordinates of lines, and of lines between them at distances of about `edge`.
+/// \throws Input_error as number_of_parts() does
+std::vector<double> divided_lines(const std::set<double>& lines, double edge);
 
 /// Return the closed surface of a shape. The target edge length is `edge`, unless the shape defines
 /// the number of triangles.

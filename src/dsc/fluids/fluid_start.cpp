@@ -5,8 +5,8 @@
 #include "fluids/fluid_start.h"
 
 #include "fluids/fluid_shapes.h"
-#include "fluids/fluid_solids.h"
 #include "programs/errors.h"
+#include "scenes/add_solid.h"
 
 #include <CGAL/Mesh_support/coordinates.h>
 
@@ -46,40 +46,46 @@ template <class Complex> void add_sources(const Fluid_scene& scene, Fluid<Comple
                        [flux = *source.flux](double t) { return *flux.at({t}); });
 }
 
-template <class Complex> void add_inflows(const Fluid_scene& scene, Fluid<Complex>& fluid) {
-  for (std::size_t side = 0; side < scene.inflows.size(); ++side)
-    if (const auto& inflow = scene.inflows[side])
-      fluid.set_side(int(side / 2), side % 2 == 1,
-                     {std::nullopt,
-                      [given = *inflow](const std::array<double, 3>& p,
-                                        double t) -> std::optional<std::array<double, 3>> {
-                        for (std::size_t i = 0; i < 3; ++i)
-                          if (p[i] < given.box[i] || p[i] > given.box[i + 3])
-                            return std::nullopt;
-                        return given.velocity.at(t);
-                      },
-                      {}});
+bool is_in(const std::array<double, 6>& box, const std::array<double, 3>& p) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (p[i] < box[i] || p[i] > box[i + 3])
+      return false;
+  return true;
 }
 
-template <class Complex> void add_openings(const Fluid_scene& scene, Fluid<Complex>& fluid) {
-  for (std::size_t side = 0; side < scene.openings.size(); ++side)
-    if (const auto& opening = scene.openings[side])
-      fluid.set_side(
-          int(side / 2), side % 2 == 1,
-          {opening->velocity, {}, [given = *opening](const std::array<double, 3>& p, double t) {
-             return given.at(p, t, Complex::dimension);
-           }});
+template <class Complex>
+void add_inflows_and_openings(const Fluid_scene& scene, Fluid<Complex>& fluid) {
+  using Coordinates = std::array<double, 3>;
+  for (std::size_t side = 0; side < scene.sides.size(); ++side) {
+    CGAL::Deformable_simplicial_complexes::Side_behavior behavior;
+    if (const auto& opening = scene.openings[side]) {
+      behavior.velocity = opening->velocity;
+      behavior.pressure = [given = *opening](const Coordinates& p, double t) {
+        return is_in(given.box, p)
+                   ? std::optional<double>(*given.pressure.at_point(p, Complex::dimension, t))
+                   : std::nullopt;
+      };
+    } else if (const auto& inflow = scene.inflows[side]) {
+      behavior.inflow = [given = *inflow](const Coordinates& p, double t) {
+        return is_in(given.box, p) ? std::optional<Coordinates>(given.velocity.at(t))
+                                   : std::nullopt;
+      };
+    } else
+      continue;
+    fluid.set_side(int(side / 2), side % 2 == 1, behavior);
+  }
 }
 
 template <class Complex>
 void set_field(const Scene_field& field, const Fluid_scene& scene, Fluid<Complex>& fluid) {
   using Point = typename Fluid<Complex>::Point;
-  fluid.set_field([&](const Point& p) { return *field.initial.at_point(p, Complex::dimension); });
+  constexpr int d = Complex::dimension;
+  fluid.set_field([&](const Point& p) { return *field.initial.at_point(p, d); });
   static constexpr double rounding = 1e-9; // relative to the edge length
   fluid.fix_field([field, domain = scene.domain, near = rounding * scene.edge](
                       const Point& p, double t) -> std::optional<double> {
     bool is_on_side = false;
-    for (std::size_t side = 0; side < 2 * std::size_t(Complex::dimension); ++side)
+    for (std::size_t side = 0; side < std::size_t(2 * d); ++side)
       if (std::abs(p[int(side / 2)] - domain[side / 2 + 3 * (side % 2)]) <= near) {
         is_on_side = true;
         if (field.on_sides[side])
@@ -94,8 +100,7 @@ void set_field(const Scene_field& field, const Fluid_scene& scene, Fluid<Complex
 } // namespace
 
 template <class Complex>
-std::unique_ptr<Fluid<Complex>> fluid_of_scene(const Fluid_scene& scene, const std::string& folder,
-                                               Complex& complex) {
+std::unique_ptr<Fluid<Complex>> fluid_of_scene(const Fluid_scene& scene, Complex& complex) {
   using namespace CGAL::Deformable_simplicial_complexes;
   Fluid_properties properties;
   for (const Scene_liquid& liquid : scene.liquids)
@@ -115,9 +120,10 @@ std::unique_ptr<Fluid<Complex>> fluid_of_scene(const Fluid_scene& scene, const s
   auto result = std::make_unique<Fluid<Complex>>(complex, properties);
   Fluid<Complex>& fluid = *result;
   add_sources(scene, fluid);
-  add_solids(scene, folder, fluid);
-  add_inflows(scene, fluid);
-  add_openings(scene, fluid);
+  static constexpr double difference = 1e-4; // of places of solids, in time steps
+  for (const Scene_solid& solid : scene.solids)
+    add_solid(solid, difference * scene.time_step, fluid);
+  add_inflows_and_openings(scene, fluid);
   if (scene.field)
     set_field(*scene.field, scene, fluid);
   set_time(scene, 0, fluid);
@@ -236,22 +242,23 @@ template <class Complex> void set_velocities(const Fluid_scene& scene, Fluid<Com
     const auto found = liquid_of.find({v, label});
     if (found == liquid_of.end() || !scene.liquids[found->second].velocity)
       return Vector(CGAL::NULL_VECTOR);
-    return DSC::from_coordinates<Vector>(
-        scene.liquids[found->second].velocity->at_point(complex.position(v), Complex::dimension),
-        std::make_integer_sequence<int, Complex::dimension>());
+    const Expression& velocity = *scene.liquids[found->second].velocity;
+    constexpr int d = Complex::dimension;
+    return CGAL::Deformable_simplicial_complexes::from_coordinates<Vector>(
+        velocity.at_point(complex.position(v), d), std::make_integer_sequence<int, d>());
   });
 }
 
 template void require_effect(const Fluid_scene&, const Tracked_complex_2::Complex&);
 template std::unique_ptr<Fluid<Tracked_complex_2::Complex>>
-fluid_of_scene(const Fluid_scene&, const std::string&, Tracked_complex_2::Complex&);
+fluid_of_scene(const Fluid_scene&, Tracked_complex_2::Complex&);
 template void set_time(const Fluid_scene&, double, Fluid<Tracked_complex_2::Complex>&);
 template void require_outside_of_solids(const Fluid_scene&,
                                         const Fluid<Tracked_complex_2::Complex>&);
 template void set_velocities(const Fluid_scene&, Fluid<Tracked_complex_2::Complex>&);
 template void require_effect(const Fluid_scene&, const Tracked_complex_3::Complex&);
 template std::unique_ptr<Fluid<Tracked_complex_3::Complex>>
-fluid_of_scene(const Fluid_scene&, const std::string&, Tracked_complex_3::Complex&);
+fluid_of_scene(const Fluid_scene&, Tracked_complex_3::Complex&);
 template void set_time(const Fluid_scene&, double, Fluid<Tracked_complex_3::Complex>&);
 template void require_outside_of_solids(const Fluid_scene&,
                                         const Fluid<Tracked_complex_3::Complex>&);

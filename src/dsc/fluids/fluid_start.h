@@ -9,7 +9,6 @@
 #include "fluids/fluid_scene.h"
 
 #include <memory>
-#include <string>
 
 namespace dsc {
 
@@ -18,10 +17,9 @@ namespace dsc {
 template <class Complex> void require_effect(const Fluid_scene& scene, const Complex& complex);
 
 /// Returns the fluid in the complex, with the solids of the scene.
-/// \throws Input_error if a file cannot be read
+/// \pre The meshes of the scene have been read, see `read_meshes()`.
 template <class Complex>
-std::unique_ptr<Fluid<Complex>> fluid_of_scene(const Fluid_scene& scene, const std::string& folder,
-                                               Complex& complex);
+std::unique_ptr<Fluid<Complex>> fluid_of_scene(const Fluid_scene& scene, Complex& complex);
 
 /// Sets gravity and the velocities of sides to those of a time.
 /// \throws Input_error if a value is not finite

@@ -2,12 +2,16 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "fluids/fluid_scene_parts.h"
+#include "scenes/scene_solid.h"
+
+#include <CGAL/Mesh_support/coordinates.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dsc {
@@ -40,8 +44,7 @@ void set_center(const Json_fields& solid, Scene_solid& result) {
   result.has_given_center = solid.has("center");
   if (!result.has_given_center)
     return;
-  if (solid.has("density"))
-    solid.refuse("center", "cannot be combined with the field 'density'; remove one of them");
+  solid.require_not_both("center", "density");
   result.center = solid.point("center");
 }
 
@@ -70,11 +73,7 @@ void read_geometry(const Json_fields& solid, Scene_solid& result) {
   } else if (type == "box") {
     require_known(solid, {"from", "to", "center"});
     result.kind = Kind::box;
-    const Box_shape box = read_corners(solid);
-    for (std::size_t i = 0; i < 3; ++i) {
-      result.box[i] = box.from[i];
-      result.box[i + 3] = box.to[i];
-    }
+    result.box = solid.corners();
     set_center(solid, result);
   } else if (type == "ball") {
     require_known(solid, {"center", "radius", "liquid"});
@@ -96,13 +95,6 @@ void read_geometry(const Json_fields& solid, Scene_solid& result) {
     set_center(solid, result);
     result.contains_liquid = read_side(solid);
   }
-}
-
-/// Throws if one of two fields is given together with the other one.
-void require_not_both(const Json_fields& solid, const char* a, const char* b) {
-  if (solid.has(a) && solid.has(b))
-    solid.refuse(a,
-                 std::string("cannot be combined with the field '") + b + "'; remove one of them");
 }
 
 /// Reads the directions in which a body cannot move.
@@ -154,15 +146,29 @@ void read_body(const Json_fields& solid, Scene_solid& result) {
 void read_motion(const Json_fields& solid, Scene_solid& result) {
   for (const char* field : {"displacement", "rotation"})
     for (const char* other : {"density", "velocity", "angular_velocity"})
-      require_not_both(solid, field, other);
+      solid.require_not_both(field, other);
+  std::optional<Expression> displacement, rotation;
   if (solid.has("displacement"))
-    result.displacement = read_vector_expression(solid, "displacement");
-  if (!solid.has("rotation"))
-    return;
+    displacement = solid.vector_in_time("displacement");
   const bool is_planar = solid.dimension() == 2;
-  result.rotation = solid.expression("rotation", {"t"}, is_planar ? 1 : 3,
-                                     is_planar ? "an expression in t like '0.1*sin(t)'"
-                                               : "three expressions in t like '0,0,0.1*sin(t)'");
+  if (solid.has("rotation"))
+    rotation = solid.expression("rotation", {"t"}, is_planar ? 1 : 3,
+                                is_planar ? "an expression in t like '0.1*sin(t)'"
+                                          : "three expressions in t like '0,0,0.1*sin(t)'");
+  if (displacement || rotation)
+    result.place = [displacement, rotation, is_planar](double t) {
+      using Vector = Scene_solid::Place::Vector;
+      Scene_solid::Place place;
+      if (displacement) {
+        const double* d = displacement->at({t});
+        place.displacement = Vector(d[0], d[1], is_planar ? 0 : d[2]);
+      }
+      if (rotation) {
+        const double* r = rotation->at({t});
+        place.rotation = is_planar ? Vector(0, 0, r[0]) : Vector(r[0], r[1], r[2]);
+      }
+      return place;
+    };
 }
 
 } // namespace
@@ -184,6 +190,17 @@ Scene_solid read_solid(const Json_fields& solid) {
   read_body(solid, result);
   read_motion(solid, result);
   return result;
+}
+
+void Scene_solid::set_mesh(Mesh given) {
+  mesh = std::make_shared<const Mesh>(std::move(given));
+  if (has_given_center)
+    return;
+  Place::Vector sum(0, 0, 0);
+  for (const auto v : mesh->vertices())
+    sum = sum + (mesh->point(v) - CGAL::ORIGIN);
+  center = CGAL::Deformable_simplicial_complexes::coordinates_of<3>(
+      sum / std::max(1., double(mesh->number_of_vertices())));
 }
 
 } // namespace dsc

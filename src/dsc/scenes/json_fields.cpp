@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "output/json_fields.h"
+#include "scenes/json_fields.h"
 
 #include "input/nearest_name.h"
 #include "programs/errors.h"
@@ -36,11 +36,18 @@ const Json& Json_fields::any(const std::string& field) const {
   return m_json->at(field);
 }
 
+/// Returns a finite number. Files contain no others, but Python does.
+double Json_fields::finite(const std::string& field, const Json& number) const {
+  if (!std::isfinite(number.get<double>()))
+    refuse(field, "must be finite");
+  return number.get<double>();
+}
+
 double Json_fields::number(const std::string& field) const {
   const Json& json = any(field);
-  if (!json.is_number() || !std::isfinite(json.get<double>()))
+  if (!json.is_number())
     refuse(field, json.is_string() ? "must be a number, without quotes" : "must be a number");
-  return json.get<double>();
+  return finite(field, json);
 }
 
 double Json_fields::number(const std::string& field, double otherwise) const {
@@ -117,14 +124,20 @@ Expression Json_fields::number_or_expression(const std::string& field,
              : Expression(Json(number(field)).dump(), variables, field + " of " + m_name, form);
 }
 
+Expression Json_fields::vector_in_time(const std::string& field) const {
+  return expression(field, {"t"}, m_dimension,
+                    m_dimension == 2 ? "two expressions in t like '0,0.1*sin(t)'"
+                                     : "three expressions in t like '0,0,0.1*sin(t)'");
+}
+
 void Json_fields::read_numbers(const std::string& field, std::size_t n, double* result,
                                const std::string& reason) const {
   const Json& json = any(field);
   bool fits = json.is_array() && json.size() == n;
   for (std::size_t i = 0; fits && i < n; ++i) {
-    fits = json[i].is_number() && std::isfinite(json[i].get<double>());
+    fits = json[i].is_number();
     if (fits)
-      result[i] = json[i].get<double>();
+      result[i] = finite(field, json[i]);
   }
   if (!fits)
     refuse(field, "must be a list of " + std::to_string(n) + " numbers" + reason);
@@ -158,6 +171,18 @@ std::array<double, 6> Json_fields::box(const std::string& field) const {
   return result;
 }
 
+std::array<double, 6> Json_fields::corners() const {
+  const auto from = point("from"), to = point("to");
+  std::array<double, 6> result = {};
+  for (std::size_t i = 0; i < std::size_t(m_dimension); ++i) {
+    result[i] = from[i];
+    result[i + 3] = to[i];
+    if (!(to[i] > from[i]))
+      refuse("to", "must be larger than 'from' in each coordinate: the box is empty");
+  }
+  return result;
+}
+
 std::vector<Json_fields> Json_fields::objects(const std::string& field) const {
   std::vector<Json_fields> result;
   if (!has(field))
@@ -172,6 +197,11 @@ std::vector<Json_fields> Json_fields::objects(const std::string& field) const {
 
 Json_fields Json_fields::object(const std::string& field) const {
   return {any(field), field + " of " + m_name, m_dimension};
+}
+
+void Json_fields::require_not_both(const std::string& field, const std::string& other) const {
+  if (has(field) && has(other))
+    refuse(field, "cannot be combined with the field '" + other + "'; remove one of them");
 }
 
 } // namespace dsc

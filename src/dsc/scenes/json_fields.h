@@ -28,6 +28,11 @@ public:
   int dimension() const { return m_dimension; }
   void set_dimension(int dimension) { m_dimension = dimension; }
 
+  /// Returns the names of the coordinates of points, and the names in `others`.
+  std::vector<std::string> coordinate_names(const std::vector<std::string>& others = {}) const {
+    return dsc::coordinate_names(m_dimension, others);
+  }
+
   /// Checks that all fields are in the list. Must be called before fields are read, so that a
   /// misspelt field is reported before the missing field with the correct name.
   /// \throws Usage_error with the nearest known name if the object has another field
@@ -57,6 +62,8 @@ public:
   Expression number_or_expression(const std::string& field,
                                   const std::vector<std::string>& variables,
                                   const std::string& form) const;
+  /// Returns an expression in t for each coordinate of a vector.
+  Expression vector_in_time(const std::string& field) const;
   template <std::size_t n> std::array<double, n> numbers(const std::string& field) const {
     std::array<double, n> result;
     read_numbers(field, n, result.data());
@@ -67,15 +74,21 @@ public:
   /// Returns the least and then the largest coordinates of a box; in the plane, those of z are 0.
   /// \throws Usage_error if the box is empty
   std::array<double, 6> box(const std::string& field) const;
+  /// Returns the box with the corners `from` and `to`, in the same order.
+  /// \throws Usage_error if the box is empty
+  std::array<double, 6> corners() const;
   /// Returns the objects of a list; none if the list is missing.
   std::vector<Json_fields> objects(const std::string& field) const;
   Json_fields object(const std::string& field) const;
+  /// \throws Usage_error if both fields are given
+  void require_not_both(const std::string& field, const std::string& other) const;
 
   /// Throws an error for a field; the message begins with the place of the field.
   /// \throws Usage_error always
   [[noreturn]] void refuse(const std::string& field, const std::string& why) const;
 
 private:
+  double finite(const std::string& field, const Json& number) const;
   void read_numbers(const std::string& field, std::size_t n, double* result,
                     const std::string& reason = "") const;
   void read_coordinates(const std::string& field, std::size_t n, double* result) const;
