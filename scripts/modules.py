@@ -95,6 +95,7 @@ MODULES = {
     },
     "Mesh_files": {
         "text": "files, words, numbers, XML",
+        "pictures": "colors of labels and of numbers",
         "grids": "VTK and MEDIT files",
         "curves": "files of planar curves",
         "surfaces": "surface files",
@@ -148,8 +149,8 @@ SEAM = {
         checks/check_surfaces_3 checks/refuse_surface soups/Soup_bisector_3 soups/Triangle_soup_3
         soups/soup_intersections_3""",
     "Mesh_files": """
-        grids/Vtu_document grids/Vtu_reader grids/write_vtu text/Xml_element text/files text/number_of_word
-        text/open_input""",
+        grids/Vtu_document grids/Vtu_reader grids/write_vtu pictures/colors text/Xml_element text/files
+        text/number_of_word text/open_input""",
     "Interface_flows": """
         curvature/Interface_forces paths/interface_paths paths/velocity_properties""",
 }
