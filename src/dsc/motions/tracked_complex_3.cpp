@@ -16,6 +16,7 @@
 #include <CGAL/Interface_remeshing/subdivide_interface_3.h>
 #include <CGAL/Mesh_files/MEDIT_3.h>
 #include <CGAL/Mesh_files/labeled_surface_3.h>
+#include <CGAL/Mesh_support/coordinates.h>
 
 #include <algorithm>
 #include <array>
@@ -66,17 +67,15 @@ Statistics Tracked_complex_3::statistics() const {
 namespace {
 
 void write_picture_png(const std::string& path, const Tracked_complex_3::Complex& complex) {
-  std::vector<Picture_triangle> triangles;
+  Picture picture;
+  picture.is_in_space = true;
   for (const auto& f : complex.interface_facets()) {
-    Picture_triangle t{{}, f.first->label()};
-    const auto v = complex.facet_vertices(f);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto p = complex.user_position(v[i]);
-      t.corners[i] = {p.x(), p.y(), p.z()};
-    }
-    triangles.push_back(t);
+    Picture_polygon triangle = {{}, color_of_label(f.first->label())};
+    for (const auto v : complex.facet_vertices(f))
+      triangle.corners.push_back(DSC::coordinates_of<3>(complex.user_position(v)));
+    picture.polygons.push_back(std::move(triangle));
   }
-  write_picture(path, triangles);
+  write_picture(path, picture);
 }
 
 /// Returns the velocities at the points of a subdivided surface, as the arrays vx, vy and vz.
