@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <stdexcept>
 
@@ -232,18 +231,18 @@ void Film::add(const Film_frame& frame) {
   Mesh mesh;
   const std::vector<Index> former = former_points(frame);
   const Order points(former), simplices(former_simplices(frame, former));
-  mesh.points = points.ordered(frame.points);
-  mesh.ids = frame.ids.empty() ? frame.ids : points.ordered(frame.ids);
+  mesh.points = chosen_rows(frame.points, points.indices);
+  mesh.ids = frame.ids.empty() ? frame.ids : chosen_rows(frame.ids, points.indices);
   for (const auto& p : mesh.points)
     mesh.quantized.push_back(quantized(p));
   std::vector<Index> place(points.indices.size());
   for (std::size_t i = 0; i < place.size(); ++i)
     place[points.indices[i]] = Index(i);
-  mesh.simplices = simplices.ordered(frame.simplices);
+  mesh.simplices = chosen_rows(frame.simplices, simplices.indices);
   for (auto& simplex : mesh.simplices)
     for (std::size_t j = 0; j < corners(); ++j)
       simplex[j] = place[simplex[j]];
-  mesh.labels = simplices.ordered(frame.labels);
+  mesh.labels = chosen_rows(frame.labels, simplices.indices);
 
   Encoded_frame encoded{
       frame.step, frame.time, mesh.points.size(), mesh.simplices.size(), {}, {}, {}, {}, {}, {}};
@@ -262,7 +261,8 @@ void Film::add(const Film_frame& frame) {
       known.add(magnitude(field, row));
     encoded.fields.push_back(
         {field.name, field.on_points, field.components,
-         (field.on_points ? points : simplices).ordered(field.values, field.components)});
+         chosen_rows(field.values, (field.on_points ? points : simplices).indices,
+                     field.components)});
   }
   m_frames.push_back(std::move(encoded));
   m_last = std::move(mesh);

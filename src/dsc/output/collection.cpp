@@ -20,19 +20,6 @@ namespace {
 namespace internal = CGAL::Deformable_simplicial_complexes::internal;
 using internal::Xml_element;
 
-/// Calls `visit` with the children of an element that have a name.
-template <class Visit>
-void for_each_child(std::string_view content, std::string_view name, const std::string& path,
-                    const Visit& visit) {
-  internal::visit_xml(
-      content, path,
-      [&](const Xml_element& child) {
-        if (child.name == name)
-          visit(child);
-      },
-      [](std::string_view) {});
-}
-
 /// Replaces the references of XML to characters.
 std::string unescaped(std::string text) {
   static constexpr const char* references[][2] = {
@@ -52,16 +39,17 @@ std::vector<Moment> moments_of_collection(const std::string& collection) {
   if (!fs::exists(collection, error))
     return moments;
   const std::string bytes = internal::file_contents(collection);
-  for_each_child(bytes, "VTKFile", collection, [&](const Xml_element& file) {
-    for_each_child(file.content, "Collection", collection, [&](const Xml_element& list) {
-      for_each_child(list.content, "DataSet", collection, [&](const Xml_element& entry) {
-        const auto time = internal::number_of_word<double>(entry.attribute("timestep"));
-        const std::string name = unescaped(entry.attribute("file"));
-        if (!time || !std::isfinite(*time) || name.empty())
-          throw Input_error("an entry of '" + collection +
-                            "' has no file or no finite time; correct it");
-        moments.emplace_back(*time, (fs::path(collection).parent_path() / name).string());
-      });
+  const auto visit = [&](const Xml_element& entry) {
+    const auto time = internal::number_of_word<double>(entry.attribute("timestep"));
+    const std::string name = unescaped(entry.attribute("file"));
+    if (!time || !std::isfinite(*time) || name.empty())
+      throw Input_error("an entry of '" + collection +
+                        "' has no file or no finite time; correct it");
+    moments.emplace_back(*time, (fs::path(collection).parent_path() / name).string());
+  };
+  internal::for_each_xml_element(bytes, "VTKFile", collection, [&](const Xml_element& file) {
+    internal::for_each_xml_element(file.content, "Collection", collection, [&](const auto& list) {
+      internal::for_each_xml_element(list.content, "DataSet", collection, visit);
     });
   });
   return moments;

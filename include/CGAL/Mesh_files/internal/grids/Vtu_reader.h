@@ -49,7 +49,7 @@ public:
       fail("there is no element UnstructuredGrid; write the file again");
     m_grid = *grid;
     std::size_t number_of_pieces = 0;
-    for_each_child(m_grid, "Piece", [&](const Xml_element& piece) {
+    for_each_xml_element(m_grid.content, "Piece", m_path, [&](const Xml_element& piece) {
       m_piece = piece;
       ++number_of_pieces;
     });
@@ -118,21 +118,10 @@ public:
   }
 
 private:
-  template <class Visit>
-  void for_each_child(const Xml_element& element, std::string_view name, const Visit& visit) const {
-    visit_xml(
-        element.content, m_path,
-        [&](const Xml_element& child) {
-          if (child.name == name)
-            visit(child);
-        },
-        [](std::string_view) {});
-  }
-
   // Returns the first child with a name.
   std::optional<Xml_element> child(const Xml_element& element, std::string_view name) const {
     std::optional<Xml_element> result;
-    for_each_child(element, name, [&](const Xml_element& child) {
+    for_each_xml_element(element.content, name, m_path, [&](const Xml_element& child) {
       if (!result)
         result = child;
     });
@@ -171,7 +160,7 @@ private:
   template <class Visit> void for_each_array(const std::string& section, const Visit& visit) const {
     if (const std::optional<Xml_element> arrays = child(m_piece, section))
       for (const char* kind : {"DataArray", "Array"})
-        for_each_child(*arrays, kind, visit);
+        for_each_xml_element(arrays->content, kind, m_path, visit);
   }
 
   // Separates appended data, which may contain any bytes, from the XML text. The start tag and the

@@ -148,6 +148,19 @@ void visit_xml(std::string_view xml, const std::string& path, const Visit_elemen
     fail("an element does not end");
 }
 
+// Visits the top-level elements of a text that have a name. Throws File_error as above.
+template <class Visit>
+void for_each_xml_element(std::string_view xml, std::string_view name, const std::string& path,
+                          const Visit& visit) {
+  visit_xml(
+      xml, path,
+      [&](const Xml_element& element) {
+        if (element.name == name)
+          visit(element);
+      },
+      [](std::string_view) {});
+}
+
 } // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_MESH_FILES_INTERNAL_TEXT_XML_ELEMENT_H
