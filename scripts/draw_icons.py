@@ -65,12 +65,15 @@ def read_png(path):
 
 
 def write_png(path, rows):
+    """Writes rows of bytes: red, green and blue of each pixel."""
     def chunk(kind, data):
         return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
 
     header = struct.pack(">IIBBBBB", len(rows[0]) // 3, len(rows), 8, 2, 0, 0, 0)
-    data = zlib.compress(b"".join(b"\0" + bytes(row) for row in rows), 9)
-    path.write_bytes(SIGNATURE + chunk(b"IHDR", header) + chunk(b"IDAT", data) + chunk(b"IEND", b""))
+    # Filter 1: a pixel is stored as the difference from the pixel on its left.
+    filtered = (bytes((b - a) & 255 for a, b in zip(bytes(3) + bytes(row), bytes(row))) for row in rows)
+    data = zlib.compress(b"".join(b"\1" + row for row in filtered), 9)
+    pathlib.Path(path).write_bytes(SIGNATURE + chunk(b"IHDR", header) + chunk(b"IDAT", data) + chunk(b"IEND", b""))
 
 
 def square(rows, left, side):

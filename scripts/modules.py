@@ -95,6 +95,7 @@ MODULES = {
     },
     "Mesh_files": {
         "text": "files, words, numbers, XML",
+        "pictures": "colors of labels and of numbers",
         "grids": "VTK and MEDIT files",
         "curves": "files of planar curves",
         "surfaces": "surface files",
@@ -147,7 +148,7 @@ SEAM = {
         checks/check_surfaces_3 checks/refuse_surface soups/Soup_bisector_3 soups/Triangle_soup_3
         soups/soup_intersections_3""",
     "Mesh_files": """
-        checkpoints/checkpoint_file grids/Vtu_document grids/read_vtu_tetrahedra grids/write_vtu text/Xml_element
+        checkpoints/checkpoint_file grids/Vtu_document grids/read_vtu_tetrahedra grids/write_vtu pictures/colors text/Xml_element
         text/files text/number_of_word text/open_input""",
     "Interface_flows": """
         curvature/Interface_forces paths/interface_paths paths/velocity_properties""",

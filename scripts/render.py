@@ -77,48 +77,62 @@ def colour_index(label):
     return 0 if label == 0 else 1 + (label - 1) % (len(COLOURS) - 1)
 
 
-def colour_table():
+def colour_table(colours, first=0):
+    """Returns a table of the colours of first, first + 1, ..."""
     table = vtk.vtkLookupTable()
-    table.SetNumberOfTableValues(len(COLOURS))
-    table.SetTableRange(0, len(COLOURS) - 1)
-    for i, colour in enumerate(COLOURS):
+    table.SetNumberOfTableValues(len(colours))
+    table.SetTableRange(first, first + len(colours) - 1)
+    for i, colour in enumerate(colours):
         table.SetTableValue(i, *colour, 1)
     return table
 
 
+def surface_of(source):
+    """Returns the boundary faces of the cells that a filter produces."""
+    surface = vtk.vtkDataSetSurfaceFilter()
+    surface.SetInputConnection(source.GetOutputPort())
+    surface.Update()
+    return surface.GetOutput()
+
+
+def cells_with_labels(grid, lowest, highest):
+    """Returns a filter that produces the cells whose labels are in a range."""
+    cells = vtk.vtkThreshold()
+    cells.SetInputData(grid)
+    cells.SetInputArrayToProcess(0, 0, 0, vtk.vtkDataObject.FIELD_ASSOCIATION_CELLS, "label")
+    cells.SetLowerThreshold(lowest)
+    cells.SetUpperThreshold(highest)
+    cells.SetThresholdFunction(vtk.vtkThreshold.THRESHOLD_BETWEEN)
+    return cells
+
+
 def surface_actor(grid, label_array):
-    """Returns the boundary faces of the cells with flat shading, edges and the colours of the labels."""
+    """Returns the boundary faces of the cells with the colours of the labels, and edges."""
     labels = grid.GetCellData().GetArray(label_array)
     colours = vtk.vtkIntArray()
     colours.SetName("colour")
     for cell in range(grid.GetNumberOfCells()):
         colours.InsertNextValue(colour_index(int(labels.GetComponent(cell, 0))))
-    grid.GetCellData().SetScalars(colours)
-    surface = vtk.vtkDataSetSurfaceFilter()
-    surface.SetInputData(grid)
-    mapper = vtk.vtkPolyDataMapper()
-    mapper.SetInputConnection(surface.GetOutputPort())
-    mapper.SetScalarModeToUseCellData()
-    mapper.SetLookupTable(colour_table())
-    mapper.UseLookupTableScalarRangeOn()
-    actor = vtk.vtkActor()
-    actor.SetMapper(mapper)
+    grid.GetCellData().AddArray(colours)
+    source = vtk.vtkTrivialProducer()
+    source.SetOutput(grid)
+    return edged(labeled_actor(surface_of(source), colour_table(COLOURS), 0.25, "colour"), EDGE_COLOUR, 1)
+
+
+def edged(actor, colour, width):
     look = actor.GetProperty()
-    look.SetInterpolationToFlat()
-    look.SetAmbient(0.25)
-    look.SetDiffuse(0.75)
     look.EdgeVisibilityOn()
-    look.SetEdgeColor(*EDGE_COLOUR)
-    look.SetLineWidth(1)
+    look.SetEdgeColor(*colour)
+    look.SetLineWidth(width)
     return actor
 
 
-def labeled_actor(surface, table, ambient):
-    """Returns a surface with flat shading, in the colours that a table gives to its labels."""
+def labeled_actor(surface, table, ambient, array="label"):
+    """Returns a surface with flat shading, in the colours that a table gives to the values of an array."""
     mapper = vtk.vtkPolyDataMapper()
     mapper.SetInputData(surface)
     mapper.SetScalarModeToUseCellFieldData()
-    mapper.SelectColorArray("label")
+    mapper.SelectColorArray(array)
     mapper.SetLookupTable(table)
     mapper.UseLookupTableScalarRangeOn()
     actor = vtk.vtkActor()
@@ -218,16 +232,17 @@ def closest_camera(paths):
                      MARGIN * max(height, width * SIZE[1] / SIZE[0]) / 2)
 
 
-def render(actor, camera):
+def render(actors, camera, size=SIZE):
     renderer = vtk.vtkRenderer()
     renderer.SetBackground(1, 1, 1)
-    renderer.AddActor(actor)
+    for actor in actors:
+        renderer.AddActor(actor)
     renderer.SetActiveCamera(camera)
     renderer.ResetCameraClippingRange()
     window = vtk.vtkRenderWindow()
     window.OffScreenRenderingOn()
     window.SetMultiSamples(8)
-    window.SetSize(*SIZE)
+    window.SetSize(*size)
     window.AddRenderer(renderer)
     window.Render()
     grab = vtk.vtkWindowToImageFilter()
@@ -277,7 +292,7 @@ def with_border(image):
 def render_frames(series, count, out):
     interfaces = [path for _, path in evenly_spread(series, count)]
     camera = closest_camera(interfaces)
-    row = [tile(render(interface_actor(path), camera), count) for path in interfaces]
+    row = [tile(render([interface_actor(path)], camera), count) for path in interfaces]
     row = [with_border(image) for image in row[:-1]] + row[-1:]
     write(appended(row, axis=0), os.path.join(out, "strip.png"))
 
@@ -294,7 +309,7 @@ def render_three_steps(series, volumes, out):
         number = os.path.splitext(os.path.basename(path))[0].rpartition("_")[2]
         actors = (interface_actor(path), cut_actor(volumes[time], centre, radius))
         for row, name, actor in zip(rows, ("interface", "cut"), actors):
-            image = render(actor, camera)
+            image = render([actor], camera)
             write(image, os.path.join(out, f"{name}_{number}.png"))
             row.append(tile(image, SHRINKING))
     # The rows of VTK images go upwards.

@@ -20,26 +20,12 @@ def color(label):
     return colorsys.hls_to_rgb(golden * label % 1, (0.68, 0.78, 0.6)[label % 3], 0.5)
 
 
-def surface_of(grid, label):
-    """Returns the surface of the cells with a label."""
-    cells = vtk.vtkThreshold()
-    cells.SetInputData(grid)
-    cells.SetInputArrayToProcess(0, 0, 0, vtk.vtkDataObject.FIELD_ASSOCIATION_CELLS, "label")
-    cells.SetLowerThreshold(label)
-    cells.SetUpperThreshold(label)
-    cells.SetThresholdFunction(vtk.vtkThreshold.THRESHOLD_BETWEEN)
-    surface = vtk.vtkDataSetSurfaceFilter()
-    surface.SetInputConnection(cells.GetOutputPort())
-    surface.Update()
-    return surface.GetOutput()
-
-
 def moved_apart(grid, labels, distance):
     """Returns the surfaces of all labels, away from the center of the mesh."""
     result = vtk.vtkAppendPolyData()
     center = grid.GetCenter()
     for label in labels:
-        surface = surface_of(grid, label)
+        surface = render.surface_of(render.cells_with_labels(grid, label, label))
         middle = vtk.vtkCenterOfMass()
         middle.SetInputData(surface)
         middle.Update()
@@ -69,14 +55,11 @@ def main():
     if array is None:
         raise SystemExit(f"render_grains.py: {arguments.mesh} has no labels")
     labels = sorted({int(array.GetValue(i)) for i in range(array.GetNumberOfTuples())})
-    table = vtk.vtkLookupTable()
-    table.SetNumberOfTableValues(labels[-1] + 1)
-    table.SetTableRange(0, labels[-1])
-    for label in range(labels[-1] + 1):  # a table with gaps would be drawn transparent
-        table.SetTableValue(label, *color(label), 1)
+    # A table with gaps would be drawn transparent.
+    table = render.colour_table([color(label) for label in range(labels[-1] + 1)])
     actor = render.labeled_actor(moved_apart(grid, labels, arguments.distance), table, ambient=0.2)
     camera = render.camera_on(actor.GetBounds(), arguments.eye, (0, 0, 1), zoom=1.15)
-    render.write(render.render(actor, camera), arguments.picture)
+    render.write(render.render([actor], camera), arguments.picture)
 
 
 if __name__ == "__main__":

@@ -13,17 +13,12 @@ import argparse
 import render
 import vtk
 
-COLORS = ((0.30, 0.52, 0.74), (0.89, 0.55, 0.24), (0.93, 0.90, 0.82), (0.42, 0.65, 0.38))
+COLORS = (*render.COLOURS[1:3], (0.93, 0.90, 0.82), render.COLOURS[3])
 
 
 def phases_behind(grid, axis, largest):
     """Returns the boundary of the positive labels below a plane that is perpendicular to an axis."""
-    inside = vtk.vtkThreshold()
-    inside.SetInputData(grid)
-    inside.SetInputArrayToProcess(0, 0, 0, vtk.vtkDataObject.FIELD_ASSOCIATION_CELLS, "label")
-    inside.SetLowerThreshold(1)
-    inside.SetUpperThreshold(largest)
-    inside.SetThresholdFunction(vtk.vtkThreshold.THRESHOLD_BETWEEN)
+    inside = render.cells_with_labels(grid, 1, largest)
     plane = vtk.vtkPlane()
     plane.SetOrigin(grid.GetCenter())
     plane.SetNormal(*(1 if i == axis else 0 for i in range(3)))
@@ -31,10 +26,7 @@ def phases_behind(grid, axis, largest):
     clip.SetInputConnection(inside.GetOutputPort())
     clip.SetClipFunction(plane)
     clip.InsideOutOn()
-    surface = vtk.vtkDataSetSurfaceFilter()
-    surface.SetInputConnection(clip.GetOutputPort())
-    surface.Update()
-    return surface.GetOutput()
+    return render.surface_of(clip)
 
 
 def main():
@@ -52,16 +44,12 @@ def main():
     if labels is None or labels.GetRange()[1] < 1:
         raise SystemExit(f"render_phases.py: {arguments.mesh} has no positive labels")
     largest = labels.GetRange()[1]
-    table = vtk.vtkLookupTable()
-    table.SetNumberOfTableValues(int(largest))
-    table.SetTableRange(1, largest)
-    for label in range(int(largest)):
-        table.SetTableValue(label, *COLORS[label % len(COLORS)], 1)
+    table = render.colour_table([COLORS[label % len(COLORS)] for label in range(int(largest))], first=1)
     surface = phases_behind(grid, arguments.axis, largest)
     up = (0, 0, 1) if arguments.axis != 2 else (0, 1, 0)
     actor = render.labeled_actor(surface, table, ambient=0.25)
     camera = render.camera_on(actor.GetBounds(), arguments.eye, up, zoom=1.35)
-    render.write(render.render(actor, camera), arguments.picture)
+    render.write(render.render([actor], camera), arguments.picture)
 
 
 if __name__ == "__main__":

@@ -13,8 +13,7 @@ import argparse
 import render
 import vtk
 
-COLORS = ((0.30, 0.52, 0.74), (0.89, 0.55, 0.24), (0.42, 0.65, 0.38), (0.79, 0.35, 0.40),
-          (0.58, 0.49, 0.72), (0.93, 0.83, 0.45))
+COLORS = render.COLOURS[1:]
 
 
 def read(path):
@@ -44,25 +43,11 @@ def cells_behind(grid, center, radius):
     extract = vtk.vtkExtractGeometry()
     extract.SetInputData(grid)
     extract.SetImplicitFunction(both)
-    surface = vtk.vtkDataSetSurfaceFilter()
-    surface.SetInputConnection(extract.GetOutputPort())
-    surface.Update()
-    return surface.GetOutput()
+    return render.surface_of(extract)
 
 
-def actor_of(surface, table, shows_edges):
-    mapper = vtk.vtkPolyDataMapper()
-    mapper.SetInputData(surface)
-    mapper.SetLookupTable(table)
-    mapper.SetScalarModeToUseCellFieldData()
-    mapper.SelectColorArray("rank")
-    mapper.UseLookupTableScalarRangeOn()
-    actor = vtk.vtkActor()
-    actor.SetMapper(mapper)
-    actor.GetProperty().SetEdgeVisibility(shows_edges)
-    actor.GetProperty().SetEdgeColor(0.25, 0.25, 0.25)
-    actor.GetProperty().SetLineWidth(0.5)
-    return actor
+def actor_of(surface, table):
+    return render.edged(render.labeled_actor(surface, table, 0.25, "rank"), (0.25, 0.25, 0.25), 0.5)
 
 
 def main():
@@ -73,42 +58,21 @@ def main():
     arguments = parser.parse_args()
     volume, interface = read(arguments.volume), read(arguments.interface)
     ranks = int(volume.GetCellData().GetArray("rank").GetRange()[1]) + 1
-    table = vtk.vtkLookupTable()
-    table.SetNumberOfTableValues(ranks)
-    table.SetTableRange(-0.5, ranks - 0.5)
-    for rank in range(ranks):
-        table.SetTableValue(rank, *COLORS[rank % len(COLORS)], 1)
-    skin = vtk.vtkDataSetSurfaceFilter()
-    skin.SetInputData(interface)
-    skin.Update()
+    table = render.colour_table([COLORS[rank % len(COLORS)] for rank in range(ranks)])
+    source = vtk.vtkTrivialProducer()
+    source.SetOutput(interface)
     bounds = interface.GetBounds()
     radius = 0.62 * max(bounds[2 * k + 1] - bounds[2 * k] for k in range(3))
     shift = 1.25 * (bounds[1] - bounds[0])
-    front = actor_of(skin.GetOutput(), table, True)
-    section = actor_of(cells_behind(volume, interface.GetCenter(), radius), table, True)
+    front = actor_of(render.surface_of(source), table)
+    section = actor_of(cells_behind(volume, interface.GetCenter(), radius), table)
     section.SetPosition(shift, 0, 0)
-    renderer = vtk.vtkRenderer()
-    renderer.SetBackground(1, 1, 1)
-    for actor in (front, section):
-        actor.GetProperty().SetAmbient(0.25)
-        renderer.AddActor(actor)
-    camera = vtk.vtkCamera()
-    camera.SetPosition(0, 0, 1)
-    camera.SetViewUp(0, 1, 0)
-    renderer.SetActiveCamera(camera)
-    renderer.ResetCamera()
-    camera.Zoom(2)
-    window = vtk.vtkRenderWindow()
-    window.SetOffScreenRendering(1)
-    window.SetMultiSamples(8)
-    window.SetSize(1000, 400)
-    window.AddRenderer(renderer)
-    window.Render()
-    image = vtk.vtkWindowToImageFilter()
-    image.SetInput(window)
-    image.ReadFrontBufferOff()
-    image.Update()
-    render.write(image.GetOutput(), arguments.picture)
+    shown = vtk.vtkBoundingBox(front.GetBounds())
+    shown.AddBounds(section.GetBounds())
+    both = [0.0] * 6
+    shown.GetBounds(both)
+    camera = render.camera_on(both, (0, 0, 1), (0, 1, 0), zoom=2)
+    render.write(render.render([front, section], camera, size=(1000, 400)), arguments.picture)
 
 
 if __name__ == "__main__":

@@ -10,13 +10,12 @@ side by side; wide frames are in rows of two. Needs NumPy (Debian: python3-numpy
 
 import argparse
 import os
-import struct
 import subprocess
 import sys
 import tempfile
 import xml.etree.ElementTree as ElementTree
-import zlib
 
+import draw_icons
 import numpy
 
 FRAMES = 4
@@ -181,21 +180,6 @@ def joined(frames, axis):
     return numpy.concatenate(parts[1:], axis=axis)
 
 
-def write_png(path, image):
-    def chunk(kind, data):
-        return (struct.pack(">I", len(data)) + kind + data +
-                struct.pack(">I", zlib.crc32(kind + data)))
-
-    height, width, _ = image.shape
-    # Filter 1: a pixel is stored as the difference from the pixel on its left.
-    image = numpy.diff(image, axis=1, prepend=numpy.zeros((height, 1, 3), numpy.uint8))
-    rows = b"".join(b"\1" + row.tobytes() for row in image)
-    with open(path, "wb") as file:
-        file.write(b"\x89PNG\r\n\x1a\n" +
-                   chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)) +
-                   chunk(b"IDAT", zlib.compress(rows, 9)) + chunk(b"IEND", b""))
-
-
 def numbers(text):
     return [float(number) for number in text.split(",")]
 
@@ -223,7 +207,8 @@ def main():
     with tempfile.TemporaryDirectory() as scratch:
         frames = [render(scene(*surface, view, floor), width, round(width / aspect), scratch)
                   for surface in surfaces]
-    write_png(arguments.picture, in_rows(frames, columns))
+    image = in_rows(frames, columns)
+    draw_icons.write_png(arguments.picture, image.reshape(len(image), -1))
 
 
 if __name__ == "__main__":

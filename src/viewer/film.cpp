@@ -6,11 +6,13 @@
 #include "packed_numbers.h"
 #include "page.h"
 
+#include <CGAL/Mesh_files/internal/pictures/colors.h>
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <stdexcept>
 
@@ -83,8 +85,19 @@ double magnitude(const Film_field& field, std::size_t row) {
              : std::sqrt(std::inner_product(values, values + field.components, values, 0.));
 }
 
-bool are_finite(const std::vector<double>& values) {
-  return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
+// Returns the color of a label. The color of label 0, usually the outside, differs from the page.
+std::string color_of(int label) {
+  namespace internal = CGAL::Deformable_simplicial_complexes::internal;
+  return label == 0 ? "#a0a4a8" : internal::hexadecimal(internal::color_of_label(label));
+}
+
+// Returns the color of a series: the one of the label in its name, if there is one.
+std::string color_of_series(const std::string& name, std::size_t index) {
+  int label = 10 + int(index);
+  const std::size_t at = name.find("label ");
+  if (at != name.npos)
+    std::from_chars(name.data() + at + 6, name.data() + name.size(), label);
+  return color_of(label);
 }
 
 } // namespace
@@ -111,10 +124,10 @@ void Film::check(const Film_frame& frame) const {
             "a field of the frame is neither scalar nor a vector");
     require(field.values.size() == rows * field.components,
             "the number of values of a field differs from the number of its points or simplices");
-    require(are_finite(field.values), "a value of a field of the frame is not finite");
-    require(std::all_of(field.values.begin(), field.values.end(),
-                        [](double x) { return std::abs(x) <= largest_value; }),
-            "a value of a field of the frame is too large");
+    for (const double x : field.values) {
+      require(std::isfinite(x), "a value of a field of the frame is not finite");
+      require(std::abs(x) <= largest_value, "a value of a field of the frame is too large");
+    }
     const auto known = m_fields.find(field.name);
     require(known == m_fields.end() || (known->second.on_points == field.on_points &&
                                         known->second.components == field.components),
@@ -180,9 +193,8 @@ std::string Film::encoded_positions(const Mesh& mesh, const std::vector<Index>& 
 
 std::string Film::encoded_simplices(const Mesh& mesh, std::size_t first) const {
   Numbers numbers;
-  std::vector<std::int64_t> indices;
   for (std::size_t corner = 0; corner < corners(); ++corner) {
-    indices.clear();
+    Numbers indices;
     for (std::size_t i = first; i < mesh.simplices.size(); ++i)
       indices.push_back(mesh.simplices[i][corner]);
     append_differences(indices, numbers);
@@ -219,18 +231,18 @@ void Film::add(const Film_frame& frame) {
   Mesh mesh;
   const std::vector<Index> former = former_points(frame);
   const Order points(former), simplices(former_simplices(frame, former));
-  mesh.points = points.ordered(frame.points);
-  mesh.ids = frame.ids.empty() ? frame.ids : points.ordered(frame.ids);
+  mesh.points = chosen_rows(frame.points, points.indices);
+  mesh.ids = frame.ids.empty() ? frame.ids : chosen_rows(frame.ids, points.indices);
   for (const auto& p : mesh.points)
     mesh.quantized.push_back(quantized(p));
   std::vector<Index> place(points.indices.size());
   for (std::size_t i = 0; i < place.size(); ++i)
     place[points.indices[i]] = Index(i);
-  mesh.simplices = simplices.ordered(frame.simplices);
+  mesh.simplices = chosen_rows(frame.simplices, simplices.indices);
   for (auto& simplex : mesh.simplices)
     for (std::size_t j = 0; j < corners(); ++j)
       simplex[j] = place[simplex[j]];
-  mesh.labels = simplices.ordered(frame.labels);
+  mesh.labels = chosen_rows(frame.labels, simplices.indices);
 
   Encoded_frame encoded{
       frame.step, frame.time, mesh.points.size(), mesh.simplices.size(), {}, {}, {}, {}, {}, {}};
@@ -249,7 +261,8 @@ void Film::add(const Film_frame& frame) {
       known.add(magnitude(field, row));
     encoded.fields.push_back(
         {field.name, field.on_points, field.components,
-         (field.on_points ? points : simplices).ordered(field.values, field.components)});
+         chosen_rows(field.values, (field.on_points ? points : simplices).indices,
+                     field.components)});
   }
   m_frames.push_back(std::move(encoded));
   m_last = std::move(mesh);
@@ -340,7 +353,9 @@ Json Film::series_to_json() const {
     Json numbers = Json::array();
     for (std::size_t i = 0; i < m_frames.size(); ++i)
       numbers.push_back(i < values.size() && values[i] ? Json(*values[i]) : Json());
-    result.push_back({{"name", name}, {"values", std::move(numbers)}});
+    result.push_back({{"name", name},
+                      {"color", color_of_series(name, result.size())},
+                      {"values", std::move(numbers)}});
   }
   return result;
 }
@@ -361,6 +376,8 @@ std::string Film::html() const {
   if (m_frames.empty())
     throw std::invalid_argument("the film has no frame");
   const std::vector<int> labels = this->labels();
+  std::vector<std::string> colors(labels.size());
+  std::transform(labels.begin(), labels.end(), colors.begin(), color_of);
   Json blobs = Json::array();
   Json film = {{"version", 1},
                {"title", m_title},
@@ -368,6 +385,7 @@ std::string Film::html() const {
                {"origin", std::vector<double>(m_origin.begin(), m_origin.begin() + m_dimension)},
                {"unit", m_unit},
                {"labels", labels},
+               {"colors", colors},
                {"hidden", m_hidden},
                {"cells", m_content == Content::cells},
                {"fields", fields_to_json()},

@@ -105,17 +105,19 @@ struct Order
     for (auto i = indices.begin(); i != end; ++i)
       kept.push_back(matches[*i]);
   }
-
-  template <class T>
-  std::vector<T> ordered(const std::vector<T>& rows, std::size_t width = 1) const {
-    std::vector<T> result;
-    result.reserve(rows.size());
-    for (const Index i : indices)
-      result.insert(result.end(), rows.begin() + std::ptrdiff_t(i * width),
-                    rows.begin() + std::ptrdiff_t((i + 1) * width));
-    return result;
-  }
 };
+
+/// Returns the rows of given indices. A row has `width` entries.
+template <class T>
+std::vector<T> chosen_rows(const std::vector<T>& rows, const std::vector<Index>& indices,
+                           std::size_t width = 1) {
+  std::vector<T> result;
+  result.reserve(indices.size() * width);
+  for (const Index i : indices)
+    result.insert(result.end(), rows.begin() + std::ptrdiff_t(i * width),
+                  rows.begin() + std::ptrdiff_t((i + 1) * width));
+  return result;
+}
 
 } // namespace dsc
 

@@ -5,6 +5,10 @@
 #include "page.h"
 #include "page_files.h"
 
+#include <CGAL/Mesh_files/internal/pictures/colors.h>
+
+#include <nlohmann/json.hpp>
+
 namespace dsc {
 namespace {
 
@@ -31,6 +35,8 @@ std::string page_with(const std::string& film) {
   std::string page(std::begin(page_html), std::end(page_html));
   // From the end to the beginning, so that a placeholder in an inserted text is not replaced.
   insert("/*SCRIPT*/", std::string(std::begin(page_script), std::end(page_script)), page);
+  insert("[/*COLOR_MAP*/]",
+         nlohmann::json(CGAL::Deformable_simplicial_complexes::internal::color_map).dump(), page);
   insert("/*FILM*/", escaped(film), page);
   insert("/*STYLE*/", std::string(std::begin(page_style), std::end(page_style)), page);
   return page;

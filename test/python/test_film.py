@@ -94,6 +94,7 @@ def test_a_film_contains_the_states(make, surface):
         states.append((s.points, facets, labels))
     data = film_of(film.html())
     assert data["dimension"] == c.dimension and data["labels"] == [0, 1] and data["hidden"] == [0]
+    assert len(data["colors"]) == 2 and data["colors"][0] != data["colors"][1]
     assert [frame["time"] for frame in data["frames"]] == [0, 0.5, 1, 1.5]
     frames = decoded(data)
     assert len(frames) == len(film) == 4

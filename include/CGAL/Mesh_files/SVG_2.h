@@ -11,24 +11,16 @@
 #include <CGAL/license/Mesh_files.h>
 
 #include <CGAL/Deformable_simplicial_complex_2.h>
-#include <CGAL/Interface_remeshing/extract_interface_2.h>
 #include <CGAL/Mesh_files/Svg_canvas.h>
-#include <CGAL/Mesh_files/internal/text/files.h>
-#include <CGAL/Mesh_files/replace_file.h>
+#include <CGAL/Mesh_files/internal/pictures/colors.h>
 #include <CGAL/Mesh_support/Error.h>
 
 #include <CGAL/Bbox_2.h>
 
-#include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <cstdio>
 #include <map>
-#include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -52,34 +44,9 @@ struct SVG_options
 
 namespace Deformable_simplicial_complexes::internal {
 
-// Returns a color for a label: white for 0, otherwise hues by the golden angle. All colors are
-// light enough for black lines.
-inline std::string color_of_label(int label) {
-  if (label == 0)
-    return "#ffffff";
-  static constexpr double golden_angle = 137.50776405, first_hue = 210, saturation = .55,
-                          lightness = .66;
-  const double hue = std::fmod(first_hue + golden_angle * double(std::int64_t(label) - 1), 360.);
-  const auto channel = [&](double shift) {
-    const double k = std::fmod(shift + (hue < 0 ? hue + 360 : hue) / 30, 12.);
-    const double a = saturation * (std::min)(lightness, 1 - lightness);
-    return int(
-        std::lround(255 * (lightness - a * (std::max)(-1., (std::min)({k - 3, 9 - k, 1.})))));
-  };
-  char text[8];
-  std::snprintf(text, sizeof text, "#%02x%02x%02x", channel(0), channel(8), channel(4));
-  return text;
-}
-
-// A set of triangles of one color.
-struct Svg_region
-{
-  std::string name, color; // attributes of the element
-  std::string path;
-};
-
 // Draws a complex. The triangles with the same key are a region: `key_of(c)` is the key of a
-// triangle, and `region_of(key)` is a region without its path. Regions are drawn in the order of
+// triangle, and `region_of(key)` is its layer without
+// a path. Regions are drawn in the order of
 // their keys.
 template <class Complex, class KeyOf, class RegionOf>
 void write_svg(const std::string& path, const Complex& dsc, const IO::SVG_options& options,
@@ -99,8 +66,9 @@ void write_svg(const std::string& path, const Complex& dsc, const IO::SVG_option
     period *= dsc.normalization().scale;
   const Svg_canvas canvas(options.window, all, options.width, periods);
 
-  std::map<decltype(key_of(dsc.cells().front())), Svg_region> regions;
-  std::string edges, interface_;
+  std::map<decltype(key_of(dsc.cells().front())), Svg_layer> regions;
+  Svg_layer edges = {"edges", "none", "#808080", .3},
+            lines = {"interface", "none", "#000000", options.line_width};
   for (const auto c : dsc.cells()) {
     const std::array<Point, 3> corners = {dsc.in_user_coordinates(dsc.corner(c, 0)),
                                           dsc.in_user_coordinates(dsc.corner(c, 1)),
@@ -109,27 +77,27 @@ void write_svg(const std::string& path, const Complex& dsc, const IO::SVG_option
     const auto [region, is_new] = regions.try_emplace(key);
     if (is_new)
       region->second = region_of(key);
-    canvas.add(corners, region->second.path);
+    canvas.add(corners, region->second);
     if (options.draws_edges)
       canvas.add(corners, edges);
     for (int i = 0; i < 3; ++i)
       if (dsc.is_interface(typename Complex::Facet(c, i)) && c->label() > c->neighbor(i)->label())
-        canvas.add(std::array<Point, 2>{corners[(i + 1) % 3], corners[(i + 2) % 3]}, interface_);
+        canvas.add(std::array<Point, 2>{corners[(i + 1) % 3], corners[(i + 2) % 3]}, lines);
   }
-  replace_file_by_stream(path, [&](std::ostream& out) {
-    canvas.begin(out);
-    // The thin lines around triangles close the gaps that antialiasing would leave between them.
-    for (const auto& [key, region] : regions)
-      out << "<path id=\"" << region.name << "\" fill=\"" << region.color << "\" stroke=\""
-          << region.color << "\" stroke-width=\"0.4\" d=\"" << region.path << "\"/>\n";
-    if (options.draws_edges)
-      out << "<path id=\"edges\" fill=\"none\" stroke=\"#808080\" stroke-width=\"0.3\" d=\""
-          << edges << "\"/>\n";
-    if (options.line_width > 0)
-      out << "<path id=\"interface\" fill=\"none\" stroke=\"#000000\" stroke-width=\""
-          << options.line_width << "\" d=\"" << interface_ << "\"/>\n";
-    out << "</svg>\n";
-  });
+  std::vector<Svg_layer> layers;
+  for (auto& [key, region] : regions)
+    layers.push_back(std::move(region));
+  if (options.draws_edges)
+    layers.push_back(std::move(edges));
+  if (options.line_width > 0)
+    layers.push_back(std::move(lines));
+  canvas.write(path, layers);
+}
+
+// Returns the layer of triangles of a color. The thin lines around triangles close the gaps that
+// antialiasing would leave between them.
+inline Svg_layer svg_region(const std::string& name, const std::string& color) {
+  return {name, color, color, .4};
 }
 
 } // namespace Deformable_simplicial_complexes::internal
@@ -160,8 +128,8 @@ void write_SVG(const std::string& path,
   internal::write_svg(
       path, dsc, options, [&](auto c) { return dsc.label(c); },
       [](int label) {
-        return internal::Svg_region{
-            "label_" + std::to_string(label), internal::color_of_label(label), {}};
+        return internal::svg_region("label_" + std::to_string(label),
+                                    internal::hexadecimal(internal::color_of_label(label)));
       });
 }
 
@@ -186,7 +154,7 @@ void write_SVG(const std::string& path,
   internal::write_svg(
       path, dsc, options, [&](auto c) -> std::string { return color_of(c); },
       [](const std::string& color) {
-        return internal::Svg_region{"color_" + color.substr(1), color, {}};
+        return internal::svg_region("color_" + color.substr(1), color);
       });
 }
 

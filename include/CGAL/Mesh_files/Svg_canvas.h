@@ -10,6 +10,8 @@
 
 #include <CGAL/license/Mesh_files.h>
 
+#include <CGAL/Mesh_files/internal/text/Xml_element.h>
+#include <CGAL/Mesh_files/replace_file.h>
 #include <CGAL/Mesh_support/Error.h>
 
 #include <CGAL/Bbox_2.h>
@@ -21,14 +23,29 @@
 #include <cstddef>
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
 \ingroup PkgMeshFilesRef
 
-Canvas for triangles and segments of the plane, which writes scalable vector graphics. On a torus,
-it draws each of them at all visible images.
+Shapes of the same style, which `Svg_canvas` writes as one element of a file.
+*/
+struct Svg_layer
+{
+  std::string name;      ///< name of the element
+  std::string fill;      ///< color of polygons, in the form `#rrggbb`; `none` for lines
+  std::string stroke;    ///< color of lines, in the same form
+  double line_width;     ///< in pixels
+  std::string path = {}; ///< the shapes, to which `Svg_canvas::add()` appends
+};
+
+/*!
+\ingroup PkgMeshFilesRef
+
+Canvas for polygons, segments and texts of the plane, which writes scalable vector graphics. On a
+torus, it draws polygons and segments at all visible images.
 */
 class Svg_canvas
 {
@@ -56,22 +73,10 @@ public:
                     "sides of at most a million pixels and a hundred periods");
   }
 
-  /// Writes the beginning of the file, with a white background. The caller writes the elements
-  /// `path` and the end tag of `svg`.
-  /// \pre The locale of the stream is the classic one.
-  void begin(std::ostream& out) const {
-    const double height = m_scale * (m_window.ymax() - m_window.ymin());
-    out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << m_width << "\" height=\""
-        << height << "\" viewBox=\"0 0 " << m_width << ' ' << height
-        << "\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n"
-        << "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
-  }
-
-  /// Appends the visible images of a polygon with given corners, or of a segment, to the data of a
-  /// path.
+  /// Appends the visible images of a polygon with given corners, or of a segment, to a layer.
   /// \pre The coordinates are finite.
   template <class Point, std::size_t n>
-  void add(const std::array<Point, n>& corners, std::string& path) const {
+  void add(const std::array<Point, n>& corners, Svg_layer& layer) const {
     std::array<int, 2> first, last;
     for (int axis = 0; axis < 2; ++axis) {
       const auto [low, high] =
@@ -88,10 +93,39 @@ public:
       for (int j = first[1]; j <= last[1]; ++j) {
         for (std::size_t k = 0; k < n; ++k)
           append(k == 0 ? 'M' : 'L', corners[k].x() + i * m_periods[0],
-                 corners[k].y() + j * m_periods[1], path);
+                 corners[k].y() + j * m_periods[1], layer.path);
         if (n > 2)
-          path += 'Z';
+          layer.path += 'Z';
       }
+  }
+
+  /// Adds a text in front of all layers.
+  /// \param anchor which part of the text is at the point: `start`, `middle` or `end`
+  template <class Point>
+  void add_text(const Point& point, const std::string& anchor, const std::string& text) {
+    m_texts += "<text x=\"";
+    append(m_scale * (point.x() - m_window.xmin()), m_texts);
+    m_texts += "\" y=\"";
+    append(m_scale * (m_window.ymax() - point.y()), m_texts);
+    m_texts += "\" text-anchor=\"" + anchor + "\" font-family=\"sans-serif\" font-size=\"12\">" +
+               internal::xml_escaped(text) + "</text>\n";
+  }
+
+  /// Writes the layers in their order, on a white background.
+  /// \throws File_error if the file cannot be written; an older file of that name is then unchanged
+  void write(const std::string& path, const std::vector<Svg_layer>& layers) const {
+    const double height = m_scale * (m_window.ymax() - m_window.ymin());
+    replace_file_by_stream(path, [&](std::ostream& out) {
+      out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << m_width << "\" height=\""
+          << height << "\" viewBox=\"0 0 " << m_width << ' ' << height
+          << "\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n"
+          << "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
+      for (const Svg_layer& layer : layers)
+        out << "<path id=\"" << layer.name << "\" fill=\"" << layer.fill << "\" stroke=\""
+            << layer.stroke << "\" stroke-width=\"" << layer.line_width << "\" d=\"" << layer.path
+            << "\"/>\n";
+      out << m_texts << "</svg>\n";
+    });
   }
 
 private:
@@ -116,6 +150,7 @@ private:
   Bbox_2 m_window;
   double m_width, m_scale;
   std::array<double, 2> m_periods;
+  std::string m_texts; // elements
 };
 
 } // namespace CGAL::Deformable_simplicial_complexes

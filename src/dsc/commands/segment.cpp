@@ -131,7 +131,7 @@ void draw(const std::string& path, const Tracked_complex_2& tracked,
   const auto& grid = image.grid;
   const std::size_t step = std::max(grid.size[0], grid.size[1]) / most + 1; // pixels of a square
   const std::vector<double> values = gray_values(image);
-  Plane_picture picture;
+  Picture picture;
   for (std::size_t y = 0; y < grid.size[1]; y += step) {
     DSC::Progress_scope::check();
     for (std::size_t x = 0; x < grid.size[0]; x += step) {
@@ -150,18 +150,16 @@ void draw(const std::string& path, const Tracked_complex_2& tracked,
       picture.polygons.push_back(std::move(square));
     }
   }
-  static constexpr std::array<Picture_color, 6> colors = {
-      {{.9, .1, .1}, {.1, .45, .95}, {.95, .65, .0}, {.1, .65, .2}, {.7, .2, .8}, {.0, .7, .75}}};
+  static constexpr double saturation = .9, lightness = .5; // of lines on gray pixels
   const auto& complex = tracked.complex;
+  const auto point = [&](auto v) -> Picture_point {
+    const auto p = complex.user_position(v);
+    return {p.x(), p.y()};
+  };
   for (const auto& facet : complex.interface_facets()) {
-    Picture_line line;
     const auto ends = complex.facet_vertices(facet);
-    for (std::size_t i = 0; i < 2; ++i) {
-      const auto p = complex.user_position(ends[i]);
-      line.ends[i] = {p.x(), p.y()};
-    }
-    line.color = colors[std::size_t(facet.first->label() - 1) % colors.size()];
-    picture.lines.push_back(line);
+    picture.lines.push_back({{point(ends[0]), point(ends[1])},
+                             color_of_label(facet.first->label(), saturation, lightness)});
   }
   write_picture(path, picture);
 }

@@ -43,7 +43,7 @@ public:
   /// Returns the color of a cell. Cells without a value are white.
   Picture_color operator()(Cell_handle c) const {
     if (m_quantity.empty())
-      return picture_color(c->label());
+      return color_of_label(c->label());
     if (!m_fields.is_liquid(c))
       return {1, 1, 1};
     const double range = m_largest - m_least;
@@ -85,13 +85,6 @@ private:
   double m_least = std::numeric_limits<double>::infinity(), m_largest = -m_least;
 };
 
-std::string hexadecimal(const Picture_color& color) {
-  char text[8];
-  const auto channel = [&](std::size_t i) { return unsigned(std::lround(255 * color[i])) & 255u; };
-  std::snprintf(text, sizeof text, "#%02x%02x%02x", channel(0), channel(1), channel(2));
-  return text;
-}
-
 /// The intersection of cells and facets with a plane.
 class Section
 {
@@ -129,7 +122,7 @@ private:
     const auto p = coordinates_of(m_complex.user_position(above)),
                q = coordinates_of(m_complex.user_position(below));
     const double a = height(above), b = height(below), weight = a / (a - b);
-    Picture_point result;
+    Picture_point result = {};
     for (std::size_t axis = 0, k = 0; axis < 3; ++axis)
       if (axis != m_cut.axis)
         result[k++] = p[axis] + weight * (q[axis] - p[axis]);
@@ -143,13 +136,13 @@ private:
 void draw_cells(const std::string& path, const Tracked_complex_2::Complex& complex,
                 const Cell_colors<Tracked_complex_2::Complex>& color_of) {
   CGAL::IO::write_SVG(path, complex, CGAL::IO::SVG_options(),
-                      [&](auto c) { return hexadecimal(color_of(c)); });
+                      [&](auto c) { return DSC::internal::hexadecimal(color_of(c)); });
 }
 
 void draw_cut(const std::string& path, const Tracked_complex_3::Complex& complex, const Cut& cut,
               const Cell_colors<Tracked_complex_3::Complex>& color_of) {
   const Section section(complex, cut);
-  Plane_picture picture;
+  Picture picture;
   for (const auto c : complex.cells()) {
     const auto corners = section(Fluid_fields<Tracked_complex_3::Complex>::vertices_of(c));
     if (!corners.empty())

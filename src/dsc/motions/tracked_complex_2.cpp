@@ -10,6 +10,7 @@
 #include "input/tracked_checkpoint.h"
 #include "input/unused.h"
 #include "motions/tracked_whole_impl.h"
+#include "output/angle_statistics.h"
 #include "programs/errors.h"
 #include "programs/option_values.h"
 
@@ -24,11 +25,8 @@
 #include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
 
 #include <CGAL/Bbox_2.h>
-#include <CGAL/number_utils.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -40,32 +38,7 @@ namespace dsc {
 namespace {
 
 using Complex = Tracked_complex_2::Complex;
-using Point = Complex::Approximate_point_2;
 using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
-
-std::array<Point, 3> corners(const Complex& complex, Complex::Cell_handle c) {
-  return {complex.position(c->vertex(0)), complex.position(c->vertex(1)),
-          complex.position(c->vertex(2))};
-}
-
-void add_angles(const Complex& complex, Statistics& statistics) {
-  statistics.min_angle = 180;
-  statistics.max_angle = 0;
-  std::size_t outside = 0;
-  for (const Complex::Cell_handle c : complex.finite_cells()) {
-    const std::array<Point, 3> p = corners(complex, c);
-    for (int i = 0; i < 3; ++i) {
-      const auto a = p[(i + 1) % 3] - p[i], b = p[(i + 2) % 3] - p[i];
-      const double angle = std::atan2(CGAL::determinant(a, b), a * b) * (180 / CGAL_PI);
-      statistics.min_angle = std::min(statistics.min_angle, angle);
-      statistics.max_angle = std::max(statistics.max_angle, angle);
-      ++statistics.angle_histogram[std::clamp(static_cast<int>(angle / 10), 0, 17)];
-      outside += angle < 6 || angle > 171;
-    }
-  }
-  statistics.angles_outside_6_171 =
-      static_cast<double>(outside) / (3 * static_cast<double>(complex.number_of_cells()));
-}
 
 std::optional<CGAL::Bbox_2> box_of(const std::optional<std::array<double, 6>>& domain) {
   if (!domain)
@@ -163,7 +136,7 @@ Statistics Tracked_complex_2::statistics() const {
   for (const auto& [label, length, euler_characteristic] : complex.label_regions())
     statistics.labels.push_back({label, complex.number_of_cells(label), complex.area(label), length,
                                  complex.number_of_components(label), euler_characteristic});
-  add_angles(complex, statistics);
+  set_angles(complex, statistics);
   statistics.min_quality = worst_quality();
   return statistics;
 }

@@ -16,36 +16,14 @@
 #include <CGAL/Interface_remeshing/subdivide_interface_3.h>
 #include <CGAL/Mesh_files/MEDIT_3.h>
 #include <CGAL/Mesh_files/labeled_surface_3.h>
+#include <CGAL/Mesh_support/coordinates.h>
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc {
-namespace {
-
-using Complex = Tracked_complex_3::Complex;
-using Point = Complex::Approximate_point_3;
-
-std::array<Point, 4> corners(const Complex& complex, Complex::Cell_handle c) {
-  return {complex.position(c->vertex(0)), complex.position(c->vertex(1)),
-          complex.position(c->vertex(2)), complex.position(c->vertex(3))};
-}
-
-void add_dihedral_angles(const Complex& complex, Statistics& statistics) {
-  Angle_statistics angles;
-  for (const Complex::Cell_handle c : complex.triangulation().finite_cell_handles())
-    angles.add(corners(complex, c));
-  statistics.min_angle = angles.least;
-  statistics.max_angle = angles.largest;
-  statistics.angle_histogram = angles.histogram;
-  statistics.angles_outside_6_171 =
-      static_cast<double>(angles.outside) / (6 * static_cast<double>(complex.number_of_cells()));
-}
-
-} // namespace
 
 Statistics Tracked_complex_3::statistics() const {
   const double scale = complex.normalization().scale;
@@ -58,25 +36,25 @@ Statistics Tracked_complex_3::statistics() const {
     statistics.labels.push_back(
         {label, complex.number_of_cells(label), complex.volume(label) * scale * scale * scale,
          area * scale * scale, complex.number_of_components(label), euler_characteristic});
-  add_dihedral_angles(complex, statistics);
+  set_angles(complex, statistics);
   statistics.min_quality = worst_quality();
   return statistics;
 }
 
 namespace {
 
-void write_picture_png(const std::string& path, const Tracked_complex_3::Complex& complex) {
-  std::vector<Picture_triangle> triangles;
+using Complex = Tracked_complex_3::Complex;
+
+void write_picture_png(const std::string& path, const Complex& complex) {
+  Picture picture;
+  picture.is_in_space = true;
   for (const auto& f : complex.interface_facets()) {
-    Picture_triangle t{{}, f.first->label()};
-    const auto v = complex.facet_vertices(f);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto p = complex.user_position(v[i]);
-      t.corners[i] = {p.x(), p.y(), p.z()};
-    }
-    triangles.push_back(t);
+    Picture_polygon triangle = {{}, color_of_label(f.first->label())};
+    for (const auto v : complex.facet_vertices(f))
+      triangle.corners.push_back(DSC::coordinates_of<3>(complex.user_position(v)));
+    picture.polygons.push_back(std::move(triangle));
   }
-  write_picture(path, triangles);
+  write_picture(path, picture);
 }
 
 /// Returns the velocities at the points of a subdivided surface, as the arrays vx, vy and vz.

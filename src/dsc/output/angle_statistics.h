@@ -5,6 +5,9 @@
 #ifndef DSC_ANGLE_STATISTICS_H
 #define DSC_ANGLE_STATISTICS_H
 
+#include "output/statistics.h"
+
+#include <CGAL/Kernel/global_functions.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -16,7 +19,7 @@ namespace dsc {
 
 /// Returns the six dihedral angles of a tetrahedron in degrees, computed from the facet normals.
 /// They are finite for any corners.
-template <class Point> std::array<double, 6> dihedral_angles(const std::array<Point, 4>& p) {
+template <class Point> std::array<double, 6> angles_of(const std::array<Point, 4>& p) {
   static constexpr double degree = CGAL_PI / 180;
   const auto normal = [&](int i, int j, int k) {
     return CGAL::cross_product(p[j] - p[i], p[k] - p[i]);
@@ -33,23 +36,50 @@ template <class Point> std::array<double, 6> dihedral_angles(const std::array<Po
   return angles;
 }
 
-/// The dihedral angles of tetrahedra, in degrees.
+/// Returns the angles of a triangle in degrees.
+template <class Point> std::array<double, 3> angles_of(const std::array<Point, 3>& p) {
+  std::array<double, 3> angles;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto a = p[(i + 1) % 3] - p[i], b = p[(i + 2) % 3] - p[i];
+    angles[i] = std::atan2(CGAL::determinant(a, b), a * b) * (180 / CGAL_PI);
+  }
+  return angles;
+}
+
+/// The angles of triangles or the dihedral angles of tetrahedra, in degrees.
 struct Angle_statistics
 {
   double least = 180, largest = 0;
   std::array<std::size_t, 18> histogram = {}; ///< bins of 10 degrees
   std::size_t outside = 0;                    ///< number of angles below 6 or above 171 degrees
 
-  /// Adds the angles of a tetrahedron.
-  template <class Point> void add(const std::array<Point, 4>& corners) {
-    for (const double angle : dihedral_angles(corners)) {
+  /// Adds the angles of a cell.
+  template <class Corners> void add(const Corners& corners) {
+    for (const double angle : angles_of(corners)) {
       least = std::min(least, angle);
       largest = std::max(largest, angle);
-      ++histogram[std::min<std::size_t>(17, static_cast<std::size_t>(angle / 10))];
+      ++histogram[std::size_t(std::clamp(int(angle / 10), 0, 17))];
       outside += angle < 6 || angle > 171;
     }
   }
 };
+
+/// Sets the angles of the statistics of a complex.
+template <class Complex> void set_angles(const Complex& complex, Statistics& statistics) {
+  static constexpr int corners = Complex::dimension + 1;
+  Angle_statistics angles;
+  for (const typename Complex::Cell_handle c : complex.finite_cells()) {
+    std::array<typename Complex::Approximate_point, corners> p;
+    for (int i = 0; i < corners; ++i)
+      p[std::size_t(i)] = complex.position(c->vertex(i));
+    angles.add(p);
+  }
+  statistics.min_angle = angles.least;
+  statistics.max_angle = angles.largest;
+  statistics.angle_histogram = angles.histogram;
+  statistics.angles_outside_6_171 =
+      double(angles.outside) / (corners * (corners - 1) / 2 * double(complex.number_of_cells()));
+}
 
 } // namespace dsc
 

@@ -108,34 +108,27 @@ void leave_out(const std::vector<int>& labels, Read_frame& read) {
   const auto is_left_out = [&](int label) {
     return std::find(labels.begin(), labels.end(), label) != labels.end();
   };
-  std::vector<std::size_t> simplices, points;
-  std::vector<bool> is_used(frame.points.size(), false);
+  std::vector<Index> simplices, points, place(frame.points.size(), none);
   for (std::size_t i = 0; i < frame.simplices.size(); ++i)
     if (!is_left_out(frame.labels[i][0]) || (has_facets && !is_left_out(frame.labels[i][1]))) {
-      simplices.push_back(i);
+      simplices.push_back(Index(i));
       for (std::size_t j = 0; j < corners; ++j)
-        is_used[frame.simplices[i][j]] = true;
+        place[frame.simplices[i][j]] = 0; // is set below
     }
-  std::vector<std::uint32_t> number(frame.points.size());
-  Film_frame kept;
-  for (std::size_t i = 0; i < is_used.size(); ++i)
-    if (is_used[i]) {
-      number[i] = std::uint32_t(points.size());
-      points.push_back(i);
-      kept.points.push_back(frame.points[i]);
+  for (std::size_t i = 0; i < place.size(); ++i)
+    if (place[i] != none) {
+      place[i] = Index(points.size());
+      points.push_back(Index(i));
     }
-  for (const std::size_t i : simplices) {
-    kept.simplices.push_back(frame.simplices[i]);
+  frame.points = chosen_rows(frame.points, points);
+  frame.simplices = chosen_rows(frame.simplices, simplices);
+  frame.labels = chosen_rows(frame.labels, simplices);
+  for (auto& simplex : frame.simplices)
     for (std::size_t j = 0; j < corners; ++j)
-      kept.simplices.back()[j] = number[frame.simplices[i][j]];
-    kept.labels.push_back(frame.labels[i]);
-  }
+      simplex[j] = place[simplex[j]];
   for (Film_field& field : frame.fields)
-    field.values = DSC::Mesh_array{"", "", field.components, field.values}
-                       .selected(field.on_points ? points : simplices)
-                       .values;
-  kept.fields.swap(frame.fields);
-  frame = std::move(kept);
+    field.values =
+        chosen_rows(field.values, field.on_points ? points : simplices, field.components);
 }
 
 } // namespace dsc

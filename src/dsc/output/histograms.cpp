@@ -4,14 +4,21 @@
 
 #include "output/histograms.h"
 
-#include <CGAL/Mesh_files/replace_file.h>
+#include <CGAL/Mesh_files/Svg_canvas.h>
+
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
-#include <ostream>
+
+namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc {
 namespace {
+
+using Point = CGAL::Simple_cartesian<double>::Point_2;
 
 /// Lengths of a diagram, in pixels.
 constexpr double width = 320, height = 200, margin = 50;
@@ -22,23 +29,22 @@ std::string number(double x) {
   return text;
 }
 
-void write(std::ostream& out, const Histogram& histogram, double left) {
+/// Draws a histogram whose axis begins at (left, margin).
+void draw(const Histogram& histogram, double left, DSC::Svg_canvas& canvas, DSC::Svg_layer& bars,
+          DSC::Svg_layer& axes) {
   const std::vector<double> densities = histogram.densities();
   const double most = std::max(*std::max_element(densities.begin(), densities.end()), 1e-300),
-               bottom = margin / 2 + height, bar = width / double(densities.size());
+               bar = width / double(densities.size());
   for (std::size_t i = 0; i < densities.size(); ++i) {
-    const double size = height * densities[i] / most;
-    out << "<rect x=\"" << number(left + double(i) * bar) << "\" y=\"" << number(bottom - size)
-        << "\" width=\"" << number(bar) << "\" height=\"" << number(size)
-        << "\" fill=\"#4d85bd\" stroke=\"#ffffff\"/>\n";
+    const double x = left + double(i) * bar, top = margin + height * densities[i] / most;
+    canvas.add(std::array<Point, 4>{Point(x, margin), Point(x + bar, margin), Point(x + bar, top),
+                                    Point(x, top)},
+               bars);
   }
-  out << "<path d=\"M" << number(left) << ',' << number(bottom) << "h" << number(width)
-      << "\" stroke=\"#000000\"/>\n";
+  canvas.add(std::array<Point, 2>{Point(left, margin), Point(left + width, margin)}, axes);
   const auto tick = [&](double value) {
-    out << "<text x=\""
-        << number(left + width * (value - histogram.low) / (histogram.high - histogram.low))
-        << "\" y=\"" << number(bottom + 16) << "\" text-anchor=\"middle\">" << number(value)
-        << "</text>\n";
+    const double place = (value - histogram.low) / (histogram.high - histogram.low);
+    canvas.add_text(Point(left + width * place, margin - 16), "middle", number(value));
   };
   static constexpr int ticks = 4;
   for (int i = 0; i <= ticks && !histogram.is_integer; ++i)
@@ -46,10 +52,8 @@ void write(std::ostream& out, const Histogram& histogram, double left) {
   // Every second integer, so that the names do not overlap.
   for (std::size_t i = 0; i < densities.size() && histogram.is_integer; i += 2)
     tick(histogram.low + .5 + double(i));
-  out << "<text x=\"" << number(left + width / 2) << "\" y=\"" << number(bottom + 36)
-      << "\" text-anchor=\"middle\">" << histogram.quantity << "</text>\n"
-      << "<text x=\"" << number(left - 4) << "\" y=\"" << number(margin / 2 + 5)
-      << "\" text-anchor=\"end\">" << number(most) << "</text>\n";
+  canvas.add_text(Point(left + width / 2, margin - 36), "middle", histogram.quantity);
+  canvas.add_text(Point(left - 4, margin + height - 5), "end", number(most));
 }
 
 } // namespace
@@ -69,15 +73,13 @@ std::vector<double> Histogram::densities() const {
 }
 
 void write_histograms(const std::string& path, const std::vector<Histogram>& histograms) {
-  const double all = double(histograms.size()) * (width + margin) + margin / 2;
-  CGAL::Deformable_simplicial_complexes::replace_file_by_stream(path, [&](std::ostream& out) {
-    out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << number(all) << "\" height=\""
-        << number(height + 1.5 * margin) << "\" font-family=\"sans-serif\" font-size=\"12\">\n"
-        << "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
-    for (std::size_t i = 0; i < histograms.size(); ++i)
-      write(out, histograms[i], margin + double(i) * (width + margin));
-    out << "</svg>\n";
-  });
+  const CGAL::Bbox_2 box(0, 0, double(histograms.size()) * (width + margin) + margin / 2,
+                         height + 1.5 * margin);
+  DSC::Svg_canvas canvas(box, box, box.xmax(), {0, 0});
+  DSC::Svg_layer bars = {"bars", "#4d85bd", "#ffffff", 1}, axes = {"axes", "none", "#000000", 1};
+  for (std::size_t i = 0; i < histograms.size(); ++i)
+    draw(histograms[i], margin + double(i) * (width + margin), canvas, bars, axes);
+  canvas.write(path, {bars, axes});
 }
 
 } // namespace dsc

@@ -7,6 +7,9 @@
 #include <CGAL/Mesh_files/internal/text/files.h>
 #include <CGAL/Mesh_files/replace_file.h>
 
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Simple_cartesian.h>
+
 #include <png.h>
 
 #include <algorithm>
@@ -17,37 +20,31 @@
 namespace dsc {
 namespace {
 
-using Vector = std::array<double, 3>;
+using Vector = CGAL::Simple_cartesian<double>::Vector_3;
 
 constexpr int side = 800, samples = 2; // size in pixels; samples along the side of a pixel
 constexpr int points = side * samples;
 
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Vector unit(const Vector& a) { return a / std::sqrt(a.squared_length()); }
 
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+/// Returns a point in the axes of the picture: to the right, upwards, and towards the viewer.
+Vector seen(const Picture_point& point, bool is_in_space) {
+  static const Vector eye = unit(Vector(.55, -1, .5)),
+                      right = unit(CGAL::cross_product(Vector(0, 0, 1), eye)),
+                      up = CGAL::cross_product(eye, right);
+  const Vector p(point[0], point[1], point[2]);
+  return is_in_space ? Vector(right * p, up * p, eye * p) : p;
 }
 
-Vector unit(const Vector& a) {
-  const double length = std::sqrt(dot(a, a));
-  return {a[0] / length, a[1] / length, a[2] / length};
-}
-
-/// The axes of the picture: to the right, upwards, and towards the viewer.
-struct View
-{
-  Vector eye = unit({.55, -1, .5});
-  Vector right = unit(cross({0, 0, 1}, eye));
-  Vector up = cross(eye, right);
-
-  Vector seen(const Vector& p) const { return {dot(right, p), dot(up, p), dot(eye, p)}; }
-};
-
-/// Returns the color of a label, light enough to be shaded.
-Vector color(int label) {
-  static constexpr std::array<Vector, 6> colors = {
-      {{.55, .7, .9}, {.95, .7, .45}, {.6, .85, .6}, {.85, .6, .8}, {.9, .85, .5}, {.6, .85, .85}}};
-  return colors[std::size_t(std::abs(label - 1)) % colors.size()];
+/// Returns the color of a triangle in the axes of the picture. Both sides are lit, because surfaces
+/// may be open.
+Picture_color shaded(const Picture_color& color, const std::array<Vector, 3>& t) {
+  static constexpr double ambient = .35;
+  const Vector light = unit(Vector(-.4, .5, 1)),
+               normal = unit(CGAL::cross_product(t[1] - t[0], t[2] - t[0]));
+  const double shade =
+      ambient + (1 - ambient) * std::max(0., light * normal * (normal.z() < 0 ? -1 : 1));
+  return {color[0] * shade, color[1] * shade, color[2] * shade};
 }
 
 class Canvas
@@ -55,15 +52,15 @@ class Canvas
 public:
   Canvas()
       : m_depths(std::size_t(points) * points, -std::numeric_limits<double>::infinity()),
-        m_colors(m_depths.size(), Vector{1, 1, 1}) {}
+        m_colors(m_depths.size(), Picture_color{1, 1, 1}) {}
 
   /// Draws a triangle whose corners have sample coordinates and depths.
-  void draw(const std::array<Vector, 3>& t, const Vector& color) {
-    const double area =
-        (t[1][0] - t[0][0]) * (t[2][1] - t[0][1]) - (t[1][1] - t[0][1]) * (t[2][0] - t[0][0]);
+  void draw(const std::array<Vector, 3>& t, const Picture_color& color) {
+    const double area = (t[1].x() - t[0].x()) * (t[2].y() - t[0].y()) -
+                        (t[1].y() - t[0].y()) * (t[2].x() - t[0].x());
     if (area == 0)
       return;
-    const auto bounds = [&](std::size_t axis) {
+    const auto bounds = [&](int axis) {
       const auto [least, most] = std::minmax({t[0][axis], t[1][axis], t[2][axis]});
       return std::make_pair(std::max(0, int(std::floor(least))),
                             std::min(points - 1, int(std::ceil(most))));
@@ -76,9 +73,10 @@ public:
         bool is_inside = true;
         for (std::size_t i = 0; i < 3; ++i) {
           const Vector &a = t[(i + 1) % 3], &b = t[(i + 2) % 3];
-          const double weight = ((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])) / area;
+          const double weight =
+              ((b.x() - a.x()) * (y - a.y()) - (b.y() - a.y()) * (x - a.x())) / area;
           is_inside = is_inside && weight >= 0;
-          depth += weight * t[i][2];
+          depth += weight * t[i].z();
         }
         const std::size_t at = std::size_t(y) * points + std::size_t(x);
         if (is_inside && depth > m_depths[at]) {
@@ -106,34 +104,18 @@ public:
 
 private:
   std::vector<double> m_depths;
-  std::vector<Vector> m_colors;
+  std::vector<Picture_color> m_colors;
 };
 
-/// Maps the plane of a picture to samples. The points that were added are visible.
-class Fit
-{
-public:
-  void add(double x, double y) {
-    const std::array<double, 2> p = {x, y};
-    for (std::size_t i = 0; i < 2; ++i) {
-      m_least[i] = std::min(m_least[i], p[i]);
-      m_most[i] = std::max(m_most[i], p[i]);
-    }
-  }
-
-  /// Returns the coordinates of a sample, and the depth in the same unit.
-  Vector operator()(const Vector& p) const {
-    static constexpr double margin = .05; // relative to the side
-    const double extent = std::max({m_most[0] - m_least[0], m_most[1] - m_least[1], 1e-300}),
-                 scale = (1 - 2 * margin) * points / extent;
-    return {points / 2. + scale * (p[0] - (m_least[0] + m_most[0]) / 2),
-            points / 2. + scale * (p[1] - (m_least[1] + m_most[1]) / 2), scale * p[2]};
-  }
-
-private:
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::array<double, 2> m_least = {infinity, infinity}, m_most = {-infinity, -infinity};
-};
+/// Returns a point of a picture in coordinates of samples, so that a box is visible. The depth has
+/// the same unit.
+Vector fitted(const CGAL::Bbox_2& box, const Vector& p) {
+  static constexpr double margin = .05; // relative to the side
+  const double extent = std::max({box.xmax() - box.xmin(), box.ymax() - box.ymin(), 1e-300}),
+               scale = (1 - 2 * margin) * points / extent;
+  return {points / 2. + scale * (p.x() - (box.xmin() + box.xmax()) / 2),
+          points / 2. + scale * (p.y() - (box.ymin() + box.ymax()) / 2), scale * p.z()};
+}
 
 void write_png(const std::string& path, const Canvas& canvas) {
   const std::vector<png_byte> pixels = canvas.pixels();
@@ -146,89 +128,41 @@ void write_png(const std::string& path, const Canvas& canvas) {
   });
 }
 
-/// Draws a black line in front of the plane with depth 0. The ends have sample coordinates.
-void draw_line(Canvas& canvas, const Vector& a, const Vector& b, const Vector& color) {
+/// Draws a line in front of the plane with depth 0. The ends have sample coordinates.
+void draw_line(Canvas& canvas, const Vector& a, const Vector& b, const Picture_color& color) {
   static constexpr double half_width = 1.5; // in samples
-  const double dx = b[0] - a[0], dy = b[1] - a[1], length = std::hypot(dx, dy);
+  const double dx = b.x() - a.x(), dy = b.y() - a.y(), length = std::hypot(dx, dy);
   if (!(length > 0))
     return;
   const double x = -half_width * dy / length, y = half_width * dx / length;
-  const Vector p = {a[0] - x, a[1] - y, 1}, q = {b[0] - x, b[1] - y, 1},
-               r = {b[0] + x, b[1] + y, 1}, s = {a[0] + x, a[1] + y, 1};
+  const Vector p(a.x() - x, a.y() - y, 1), q(b.x() - x, b.y() - y, 1), r(b.x() + x, b.y() + y, 1),
+      s(a.x() + x, a.y() + y, 1);
   canvas.draw({p, q, r}, color);
   canvas.draw({p, r, s}, color);
 }
 
 } // namespace
 
-void write_picture(const std::string& path, const std::vector<Picture_triangle>& triangles) {
-  const View view;
-  Fit fit;
-  for (const Picture_triangle& t : triangles)
-    for (const Vector& p : t.corners) {
-      const Vector q = view.seen(p);
-      fit.add(q[0], q[1]);
-    }
-  Canvas canvas;
-  const Vector light = unit({-.4, .5, 1}); // in the axes of the picture
-  for (const Picture_triangle& t : triangles) {
-    std::array<Vector, 3> corners;
-    for (std::size_t i = 0; i < 3; ++i)
-      corners[i] = fit(view.seen(t.corners[i]));
-    Vector a, b;
-    for (std::size_t i = 0; i < 3; ++i) {
-      a[i] = corners[1][i] - corners[0][i];
-      b[i] = corners[2][i] - corners[0][i];
-    }
-    Vector normal = cross(a, b);
-    if (dot(normal, normal) == 0)
-      continue;
-    normal = unit(normal);
-    // Both sides of a triangle are lit, because surfaces may be open.
-    static constexpr double ambient = .35;
-    const double shade =
-        ambient + (1 - ambient) * std::max(0., dot(light, normal) * (normal[2] < 0 ? -1 : 1));
-    Vector shaded = color(t.label);
-    for (double& c : shaded)
-      c *= shade;
-    canvas.draw(corners, shaded);
-  }
-  write_png(path, canvas);
-}
-
-void write_picture(const std::string& path, const Plane_picture& picture) {
-  Fit fit;
+void write_picture(const std::string& path, const Picture& picture) {
+  CGAL::Bbox_2 box;
   for (const Picture_polygon& polygon : picture.polygons)
-    for (const Picture_point& p : polygon.corners)
-      fit.add(p[0], p[1]);
-  const auto sample = [&](const Picture_point& p) { return fit({p[0], p[1], 0}); };
+    for (const Picture_point& p : polygon.corners) {
+      const Vector q = seen(p, picture.is_in_space);
+      box += CGAL::Bbox_2(q.x(), q.y(), q.x(), q.y());
+    }
+  const auto sample = [&](const Picture_point& p) {
+    return fitted(box, seen(p, picture.is_in_space));
+  };
   Canvas canvas;
-  for (const Picture_polygon& polygon : picture.polygons)
-    for (std::size_t i = 2; i < polygon.corners.size(); ++i)
-      canvas.draw(
-          {sample(polygon.corners[0]), sample(polygon.corners[i - 1]), sample(polygon.corners[i])},
-          polygon.color);
-  for (const Picture_line& line : picture.lines)
-    draw_line(canvas, sample(line.ends[0]), sample(line.ends[1]), line.color);
+  for (const auto& [corners, color] : picture.polygons)
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+      const std::array<Vector, 3> t = {sample(corners[0]), sample(corners[i - 1]),
+                                       sample(corners[i])};
+      canvas.draw(t, picture.is_in_space ? shaded(color, t) : color);
+    }
+  for (const auto& [ends, color] : picture.lines)
+    draw_line(canvas, sample(ends[0]), sample(ends[1]), color);
   write_png(path, canvas);
-}
-
-Picture_color picture_color(int label) { return label == 0 ? Vector{1, 1, 1} : color(label); }
-
-Picture_color color_of_number(double number) {
-  // The colors of the map "viridis" at equal distances.
-  static constexpr std::array<Picture_color, 5> colors = {{{.267, .005, .329},
-                                                           {.230, .322, .546},
-                                                           {.128, .567, .551},
-                                                           {.369, .789, .383},
-                                                           {.993, .906, .144}}};
-  const double place = std::clamp(number, 0., 1.) * double(colors.size() - 1);
-  const std::size_t i = std::min(std::size_t(place), colors.size() - 2);
-  Picture_color result;
-  for (std::size_t channel = 0; channel < 3; ++channel)
-    result[channel] =
-        colors[i][channel] + (place - double(i)) * (colors[i + 1][channel] - colors[i][channel]);
-  return result;
 }
 
 } // namespace dsc

@@ -5,57 +5,46 @@
 #ifndef DSC_PICTURE_H
 #define DSC_PICTURE_H
 
+#include <CGAL/Mesh_files/internal/pictures/colors.h>
+
 #include <array>
 #include <string>
 #include <vector>
 
 namespace dsc {
 
-/// A triangle of a surface, and the label behind it, which determines its color.
-struct Picture_triangle
-{
-  std::array<std::array<double, 3>, 3> corners;
-  int label;
-};
+using CGAL::Deformable_simplicial_complexes::internal::color_of_label;
+using CGAL::Deformable_simplicial_complexes::internal::color_of_number;
+using Picture_color = CGAL::Deformable_simplicial_complexes::internal::Color;
+using Picture_point = std::array<double, 3>; ///< in the plane, the last coordinate is 0
 
-/// Draws triangles into a PNG file, in parallel projection from the front, the right and above,
-/// with z upwards.
-/// \throws Input_error if the file cannot be written
-void write_picture(const std::string& path, const std::vector<Picture_triangle>& triangles);
-
-using Picture_color = std::array<double, 3>; ///< red, green and blue, from 0 to 1
-using Picture_point = std::array<double, 2>; ///< to the right and upwards
-
-/// A convex polygon of a plane picture.
+/// A convex polygon of a picture.
 struct Picture_polygon
 {
   std::vector<Picture_point> corners; ///< in any orientation
   Picture_color color;
 };
 
-/// A line of a plane picture.
+/// A line of a picture.
 struct Picture_line
 {
   std::array<Picture_point, 2> ends;
   Picture_color color = {0, 0, 0};
 };
 
-/// A plane picture: polygons that do not overlap, and lines in front of them.
-struct Plane_picture
+/// Polygons, and lines in front of them.
+struct Picture
 {
   std::vector<Picture_polygon> polygons;
   std::vector<Picture_line> lines;
+  /// Whether polygons are shaded and seen in parallel projection from the front, the right and
+  /// above, with z upwards. Otherwise, they are in the plane of the picture and do not overlap.
+  bool is_in_space = false;
 };
 
-/// Draws polygons and lines into a PNG file. All polygons are visible.
+/// Draws a picture into a PNG file. All polygons are within its frame.
 /// \throws Input_error if the file cannot be written
-void write_picture(const std::string& path, const Plane_picture& picture);
-
-/// Returns the color of a label: white for 0, and light colors for all others.
-Picture_color picture_color(int label);
-
-/// Returns the color of a number from 0, dark blue, to 1, yellow.
-Picture_color color_of_number(double number);
+void write_picture(const std::string& path, const Picture& picture);
 
 } // namespace dsc
 

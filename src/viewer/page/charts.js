@@ -133,12 +133,6 @@ class SeriesChart {
     return best;
   }
 
-  // Returns the color of a series: the one of the label in its name, if there is one.
-  color(index) {
-    const found = /label (-?\d+)/.exec(this.film.series[index].name);
-    return Colors.css(Colors.ofLabel(found ? Number(found[1]) : 10 + index));
-  }
-
   // Draws the series of the given indices.
   draw(indices) {
     this.svg.replaceChildren();
@@ -182,8 +176,7 @@ class SeriesChart {
 
   // Draws one series. A frame with an unknown value interrupts the line; a lone value becomes a dot.
   drawLine(index) {
-    const { values } = this.film.series[index];
-    const color = this.color(index);
+    const { values, color } = this.film.series[index];
     let path = '';
     values.forEach((value, i) => {
       if (value === null) return;

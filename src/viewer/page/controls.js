@@ -68,13 +68,13 @@ class Controls {
 
   buildLabels() {
     const { film, viewer } = this;
-    for (const label of film.labels) {
+    for (const [i, label] of film.labels.entries()) {
       const row = make('label', 'check');
       const box = make('input');
       box.type = 'checkbox';
       box.value = label;
       const swatch = make('span', 'swatch');
-      swatch.style.background = Colors.css(Colors.ofLabel(label));
+      swatch.style.background = film.colors[i];
       row.append(box, swatch, `Label ${label}`);
       element('labels').append(row);
     }
@@ -260,7 +260,7 @@ class Controls {
     this.chart.show(frame);
     element('series_legend').replaceChildren(...indices.map((i) => {
       const item = make('li'), swatch = make('span', 'swatch');
-      swatch.style.background = this.chart.color(i);
+      swatch.style.background = film.series[i].color;
       item.append(swatch, make('span', '', film.series[i].name), make('span', '', Format.number(film.series[i].values[frame], 6)));
       return item;
     }));

@@ -40,6 +40,7 @@ class Film {
     this.origin = json.origin;
     this.unit = json.unit;
     this.labels = json.labels;
+    this.colors = json.colors;
     this.hidden = json.hidden || [];
     this.cells = json.cells;
     this.fields = json.fields || [];

@@ -1,31 +1,15 @@
 // Colors as arrays of red, green and blue in [0, 1].
 const Colors = {
-  // The colorblind-safe palette of Okabe and Ito; label 0, usually the outside, is gray.
-  palette: ['#a0a4a8', '#56b4e9', '#e69f00', '#009e73', '#cc79a7', '#0072b2', '#d55e00', '#f0e442'],
-
-  // A polynomial fitted to nine samples of viridis: coefficients of red, green and blue for each power.
-  viridis: [
-    [0.268, 0.004, 0.327], [0.023, 1.589, 2.307], [1.504, -1.906, -10.994],
-    [-13.47, 2.966, 27.853], [24.118, -2.2, -33.642], [-11.45, 0.453, 14.292],
-  ],
+  // The colors of numbers at equal distances in [0, 1], from the table of all pictures.
+  nodes: [/*COLOR_MAP*/],
 
   parse(hex) { return [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16) / 255); },
 
-  // Returns the color of a label, the same in every film.
-  ofLabel(label) {
-    if (label >= 0 && label < Colors.palette.length) return Colors.parse(Colors.palette[label]);
-    const hue = (((label * 0.618034) % 1) + 1) % 1;
-    const channel = (shift) => 0.56 + 0.26 * Math.cos(2 * Math.PI * (hue + shift));
-    return [channel(0), channel(1 / 3), channel(2 / 3)];
-  },
-
   // Returns the color of a number in [0, 1].
   map(t) {
-    const sum = [0, 0, 0];
-    for (let power = Colors.viridis.length - 1; power >= 0; power--) {
-      for (let i = 0; i < 3; i++) sum[i] = sum[i] * t + Colors.viridis[power][i];
-    }
-    return sum.map((x) => Math.min(1, Math.max(0, x)));
+    const place = Math.min(1, Math.max(0, t)) * (Colors.nodes.length - 1);
+    const at = Math.min(Math.floor(place), Colors.nodes.length - 2);
+    return Colors.nodes[at].map((x, i) => x + (place - at) * (Colors.nodes[at + 1][i] - x));
   },
 
   // Returns a color as one word of four bytes, opaque.
@@ -36,10 +20,14 @@ const Colors = {
 
   css(color) { return `rgb(${color.map((x) => Math.round(255 * x)).join(',')})`; },
 
-  // Returns the body of a GLSL function that evaluates the map.
+  // Returns the body of a GLSL function of t in [0, 1] that evaluates the map.
   shader() {
-    const term = (c) => `vec3(${c.map((x) => x.toFixed(4)).join(',')})`;
-    return Colors.viridis.reduceRight((inner, c) => (inner ? `${term(c)} + t * (${inner})` : term(c)), '');
+    const last = Colors.nodes.length - 1;
+    const nodes = Colors.nodes.map((color) => `vec3(${color.map((x) => x.toFixed(4)).join()})`);
+    return `vec3 nodes[${last + 1}] = vec3[](${nodes.join()});
+  float place = t * ${last}.0;
+  int i = min(int(place), ${last - 1});
+  return mix(nodes[i], nodes[i + 1], place - float(i));`;
   },
 };
 
@@ -73,13 +61,15 @@ uniform vec4 plane;
 uniform bool by_value, lit;
 uniform float wire_width, size;
 out vec4 result;
-vec3 color_map(float t) { return ${Colors.shader()}; }
+vec3 color_map(float t) {
+  ${Colors.shader()}
+}
 void main() {
   vec3 normal = normalize(cross(dFdx(eye) / size, dFdy(eye) / size));
   vec3 width = fwidth(edges);
   if (dot(plane.xyz, q) > plane.w) discard;
   vec3 color = gl_FrontFacing ? front_color : back_color;
-  if (by_value) color = clamp(color_map(clamp(t, 0.0, 1.0)), 0.0, 1.0);
+  if (by_value) color = color_map(clamp(t, 0.0, 1.0));
   if (lit) {
     float key = max(dot(normal, normalize(vec3(-0.45, 0.65, 0.75))), 0.0);
     float fill = max(dot(normal, normalize(vec3(0.7, -0.2, 0.5))), 0.0);

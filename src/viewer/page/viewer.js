@@ -156,7 +156,7 @@ class Viewer {
   // Returns the colors of labels and the values of a frame, or no values for colors by label.
   paint(frame) {
     const { film } = this;
-    const paint = { colors: film.labels.map((label) => Colors.pack(Colors.ofLabel(label))), values: null };
+    const paint = { colors: film.colors.map((color) => Colors.pack(Colors.parse(color))), values: null };
     if (this.color === 'quality') paint.values = this.prepare(frame).qualities;
     const field = film.fields.find((one) => one.name === this.color);
     if (field && frame.fields[field.name]) paint.values = frame.fields[field.name];

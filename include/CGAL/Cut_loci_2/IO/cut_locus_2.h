@@ -15,14 +15,12 @@
 #include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
 #include <CGAL/Mesh_files/SVG_2.h>
 #include <CGAL/Mesh_files/Svg_canvas.h>
-#include <CGAL/Mesh_files/replace_file.h>
 
 #include <CGAL/Bbox_2.h>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <ostream>
 #include <string>
 #include <vector>
 
@@ -53,7 +51,9 @@ inline void write_SVG(const std::string& path,
   const auto& periods = domain.periods();
   const Deformable_simplicial_complexes::Svg_canvas canvas(
       options.window, Bbox_2(0, 0, periods[0], periods[1]), options.width, periods);
-  std::string arcs, source;
+  using Layer = Deformable_simplicial_complexes::Svg_layer;
+  Layer arcs = {"cut_locus", "none", "#000000", options.line_width};
+  Layer source = {"point", "none", "#d02020", 10};
   for (const auto& polyline : locus.polylines) {
     Point p = locus.vertices[polyline.front()].point;
     for (std::size_t k = 1; k < polyline.size(); ++k) {
@@ -64,13 +64,7 @@ inline void write_SVG(const std::string& path,
     }
   }
   canvas.add(std::array<Point, 2>{point, point}, source);
-  Deformable_simplicial_complexes::replace_file_by_stream(path, [&](std::ostream& out) {
-    canvas.begin(out);
-    out << "<path id=\"cut_locus\" fill=\"none\" stroke=\"#000000\" stroke-width=\""
-        << options.line_width << "\" d=\"" << arcs << "\"/>\n"
-        << "<path id=\"point\" stroke=\"#d02020\" stroke-width=\"10\" d=\"" << source
-        << "\"/>\n</svg>\n";
-  });
+  canvas.write(path, {arcs, source});
 }
 
 /*!
@@ -134,7 +128,9 @@ void write_SVG(
   const Bbox_2 window(box.xmin() - margin, box.ymin() - margin, box.xmax() + margin,
                       box.ymax() + margin);
   const Deformable_simplicial_complexes::Svg_canvas canvas(window, window, options.width, {0, 0});
-  std::string lines, arcs;
+  using Layer = Deformable_simplicial_complexes::Svg_layer;
+  Layer lines = {"surface", "none", "#b0b0b0", .8};
+  Layer arcs = {"cut_locus", "none", "#000000", 2 * options.line_width};
   for (const auto& line : grid)
     canvas.add(line, lines);
   for (const auto& polyline : locus.polylines)
@@ -142,13 +138,7 @@ void write_SVG(
       canvas.add(std::array<Point, 2>{seen(locus.vertices[polyline[k - 1]].point),
                                       seen(locus.vertices[polyline[k]].point)},
                  arcs);
-  Deformable_simplicial_complexes::replace_file_by_stream(path, [&](std::ostream& out) {
-    canvas.begin(out);
-    out << "<path id=\"surface\" fill=\"none\" stroke=\"#b0b0b0\" stroke-width=\".8\" d=\"" << lines
-        << "\"/>\n"
-        << "<path id=\"cut_locus\" fill=\"none\" stroke=\"#000000\" stroke-width=\""
-        << 2 * options.line_width << "\" d=\"" << arcs << "\"/>\n</svg>\n";
-  });
+  canvas.write(path, {lines, arcs});
 }
 
 } // namespace CGAL::IO
