@@ -5,7 +5,7 @@
 #include "motions/run_position.h"
 
 #include "input/translations.h"
-#include "motions/motion_json.h"
+#include "motions/motion_list.h"
 
 #include <stdexcept>
 
