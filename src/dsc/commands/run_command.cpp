@@ -95,13 +95,11 @@ Run_options checked(const CLI::App& command, const Run_command& options) {
     keep_silent_about_unused();
   for (std::string& input : run.start.inputs)
     input = run.inputs->native(input, run.start.labels, run.start.thresholds);
-  const bool is_planar = set_default_figure(run, options.start);
-  read_domain(options.domain, is_planar, run);
   if (run.resume.empty()) {
     require_options(run.step.motion, run.given);
     require_effect_of_options(run.step, run.given);
   }
-  complete_start(options.start, is_planar, options.check, run);
+  complete_start(options.domain, options.start, options.check, run);
   return run;
 }
 

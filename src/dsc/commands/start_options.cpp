@@ -85,12 +85,15 @@ void require_kind(const Run_options& run, const Default_start& defaults, bool is
                       "labels; give a single INPUT");
 }
 
-void set_default_start(const Default_start& defaults, bool is_planar, Run_options& run) {
-  if (run.resume.empty() && !is_planar && defaults.ball &&
-      (defaults.fits_inputs || run.start.inputs.empty()))
-    run.start.ball = defaults.ball;
-  if (run.resume.empty() && !run.domain)
-    run.domain = is_planar ? defaults.domain_in_plane : defaults.domain_in_space;
+void read_domain(std::string text, bool is_planar, Run_options& run) {
+  run.step.grows_domain = take_growth(text);
+  if (!text.empty() || !run.step.grows_domain)
+    run.domain = parse_domain(text, is_planar ? 2 : 3);
+}
+
+/// Returns whether a motion keeps the shape of the interface.
+bool is_rigid(const Motion& motion) {
+  return std::holds_alternative<Rotation>(motion) || std::holds_alternative<Zalesak>(motion);
 }
 
 } // namespace
@@ -166,42 +169,31 @@ void add_start_options(CLI::App& command, Run_start& start, std::string& domain,
       ->excludes(resume);
 }
 
-bool set_default_figure(Run_options& run, const Default_start& defaults) {
-  const bool is_new = run.resume.empty();
-  if (is_new && run.start.inputs.empty())
-    run.start.figure = defaults.figure;
-  return is_new && dimension_of(run.start) == 2;
-}
-
-void read_domain(std::string domain, bool is_planar, Run_options& run) {
-  if (run.given.count("--domain") == 0)
-    return;
-  run.step.grows_domain = take_growth(domain);
-  if (!domain.empty() || !run.step.grows_domain)
-    run.domain = parse_domain(domain, is_planar ? 2 : 3);
-}
-
-/// Returns whether a motion keeps the shape of the interface.
-bool is_rigid(const Motion& motion) {
-  return std::holds_alternative<Rotation>(motion) || std::holds_alternative<Zalesak>(motion);
-}
-
-void complete_start(const Default_start& defaults, bool is_planar, Start_check* check,
+void complete_start(const std::string& domain, const Default_start& defaults, Start_check* check,
                     Run_options& run) {
+  const bool is_new = run.resume.empty(), has_input = !run.start.inputs.empty();
+  if (is_new && !has_input)
+    run.start.figure = defaults.figure;
+  const bool is_planar = is_new && dimension_of(run.start) == 2;
+  if (run.given.count("--domain") > 0)
+    read_domain(domain, is_planar, run);
   require_inputs(run, defaults, is_planar);
   if (check != nullptr)
     check(run, is_planar);
-  if (run.resume.empty()) {
-    require_dimension(run, is_planar);
-    require_kind(run, defaults, is_planar);
-  }
   double& edge_per_thickness = run.start.thin_parts.edge_per_thickness;
   if (run.given.count("--edge-per-thickness") == 0 &&
       (run.given.count("--triangles") > 0 || is_rigid(run.step.motion)))
     edge_per_thickness = 0; // the triangles of the input or those that are asked for
   if (edge_per_thickness > 0 && edge_per_thickness < 1)
     throw Usage_error("--edge-per-thickness is less than 1; choose 1 or more, or 0");
-  set_default_start(defaults, is_planar, run);
+  if (!is_new)
+    return;
+  require_dimension(run, is_planar);
+  require_kind(run, defaults, is_planar);
+  if (!is_planar && (defaults.fits_inputs || !has_input))
+    run.start.ball = defaults.ball;
+  if (!run.domain)
+    run.domain = is_planar ? defaults.domain_in_plane : defaults.domain_in_space;
 }
 
 } // namespace dsc

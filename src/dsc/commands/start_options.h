@@ -40,17 +40,11 @@ CLI::Option* add_inputs(CLI::App& command, Run_start& start);
 void add_start_options(CLI::App& command, Run_start& start, std::string& domain,
                        CLI::Option* resume);
 
-/// Sets the default figure. Returns whether a new run starts in the plane.
-bool set_default_figure(Run_options& run, const Default_start& defaults);
-
-/// Reads the option `--domain`.
-/// \throws Usage_error
-void read_domain(std::string domain, bool is_planar, Run_options& run);
-
-/// Checks the start of a run and sets the defaults.
+/// Checks the start of a run, reads its domain, and sets the defaults.
+/// \param domain the option `--domain` as written
 /// \param check checks the conditions of the command; may be null
 /// \throws Usage_error
-void complete_start(const Default_start& defaults, bool is_planar, Start_check* check,
+void complete_start(const std::string& domain, const Default_start& defaults, Start_check* check,
                     Run_options& run);
 
 } // namespace dsc
