@@ -4,7 +4,6 @@
 
 #include "Grain_run.h"
 
-#include "grain_checkpoint.h"
 #include "programs/errors.h"
 
 #include <CGAL/Mesh_files/checkpoint.h>
