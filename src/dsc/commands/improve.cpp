@@ -38,11 +38,10 @@ struct Improve_options
 };
 
 Json parameters_json(const Improve_options& options) {
-  return {
-      {"command", "improve"},
-      {"output", options.output},
-      {"aggressive", options.improvement.aggressive},
-      {"threshold", options.improvement.threshold ? Json(*options.improvement.threshold) : Json()}};
+  return {{"command", "improve"},
+          {"output", options.output},
+          {"aggressive", options.improvement.aggressive},
+          {"threshold", value_or_null(options.improvement.threshold)}};
 }
 
 /// `worst` is the least quality by the measure that is improved.

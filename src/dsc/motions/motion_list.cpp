@@ -128,7 +128,7 @@ void write_option(Json& json, const std::string& key, const Value& value, const 
 template <class Form>
 void write_option(Json& json, const std::string& key, const std::optional<double>& value,
                   const Form&) {
-  json[key] = value ? Json(*value) : Json();
+  json[key] = value_or_null(value);
 }
 
 void write_option(Json& json, const std::string& key, const std::string& value, Words) {
