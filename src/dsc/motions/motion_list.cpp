@@ -20,14 +20,14 @@
 namespace dsc {
 namespace {
 
-// How the command line gives a value. The other forms are the functions that read it, and the names
-// of its values.
+// Forms of values in the command line: a flag, and a text. Other forms are functions that read a
+// value from a text, and maps from names to values.
 struct Flag
 {
 };
 struct Words
 {
-  bool is_option; // in the command line, not only in files
+  bool is_option; // false if the command has no such option; files contain it nevertheless
 };
 
 // Each function calls another one with the name of each option of a motion, the member that stores
