@@ -120,18 +120,17 @@ vtkSmartPointer<vtkDataSet> read_image(const std::string& path, Messages* messag
 
 /// Places an image: sets its origin, and from the images of unit vectors along its axes its
 /// spacing and directions.
-/// \param columns for each axis of the image, the vector between neighbors in space
-void place(vtkImageData* image, const std::array<std::array<double, 3>, 3>& columns,
-           const std::array<double, 3>& origin) {
+/// \param coordinate returns a coordinate of the vector between neighbors along an axis of the image
+template <class Coordinate>
+void place(vtkImageData* image, const Coordinate& coordinate, const std::array<double, 3>& origin) {
   vtkNew<vtkMatrix3x3> directions;
   double spacing[3];
   for (int j = 0; j < 3; ++j) {
-    const auto& [x, y, z] = columns[std::size_t(j)];
-    spacing[j] = std::hypot(x, y, z);
+    spacing[j] = std::hypot(coordinate(0, j), coordinate(1, j), coordinate(2, j));
     if (!(spacing[j] > 0 && std::isfinite(spacing[j])))
       throw Failure("has an axis of length 0 in its header");
     for (int i = 0; i < 3; ++i)
-      directions->SetElement(i, j, columns[std::size_t(j)][std::size_t(i)] / spacing[j]);
+      directions->SetElement(i, j, coordinate(i, j) / spacing[j]);
   }
   image->SetSpacing(spacing);
   image->SetOrigin(origin.data());
@@ -174,14 +173,11 @@ Dataset read_nifti(const std::string& path, Messages* messages) {
   if (matrix == nullptr)
     return result;
   // The matrix maps coordinates with the spacing, but without the origin, to space.
-  std::array<std::array<double, 3>, 3> columns;
-  std::array<double, 3> origin;
-  for (int i = 0; i < 3; ++i) {
-    origin[std::size_t(i)] = matrix->GetElement(i, 3);
-    for (int j = 0; j < 3; ++j)
-      columns[std::size_t(j)][std::size_t(i)] = matrix->GetElement(i, j) * image->GetSpacing()[j];
-  }
-  place(image, columns, origin);
+  const auto coordinate = [&](int i, int j) {
+    return matrix->GetElement(i, j) * image->GetSpacing()[j];
+  };
+  place(image, coordinate,
+        {matrix->GetElement(0, 3), matrix->GetElement(1, 3), matrix->GetElement(2, 3)});
   return result;
 }
 
@@ -220,14 +216,11 @@ Dataset read_meta_image(const std::string& path, Messages* messages) {
       numbers_in(header_value(path, '=', {"TransformMatrix", "Rotation", "Orientation"}));
   if (matrix.size() != 9)
     return result;
-  std::array<std::array<double, 3>, 3> columns;
-  std::array<double, 3> origin;
-  for (std::size_t j = 0; j < 3; ++j) {
-    origin[j] = image->GetOrigin()[j];
-    for (std::size_t i = 0; i < 3; ++i)
-      columns[j][i] = matrix[3 * j + i] * image->GetSpacing()[j];
-  }
-  place(image, columns, origin);
+  const auto coordinate = [&](int i, int j) {
+    return matrix[std::size_t(3 * j + i)] * image->GetSpacing()[j];
+  };
+  const double* const origin = image->GetOrigin();
+  place(image, coordinate, {origin[0], origin[1], origin[2]});
   return result;
 }
 
@@ -245,14 +238,11 @@ Dataset read_nrrd(const std::string& path, Messages* messages) {
                             first = numbers_in(header_value(path, ':', {"space origin"}));
   if (vectors.size() != 9)
     return result;
-  std::array<std::array<double, 3>, 3> columns;
   std::array<double, 3> origin = {0, 0, 0};
-  for (std::size_t j = 0; j < 3; ++j) {
-    origin[j] = first.size() == 3 ? first[j] : 0;
-    for (std::size_t i = 0; i < 3; ++i)
-      columns[j][i] = vectors[3 * j + i];
-  }
-  place(image_of(result), columns, origin);
+  if (first.size() == 3)
+    std::copy(first.begin(), first.end(), origin.begin());
+  place(
+      image_of(result), [&](int i, int j) { return vectors[std::size_t(3 * j + i)]; }, origin);
   return result;
 }
 

@@ -6,7 +6,6 @@
 #define DSC_GRAIN_RUN_IMPL_H
 
 #include "Grain_run.h"
-#include "grain_checkpoint.h"
 #include "output/step_folder.h"
 #include "programs/errors.h"
 
@@ -19,6 +18,7 @@
 #include <CGAL/Interface_remeshing/shared_measures.h>
 #include <CGAL/Mesh_files/Mesh_arrays.h>
 #include <CGAL/Mesh_files/SVG_2.h>
+#include <CGAL/Mesh_files/checkpoint.h>
 #include <CGAL/Mesh_support/coordinates.h>
 
 #include <algorithm>
@@ -62,7 +62,12 @@ public:
           std::min(a, b) == particle_label ? none : orientations.misorientation(a, b) / degree);
     }
     m_folder->write(complex, state.step, state.time, arrays);
-    write_grains(m_folder->file("checkpoint.dsc"), m_run, complex, state);
+    CGAL::IO::write_checkpoint(m_folder->file("checkpoint.dsc"), complex.state(),
+                               Json{{"grains", to_json(m_run)},
+                                    {"time", state.time},
+                                    {"step", state.step},
+                                    {"energy_before", state.energy_before}}
+                                   .dump());
   }
 
 private:
@@ -342,7 +347,12 @@ Grain_result grow_grains(const Grain_run& run, const Make& make,
   Grain_state state;
   Grain_growth<Complex> growth(complex, energy, growth_options<d>(run));
   if (!run.resume.empty()) {
-    state = restore_grains(run.resume, complex);
+    const auto saved = CGAL::IO::read_checkpoint<d>(run.resume);
+    const Json json = Json::parse(saved.metadata); // read_grains() accepts it
+    complex.restore(saved.state);
+    state.time = json.at("time");
+    state.step = json.at("step");
+    state.energy_before = json.at("energy_before");
     growth.set_time(state.time);
   }
   const Grain_result result = grow_grains(run, files, complex, growth, orientations, state, on);

@@ -28,14 +28,7 @@ inline constexpr char description_of_info[] = "Print statistics of a file",
 /// parsing of the command line and stores the exit code. The command throws Usage_error if its
 /// options are invalid. Other errors are std::runtime_error, with a message of one line that states
 /// the cause and what to do. `inputs` must exist until the end of the program.
-void add_rotate(CLI::App& app, const Inputs& inputs, int& exit_code);
-void add_offset(CLI::App& app, const Inputs& inputs, int& exit_code);
-void add_enright(CLI::App& app, const Inputs& inputs, int& exit_code);
-void add_vortex(CLI::App& app, const Inputs& inputs, int& exit_code);
-void add_advect(CLI::App& app, const Inputs& inputs, int& exit_code);
-void add_mean_curvature(CLI::App& app, const Inputs& inputs, int& exit_code);
-void add_zalesak(CLI::App& app, const Inputs& inputs, int& exit_code);
-/// Adds the seven commands above, which move an interface.
+/// Adds the commands that move an interface: one for each motion.
 void add_flows(CLI::App& app, const Inputs& inputs, int& exit_code);
 void add_convert(CLI::App& app, const Inputs& inputs, int& exit_code);
 void add_view(CLI::App& app, int& exit_code);

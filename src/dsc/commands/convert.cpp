@@ -149,8 +149,7 @@ void add_convert(CLI::App& app, const Inputs& inputs, int& exit_code) {
   command->add_option("--from", options->from, "Format of standard input, like off");
   command->add_option("--to", options->to, "Format of standard output, like stl");
   add_labels_option(*command, options->labels);
-  command->add_option("--threshold", options->thresholds,
-                      "Labels of a gray image: thresholds like 100 or 80,160, or otsu, or otsu:2");
+  add_threshold_option(*command, options->thresholds);
   command->add_option("--grid", options->grid,
                       "Write the labels of a checkpoint at the voxels of this image");
   command

@@ -8,9 +8,11 @@
 #include "input/surface_expressions.h"
 #include "motions/lengths_repeat.h"
 #include "output/report_json.h"
+#include "programs/add_value.h"
 #include "programs/errors.h"
 #include "programs/interrupt.h"
-#include "programs/option_values.h"
+
+#include <CGAL/number_utils.h>
 
 #include <CLI/CLI.hpp>
 
@@ -29,18 +31,11 @@
 namespace dsc {
 namespace {
 
-/// The numbers of the command line, as written.
-struct Written_numbers
-{
-  std::string point, periods = "6.283185307179586,6.283185307179586", spacing, step, radius;
-};
-
 struct Cut_locus_options
 {
-  Written_numbers written;
   std::string surface = "torus"; ///< name, or three expressions in u and v, or in x, y, z
   std::vector<double> point;     ///< u and v, or the direction x, y, z
-  std::array<double, 2> periods;
+  std::array<double, 2> periods = {2 * CGAL_PI, 2 * CGAL_PI};
   double spacing =
       0; ///< in the chart; if 0, 1/40 of the shorter period, or of half the width of the chart
   double step = 0;    ///< of the front; if 0, half the spacing, measured on the surface
@@ -206,18 +201,7 @@ void require_periods(const Cut_locus_options& options, bool are_given) {
                       "' is not periodic with these periods; choose others by --periods");
 }
 
-/// Reads the numbers that are given as text.
-/// \throws Usage_error
-void read(const CLI::App& command, Cut_locus_options& options) {
-  const Written_numbers& written = options.written;
-  options.point = parse_point(written.point);
-  options.periods = parse_pair(written.periods, "--periods");
-  if (command.count("--spacing") > 0)
-    options.spacing = parse_positive(written.spacing, "--spacing");
-  if (command.count("--step") > 0)
-    options.step = parse_positive(written.step, "--step");
-  if (command.count("--radius") > 0)
-    options.radius = parse_positive(written.radius, "--radius");
+void check(const CLI::App& command, const Cut_locus_options& options) {
   require_periods(options, command.count("--periods") > 0);
   if (!options.output.empty() && options.radius > 0)
     require_extension(options.output, {"svg", "vtu"});
@@ -238,27 +222,26 @@ void add_cut_locus(CLI::App& app, int& exit_code) {
           "'(2+cos(v))*cos(u),(2+cos(v))*sin(u),2*sin(v)'; or in the coordinates x, y and z of the "
           "unit sphere, like 'x,y,z*(1+0.2*x)'")
       ->capture_default_str();
-  command
-      ->add_option("--point", options->written.point,
-                   "Source point: u and v, like 0,0.3; for a surface in x, y and z, its direction, "
-                   "like 1,0.5,0")
+  add_value(*command, "--point", options->point, parse_point,
+            "Source point: u and v, like 0,0.3; for a surface in x, y and z, its direction, "
+            "like 1,0.5,0")
       ->required();
-  command->add_option("--periods", options->written.periods,
-                      "Periods of a surface in u and v (default: 2 pi each)");
-  command->add_option("--spacing", options->written.spacing,
-                      "Edge length in the chart (default: 1/40 of the shorter period; 0.1 for a "
-                      "surface in x, y and z, whose chart is 8 wide)");
-  command->add_option("--radius", options->written.radius,
-                      "Compute the distance ball of this radius instead");
-  command->add_option("--step", options->written.step,
-                      "Step of the geodesics, measured on the surface (default: half the spacing, "
-                      "converted to a length on the surface)");
+  add_value(*command, "--periods", options->periods, parse_pair,
+            "Periods of a surface in u and v (default: 2 pi each)");
+  add_value(*command, "--spacing", options->spacing, positive,
+            "Edge length in the chart (default: 1/40 of the shorter period; 0.1 for a "
+            "surface in x, y and z, whose chart is 8 wide)");
+  add_value(*command, "--radius", options->radius, positive,
+            "Compute the distance ball of this radius instead");
+  add_value(*command, "--step", options->step, positive,
+            "Step of the geodesics, measured on the surface (default: half the spacing, "
+            "converted to a length on the surface)");
   command->add_option("-o,--output", options->output,
                       "Picture of the chart (.svg); for a ball, also its triangles (.vtu)");
   command->add_option("--report", options->report, "JSON file with vertices, distances and arcs");
   command->add_flag("--quiet", options->quiet, "Print only errors");
   command->callback([command, options, &exit_code] {
-    read(*command, *options);
+    check(*command, *options);
     exit_code = execute(*options);
   });
 }

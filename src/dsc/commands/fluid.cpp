@@ -15,9 +15,9 @@
 #include "output/output_folder.h"
 #include "output/progress_line.h"
 #include "output/report_json.h"
+#include "programs/add_value.h"
 #include "programs/errors.h"
 #include "programs/interrupt.h"
-#include "programs/option_values.h"
 #include "programs/threads_option.h"
 
 #include <CGAL/Mesh_files/checkpoint.h>
@@ -42,13 +42,12 @@ constexpr char built_in_solver[] = "built-in";
 
 struct Fluid_options
 {
-  std::string scene;       ///< file, or name of an installed scene; empty if `resume` is set
-  std::string data;        ///< folder of the files named by a scene; empty for the current folder
-  bool lists = false;      ///< whether the installed scenes are listed
-  bool prints = false;     ///< whether the scene is printed
-  std::string written_end; ///< as written
-  double end = 0;          ///< final time; if 0, the end of the scene
-  unsigned steps = 0;      ///< maximum number; 0 for no limit
+  std::string scene;   ///< file, or name of an installed scene; empty if `resume` is set
+  std::string data;    ///< folder of the files named by a scene; empty for the current folder
+  bool lists = false;  ///< whether the installed scenes are listed
+  bool prints = false; ///< whether the scene is printed
+  double end = 0;      ///< final time; if 0, the end of the scene
+  unsigned steps = 0;  ///< maximum number; 0 for no limit
   unsigned threads = std::max(1u, default_number_of_threads() / processes_of_machine());
   std::string solver = built_in_solver;
   std::string output; ///< output folder; empty for no files
@@ -57,7 +56,6 @@ struct Fluid_options
   std::string resume;   ///< checkpoint file
   std::string report;   ///< file; empty for none
   Fluid_picture picture;
-  std::string written_cut; ///< as written
   bool quiet = false;
 
   bool uses_petsc() const { return solver != built_in_solver; }
@@ -322,17 +320,13 @@ void require_alone(const CLI::App& command, const std::vector<std::string>& name
                         "; leave it out");
 }
 
-void read(const CLI::App& command, Fluid_options& options) {
+void complete(const CLI::App& command, Fluid_options& options) {
   if (options.lists)
     require_alone(command, {"--list"});
   if (options.prints)
     require_alone(command, {"--print", "SCENE"});
   if (!options.picture.path.empty())
     require_extension(options.picture.path, {"png", "svg"});
-  if (command.count("--cut") > 0)
-    options.picture.cut = parse_cut(options.written_cut);
-  if (command.count("--end") > 0)
-    options.end = parse_positive(options.written_end, "--end");
   if (!options.lists && options.scene.empty() == options.resume.empty())
     throw Usage_error("dsc fluid needs either a SCENE or --resume; see dsc fluid --list for "
                       "scenes");
@@ -357,8 +351,8 @@ void add_fluid(CLI::App& app, int& exit_code) {
                     "Print the names and titles of the scenes of the program");
   command->add_flag("--print", options->prints, "Print the scene as JSON");
   command->add_option("--data", options->data, "Folder of the files that the scene names");
-  command->add_option("--end", options->written_end,
-                      "Final time (default: final time of the scene)");
+  add_value(*command, "--end", options->end, positive,
+            "Final time (default: final time of the scene)");
   command->add_option("--steps", options->steps, "Maximum number of steps")
       ->check(CLI::Range(1, INT_MAX));
   add_threads_option(*command, options->threads);
@@ -388,9 +382,8 @@ void add_fluid(CLI::App& app, int& exit_code) {
   CLI::Option* picture =
       command->add_option("--picture", options->picture.path,
                           "Picture of the liquids at the end (.png in space, .svg in the plane)");
-  command
-      ->add_option("--cut", options->written_cut,
-                   "Draw the section by a plane perpendicular to an axis, like x=0.5 (space only)")
+  add_value(*command, "--cut", options->picture.cut, parse_cut,
+            "Draw the section by a plane perpendicular to an axis, like x=0.5 (space only)")
       ->needs(picture);
   command
       ->add_option("--color", options->picture.quantity,
@@ -400,7 +393,7 @@ void add_fluid(CLI::App& app, int& exit_code) {
       ->needs(picture);
   command->add_flag("--quiet", options->quiet, "Print only errors");
   command->callback([command, options, &exit_code] {
-    read(*command, *options);
+    complete(*command, *options);
     exit_code = execute(*options);
   });
 }

@@ -8,9 +8,9 @@
 #include "output/angle_table.h"
 #include "output/histograms.h"
 #include "output/report_json.h"
+#include "programs/add_value.h"
 #include "programs/errors.h"
 #include "programs/interrupt.h"
-#include "programs/option_values.h"
 #include "programs/threads_option.h"
 
 #include <CLI/CLI.hpp>
@@ -28,10 +28,8 @@ namespace {
 struct Grains_options
 {
   Grain_run run;
-  std::string domain = "torus", energy = "isotropic", largest_angle = "15", particle_radius = ".2",
-              until = ".5", edges = "10",
-              step = ".1";  ///< as written
-  std::string report, plot; ///< files; empty for none
+  std::string energy = "isotropic"; ///< name, or a file
+  std::string report, plot;         ///< files; empty for none
   bool quiet = false;
 };
 
@@ -136,56 +134,31 @@ int execute(const Grains_options& options) {
 }
 
 /// Reads the energy: a name or a table.
-Grain_energy read_energy(const Grains_options& options, bool given_largest_angle) {
-  Grain_energy result;
-  result.largest_angle = parse_positive(options.largest_angle, "--largest-angle");
-  if (given_largest_angle && options.energy != "read-shockley")
+void read_energy(const std::string& text, bool given_largest_angle, Grain_energy& energy) {
+  if (given_largest_angle && text != "read-shockley")
     throw Usage_error("--largest-angle applies only to --energy read-shockley; leave it out");
-  if (options.energy == "isotropic")
-    return result;
-  if (options.energy == "read-shockley") {
-    result.kind = Grain_energy::Kind::read_shockley;
-    return result;
+  if (text == "isotropic")
+    return;
+  if (text == "read-shockley") {
+    energy.kind = Grain_energy::Kind::read_shockley;
+    return;
   }
-  if (extension(options.energy).empty())
+  if (extension(text).empty())
     throw Usage_error("--energy expects isotropic, read-shockley, or a file with a table such as "
                       "energy.txt; the value was '" +
-                      options.energy + "'");
-  result.kind = Grain_energy::Kind::table;
-  result.table = read_angle_table(options.energy);
-  return result;
+                      text + "'");
+  energy.kind = Grain_energy::Kind::table;
+  energy.table = read_angle_table(text);
 }
 
-/// Reads the options of new grains.
+/// Reads the energy or the grains of a checkpoint, and checks the names of pictures.
 /// \throws Usage_error
-void read_new_grains(Grains_options& options, bool given_largest_angle) {
-  Grain_run& run = options.run;
-  run.is_periodic = options.domain == "torus";
-  run.energy = read_energy(options, given_largest_angle);
-  run.particle_radius = parse_positive(options.particle_radius, "--particle-radius");
-  static constexpr double least_radius = .05, greatest_radius = 10;
-  if (!(run.particle_radius >= least_radius && run.particle_radius <= greatest_radius))
-    throw Usage_error("--particle-radius is out of range; use .05 to 10");
-  run.edges = parse_positive(options.edges, "--edges");
-  run.step = parse_positive(options.step, "--step");
-  static constexpr double fewest_edges = 3, most_edges = 1000, longest_step = 10;
-  if (!(run.edges >= fewest_edges && run.edges <= most_edges))
-    throw Usage_error("--edges is out of range; use 3 to 1000");
-  if (!(run.step <= longest_step))
-    throw Usage_error("--step is out of range; use more than 0 and at most 10");
-}
-
-/// Reads the options that are given as text.
-/// \throws Usage_error
-void read(Grains_options& options, bool given_largest_angle) {
+void complete(Grains_options& options, bool given_largest_angle) {
   Grain_run& run = options.run;
   if (run.resume.empty())
-    read_new_grains(options, given_largest_angle);
+    read_energy(options.energy, given_largest_angle, run.energy);
   else
     read_grains(run.resume, run);
-  run.until = parse_positive(options.until, "--until");
-  if (!(run.until < 1))
-    throw Usage_error("--until must be less than 1; write it like 0.5");
   if (!options.plot.empty())
     require_extension(options.plot, {"svg"});
   if (run.picture.empty())
@@ -193,6 +166,17 @@ void read(Grains_options& options, bool given_largest_angle) {
   require_extension(run.picture, {"svg"});
   if (run.dimension == 3)
     throw Usage_error("--picture applies only to --dimension 2; use --output");
+}
+
+/// Returns a function that reads a positive number in a range.
+/// \param complaint about other numbers; follows the name of the option
+auto between(double least, double greatest, const char* complaint) {
+  return [=](const std::string& text, const std::string& option) {
+    const double result = positive(text, option);
+    if (!(least <= result && result <= greatest))
+      throw Usage_error(option + complaint);
+    return result;
+  };
 }
 
 } // namespace
@@ -210,44 +194,46 @@ void add_grains(CLI::App& app, int& exit_code) {
   command->add_option("--dimension", run.dimension, "2 or 3")
       ->check(CLI::Range(2, 3))
       ->capture_default_str();
-  command
-      ->add_option(
-          "--domain", options->domain,
-          "torus, which is periodic, or box, where grain boundaries end at right angles; of "
-          "size 1")
+  const auto is_torus = [](const std::string& text, const std::string&) { return text == "torus"; };
+  add_value(*command, "--domain", run.is_periodic, is_torus,
+            "torus, which is periodic, or box, where grain boundaries end at right angles; of "
+            "size 1")
       ->check(CLI::IsMember({"torus", "box"}))
-      ->capture_default_str();
+      ->default_str("torus");
   command
       ->add_option("--energy", options->energy,
                    "Energy of grain boundaries: isotropic, read-shockley (by the misorientation of "
                    "two cubic crystals with random orientations), or a file with lines of an angle "
                    "in degrees, a tension and a mobility")
       ->capture_default_str();
-  command
-      ->add_option("--largest-angle", options->largest_angle,
-                   "Angle in degrees below which the energy read-shockley depends on the "
-                   "misorientation")
-      ->capture_default_str();
+  add_value(*command, "--largest-angle", run.energy.largest_angle, positive,
+            "Angle in degrees below which the energy read-shockley depends on the "
+            "misorientation")
+      ->default_str("15");
   CLI::Option* particles =
       command
           ->add_option("--particles", run.particles,
                        "Number of round particles that stay in place and pin grain boundaries")
           ->check(CLI::Range(std::size_t(0), std::size_t(10000)))
           ->capture_default_str();
-  command
-      ->add_option("--particle-radius", options->particle_radius,
-                   "Radius of particles, in diameters of a grain at the beginning")
+  add_value(*command, "--particle-radius", run.particle_radius,
+            between(.05, 10, " is out of range; use .05 to 10"),
+            "Radius of particles, in diameters of a grain at the beginning")
       ->needs(particles)
-      ->capture_default_str();
-  command->add_option("--until", options->until, "End when this fraction of the grains is left")
-      ->capture_default_str();
+      ->default_str(".2");
+  add_value(*command, "--until", run.until,
+            between(0, std::nextafter(1., 0.), " must be less than 1; write it like 0.5"),
+            "End when this fraction of the grains is left")
+      ->default_str(".5");
   command->add_option("--steps", run.steps, "Maximum number of steps (default: no bound)")
       ->check(CLI::Range(1u, 2147483647u));
-  command
-      ->add_option("--edges", options->edges, "Edges of the interface in the diameter of a grain")
-      ->capture_default_str();
-  command->add_option("--step", options->step, "Time step, in squares of the length of an edge")
-      ->capture_default_str();
+  add_value(*command, "--edges", run.edges, between(3, 1000, " is out of range; use 3 to 1000"),
+            "Edges of the interface in the diameter of a grain")
+      ->default_str("10");
+  add_value(*command, "--step", run.step,
+            between(0, 10, " is out of range; use more than 0 and at most 10"),
+            "Time step, in squares of the length of an edge")
+      ->default_str(".1");
   command->add_option("--seed", run.seed, "Number of the random sequence")->capture_default_str();
   add_threads_option(*command, run.threads);
   CLI::Option* output = command->add_option(
@@ -267,7 +253,7 @@ void add_grains(CLI::App& app, int& exit_code) {
                            "--particles", "--particle-radius", "--edges", "--step", "--seed"})
     resume->excludes(command->get_option(name));
   command->callback([command, options, &exit_code] {
-    read(*options, command->count("--largest-angle") > 0);
+    complete(*options, command->count("--largest-angle") > 0);
     exit_code = execute(*options);
   });
 }

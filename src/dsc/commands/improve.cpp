@@ -11,9 +11,9 @@
 #include "input/unused.h"
 #include "motions/tracked_complex_3.h"
 #include "output/report_json.h"
+#include "programs/add_value.h"
 #include "programs/errors.h"
 #include "programs/interrupt.h"
-#include "programs/option_values.h"
 #include "programs/threads_option.h"
 
 #include <CLI/CLI.hpp>
@@ -33,17 +33,15 @@ struct Improve_options
   std::string output; ///< may equal the input
   std::string labels; ///< as in `Run_start`
   Improvement_options improvement;
-  std::string threshold; ///< as written
-  std::string report;    ///< file; empty for none
+  std::string report; ///< file; empty for none
   bool quiet = false;
 };
 
 Json parameters_json(const Improve_options& options) {
-  return {
-      {"command", "improve"},
-      {"output", options.output},
-      {"aggressive", options.improvement.aggressive},
-      {"threshold", options.improvement.threshold ? Json(*options.improvement.threshold) : Json()}};
+  return {{"command", "improve"},
+          {"output", options.output},
+          {"aggressive", options.improvement.aggressive},
+          {"threshold", value_or_null(options.improvement.threshold)}};
 }
 
 /// `worst` is the least quality by the measure that is improved.
@@ -117,13 +115,11 @@ int execute(const Improve_options& options) {
   return 0;
 }
 
-void read(const CLI::App& command, Improve_options& options) {
+void check(const Improve_options& options) {
   if (!is_foreign(options.input))
     require_extension(options.input, {"mesh", "vtu"});
   require_extension(options.output, {"mesh", "vtu"});
   require_file_with_arrays(options.input, options.labels);
-  if (command.count("--threshold") > 0)
-    options.improvement.threshold = parse_threshold(options.threshold);
 }
 
 } // namespace
@@ -139,15 +135,17 @@ void add_improve(CLI::App& app, int& exit_code) {
   add_threads_option(*command, options->improvement.threads);
   command->add_flag("--aggressive", options->improvement.aggressive,
                     "Use more operations: minutes instead of seconds, and better tetrahedra");
-  command->add_option(
-      "--threshold", options->threshold,
-      "Optimize only tetrahedra of lower quality. The quality is the least sine of a "
-      "dihedral angle relative to the regular tetrahedron; sines of obtuse angles "
-      "are multiplied by 0.7 (default: 0.25, with --aggressive 0.46)");
+  constexpr Number_range above_0_to_1 = {
+      "0.4", [](double x) { return 0 < x && x <= 1; },
+      " is out of range; choose a number greater than 0 and at most 1"};
+  add_value(*command, "--threshold", options->improvement.threshold, above_0_to_1,
+            "Optimize only tetrahedra of lower quality. The quality is the least sine of a "
+            "dihedral angle relative to the regular tetrahedron; sines of obtuse angles "
+            "are multiplied by 0.7 (default: 0.25, with --aggressive 0.46)");
   command->add_option("--report", options->report, "JSON file with the state before and after");
   command->add_flag("--quiet", options->quiet, "Print only errors");
-  command->callback([command, options, &exit_code] {
-    read(*command, *options);
+  command->callback([options, &exit_code] {
+    check(*options);
     exit_code = execute(*options);
   });
 }

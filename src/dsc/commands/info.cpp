@@ -129,8 +129,7 @@ void add_info(CLI::App& app, int& exit_code) {
           "program (.vtk, .vtp, .vti, .msh, .nii, .mha, .nrrd, .tif)")
       ->required();
   add_labels_option(*command, options->labels);
-  command->add_option("--threshold", options->thresholds,
-                      "Labels of a gray image: thresholds like 100 or 80,160, or otsu, or otsu:2");
+  add_threshold_option(*command, options->thresholds);
   command->callback([options, &exit_code] {
     check(*options);
     exit_code = execute(*options);

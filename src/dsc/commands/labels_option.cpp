@@ -17,6 +17,11 @@ CLI::Option* add_labels_option(CLI::App& command, std::string& labels) {
       "(default: label, medit:ref, gmsh:physical or MaterialIDs)");
 }
 
+void add_threshold_option(CLI::App& command, std::string& thresholds) {
+  command.add_option("--threshold", thresholds,
+                     "Labels of a gray image: thresholds like 100 or 80,160, or otsu, or otsu:2");
+}
+
 void require_file_with_arrays(const std::string& path, const std::string& labels) {
   const std::string file = with_user_names(path);
   if (!labels.empty() && extension(file) != "vtu" && !is_foreign(file))

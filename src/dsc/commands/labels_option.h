@@ -14,6 +14,9 @@ namespace dsc {
 /// Adds the option for the array of a .vtu file that contains the labels.
 CLI::Option* add_labels_option(CLI::App& command, std::string& labels);
 
+/// Adds the option for the labels of a gray image.
+void add_threshold_option(CLI::App& command, std::string& thresholds);
+
 /// Checks that `--labels` is given only for files with arrays.
 /// \throws Usage_error
 void require_file_with_arrays(const std::string& path, const std::string& labels);

@@ -11,9 +11,9 @@
 #include "output/progress_line.h"
 #include "output/report_json.h"
 #include "output/step_folder.h"
+#include "programs/add_value.h"
 #include "programs/errors.h"
 #include "programs/interrupt.h"
-#include "programs/option_values.h"
 #include "programs/threads_option.h"
 
 #include <CGAL/Interface_remeshing/extract_interface_3.h>
@@ -43,12 +43,11 @@ namespace {
 
 struct Reconstruct_options
 {
-  std::string input;                      ///< point file
-  std::string output;                     ///< file of a surface or of tetrahedra
-  std::string written_tolerance = "0.03"; ///< as written
-  double tolerance = 0;                   ///< in units of the point spacing
-  bool keeps_open = false;                ///< writes the sampled sheet, not the closed surface
-  unsigned steps = 80;                    ///< maximum number
+  std::string input;       ///< point file
+  std::string output;      ///< file of a surface or of tetrahedra
+  double tolerance = .03;  ///< in units of the point spacing
+  bool keeps_open = false; ///< writes the sampled sheet, not the closed surface
+  unsigned steps = 80;     ///< maximum number
   unsigned threads = default_number_of_threads();
   std::string folder;  ///< output folder of the steps; empty for none
   std::string report;  ///< file; empty for none
@@ -249,7 +248,7 @@ int execute(const Reconstruct_options& options) {
   return 0;
 }
 
-void read(Reconstruct_options& options) {
+void check(const Reconstruct_options& options) {
   if (!is_foreign(options.input))
     require_extension(options.input, {"xyz", "pwn", "ply", "off"});
   require_extension(options.output, {"off", "obj", "ply", "stl", "vtu", "mesh"});
@@ -260,7 +259,6 @@ void read(Reconstruct_options& options) {
     if (!options.picture.empty())
       throw Usage_error("--picture draws only closed surfaces; leave out --picture or --open");
   }
-  options.tolerance = parse_positive(options.written_tolerance, "--tolerance");
 }
 
 } // namespace
@@ -276,11 +274,10 @@ void add_reconstruct(CLI::App& app, int& exit_code) {
       ->add_option("-o", options->output,
                    "Surface (.off, .obj, .ply, .stl) or tetrahedra (.vtu, .mesh)")
       ->required();
-  command
-      ->add_option("--tolerance", options->written_tolerance,
-                   "Tolerance of triangles to their points, in mean distances of a point from its "
-                   "neighbors")
-      ->capture_default_str();
+  add_value(*command, "--tolerance", options->tolerance, positive,
+            "Tolerance of triangles to their points, in mean distances of a point from its "
+            "neighbors")
+      ->default_str("0.03");
   command->add_flag("--open", options->keeps_open,
                     "Accept points of an open sheet; write only the triangles with points");
   command->add_option("--steps", options->steps, "Maximum number of steps")
@@ -295,7 +292,7 @@ void add_reconstruct(CLI::App& app, int& exit_code) {
   command->add_option("--picture", options->picture, "Picture of the surface (.png)");
   command->add_flag("--quiet", options->quiet, "Print only errors");
   command->callback([options, &exit_code] {
-    read(*options);
+    check(*options);
     exit_code = execute(*options);
   });
 }

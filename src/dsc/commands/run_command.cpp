@@ -7,21 +7,39 @@
 #include "input/Inputs.h"
 #include "input/unused.h"
 #include "motions/continue_steps.h"
-#include "programs/option_values.h"
+#include "motions/motion_list.h"
+#include "programs/add_value.h"
+#include "programs/threads_option.h"
 
 #include <climits>
+#include <memory>
+#include <string>
 
 namespace dsc {
+namespace {
 
-void add_improvement_options(CLI::App& command, Interface_improvement_options& options) {
+/// A command that moves an interface, as written.
+struct Run_command
+{
+  Run_options run;
+  std::string domain;
+  Default_start start; ///< without start options
+  Start_check* check;  ///< may be null
+};
+
+void add_step_options(CLI::App& command, Step_options& step) {
   CLI::Option* improves =
-      command.add_flag("--improve-interface", options.improves_interface,
+      command.add_flag("--improve-interface", step.improves_interface,
                        "Optimize the triangles of the interface before each step");
-  command
-      .add_option(
-          "--aggressiveness", options.aggressiveness,
-          "Amount of smoothing by --improve-interface, from 0 to less than 1 (default: 0.025)")
+  constexpr Number_range at_least_0_below_1 = {
+      "0.025", [](double x) { return 0 <= x && x < 1; },
+      " is out of range; choose a number from 0 to less than 1"};
+  add_value(command, "--aggressiveness", step.aggressiveness, at_least_0_below_1,
+            "Amount of smoothing by --improve-interface, from 0 to less than 1 (default: 0.025)")
       ->needs(improves);
+  add_value(command, "--largest-displacement", step.largest_displacement, not_negative("0.5"),
+            "Divide steps in which a vertex moves farther than this number of edges relative to "
+            "its neighbors (default: 0.5); 0 turns off the division");
 }
 
 void add_output_options(CLI::App& command, Output_options& options) {
@@ -47,63 +65,66 @@ void add_output_options(CLI::App& command, Output_options& options) {
                    "Print only errors and the checkpoint of an interrupted run");
 }
 
-CLI::App* add_run_command(CLI::App& app, const Inputs& inputs, const std::string& name,
-                          const std::string& description, Run_command_options& options) {
-  options.inputs = &inputs;
-  CLI::App* command = app.add_subcommand(name, description);
-  CLI::Option* paths = add_inputs(*command, options.start);
-  CLI::Option* resume = command->add_option("--resume", options.resume,
-                                            "Continue the run of a checkpoint instead of reading "
-                                            "an INPUT; options of the steps that are not given "
-                                            "keep their values");
+/// Adds the options of all commands that move an interface.
+void add_common_options(CLI::App& command, Run_command& options) {
+  Run_options& run = options.run;
+  CLI::Option* paths = add_inputs(command, run.start);
+  CLI::Option* resume = command.add_option("--resume", run.resume,
+                                           "Continue the run of a checkpoint instead of reading "
+                                           "an INPUT; options of the steps that are not given "
+                                           "keep their values");
   resume->excludes(paths);
-  command->add_option("--steps", options.steps, "Number of steps of this run")
+  command.add_option("--steps", run.steps, "Number of steps of this run")
       ->check(CLI::Range(1, INT_MAX))
       ->capture_default_str();
-  add_start_options(*command, options.start, resume);
-  add_improvement_options(*command, options.improvement);
-  command->add_option(
-      "--largest-displacement", options.largest_displacement,
-      "Divide steps in which a vertex moves farther than this number of edges relative to its "
-      "neighbors (default: 0.5); 0 turns off the division");
-  add_threads_option(*command, options.threads);
-  add_output_options(*command, options.output);
-  return command;
+  add_start_options(command, run.start, options.domain, resume);
+  add_step_options(command, run.step);
+  run.threads = default_number_of_threads();
+  add_threads_option(command, run.threads);
+  add_output_options(command, run.output);
 }
 
-Run_options begin_run_options(const CLI::App& command, const Run_command_options& options) {
-  Run_options run;
-  run.inputs = options.inputs;
-  run.step.improves_interface = options.improvement.improves_interface;
+/// Returns the options of a run after checking them.
+/// \throws Usage_error
+Run_options checked(const CLI::App& command, const Run_command& options) {
+  Run_options run = options.run;
   for (const CLI::Option* option : command.get_options())
     if (option->count() > 0)
       run.given.insert(option->get_name());
-  run.start = options.start.start;
-  if (options.output.quiet)
+  if (run.output.quiet)
     keep_silent_about_unused();
   for (std::string& input : run.start.inputs)
     input = run.inputs->native(input, run.start.labels, run.start.thresholds);
-  run.resume = options.resume;
-  run.steps = options.steps;
-  run.threads = options.threads;
-  run.output = options.output;
-  return run;
-}
-
-void complete_run_options(const Run_command_options& options, const Default_start& defaults,
-                          const Start_check& check, Run_options& run) {
-  const bool is_planar = set_default_figure(run, defaults);
-  read_domain(options.start, is_planar, run);
-  if (run.given.count("--aggressiveness") > 0)
-    run.step.aggressiveness = parse_aggressiveness(options.improvement.aggressiveness);
-  if (run.given.count("--largest-displacement") > 0)
-    run.step.largest_displacement =
-        parse_not_negative(options.largest_displacement, "--largest-displacement", "0.5");
   if (run.resume.empty()) {
     require_options(run.step.motion, run.given);
     require_effect_of_options(run.step, run.given);
   }
-  complete_start(options.start, defaults, is_planar, check, run);
+  complete_start(options.domain, options.start, options.check, run);
+  return run;
+}
+
+} // namespace
+
+void add_run_command(CLI::App& app, const Inputs& inputs, const char* description,
+                     const Motion& motion, const Default_start& start, Start_check* check,
+                     int& exit_code) {
+  const auto options = std::make_shared<Run_command>();
+  options->run.inputs = &inputs;
+  options->run.step.motion = motion;
+  options->start = start;
+  options->check = check;
+  CLI::App* command = app.add_subcommand(command_of(motion), description);
+  add_common_options(*command, *options);
+  if (start.ball && start.domain_in_plane)
+    command->add_flag_callback(
+        "--plane", [options = options.get()] { options->start.figure = Figure::disk; },
+        "Deform a disk in the unit square; not with an INPUT");
+  add_options(*command, options->run.step.motion);
+  if (start.ball)
+    command->add_flag("--fit", options->start.fits_inputs,
+                      "Scale and translate the surfaces into the ball");
+  command->callback(
+      [command, options, &exit_code] { exit_code = run(checked(*command, *options)); });
 }
 
 } // namespace dsc

@@ -11,9 +11,9 @@
 #include "motions/tracked_complex_3.h"
 #include "output/picture.h"
 #include "output/report_json.h"
+#include "programs/add_value.h"
 #include "programs/errors.h"
 #include "programs/interrupt.h"
-#include "programs/option_values.h"
 #include "programs/threads_option.h"
 
 #include <CGAL/Complex_construction/sample_labels.h>
@@ -45,10 +45,10 @@ struct Segment_options
 {
   std::string input, mask, start;
   std::vector<std::string> outputs;
-  std::string mesh, report, picture;         ///< files; empty for none
-  unsigned phases = 0;                       ///< 0 if not given
-  std::string intensities, noise, smoothing; ///< as written; empty if not given
-  std::string longest_edge, shortest_edge;   ///< as written; empty if not given
+  std::string mesh, report, picture; ///< files; empty for none
+  unsigned phases = 0;               ///< 0 if not given
+  std::vector<double> intensities;
+  std::optional<double> noise, smoothing, longest_edge, shortest_edge;
   std::vector<int> connected;
   bool keeps_topology = false, has_channels = false, quiet = false;
   unsigned threads = default_number_of_threads();
@@ -65,19 +65,16 @@ DSC::Segmentation_options<d> options_of(const Segment_options& options, std::siz
   if (!options.intensities.empty()) {
     if (channels != 1)
       throw Usage_error("--intensities applies to an image with one channel; use --phases");
-    for (const double x : parse_list(options.intensities, "--intensities"))
+    for (const double x : options.intensities)
       result.intensities.push_back({x});
     if (options.phases > 0 && options.phases != result.intensities.size())
       throw Usage_error("--phases and the number of --intensities differ; leave out --phases");
   }
-  if (!options.noise.empty())
-    result.noise.assign(channels, parse_positive(options.noise, "--noise"));
-  if (!options.smoothing.empty())
-    result.smoothing = parse_positive(options.smoothing, "--smoothing");
-  if (!options.longest_edge.empty())
-    result.longest_edge = parse_positive(options.longest_edge, "--longest-edge");
-  if (!options.shortest_edge.empty())
-    result.shortest_edge = parse_positive(options.shortest_edge, "--shortest-edge");
+  if (options.noise)
+    result.noise.assign(channels, *options.noise);
+  result.smoothing = options.smoothing;
+  result.longest_edge = options.longest_edge.value_or(result.longest_edge);
+  result.shortest_edge = options.shortest_edge.value_or(result.shortest_edge);
   result.keeps_topology = options.keeps_topology;
   result.connected = options.connected;
   result.number_of_threads = options.threads;
@@ -347,19 +344,19 @@ void add_segment(CLI::App& app, int& exit_code) {
       ->take_all();
   command->add_option("--phases", options->phases, "Number of phases (default: 2)")
       ->check(CLI::Range(2u, 64u));
-  command->add_option("--intensities", options->intensities,
-                      "Intensities of the phases, like 20,90,200, instead of --phases");
-  command->add_option("--smoothing", options->smoothing,
-                      "Energy of boundaries, in squares of the noise and sides of pixels (default: "
-                      "by the smallest contrast)");
-  command->add_option("--noise", options->noise,
-                      "Standard deviation of the noise (default: estimated)");
+  add_value(*command, "--intensities", options->intensities, parse_list,
+            "Intensities of the phases, like 20,90,200, instead of --phases");
+  add_value(*command, "--smoothing", options->smoothing, positive,
+            "Energy of boundaries, in squares of the noise and sides of pixels (default: "
+            "by the smallest contrast)");
+  add_value(*command, "--noise", options->noise, positive,
+            "Standard deviation of the noise (default: estimated)");
   command->add_option("--mask", options->mask, "Mask image; pixels with the value 0 are ignored");
   command->add_flag("--color", options->has_channels, "Use the channels of a color image");
-  command->add_option("--longest-edge", options->longest_edge,
-                      "Edges at the beginning, in pixels (default: 5, in space 10)");
-  command->add_option("--shortest-edge", options->shortest_edge,
-                      "Edges of boundaries at the end, in pixels (default: 2.5, in space 3)");
+  add_value(*command, "--longest-edge", options->longest_edge, positive,
+            "Edges at the beginning, in pixels (default: 5, in space 10)");
+  add_value(*command, "--shortest-edge", options->shortest_edge, positive,
+            "Edges of boundaries at the end, in pixels (default: 2.5, in space 3)");
   command->add_option("--start", options->start,
                       "Complex (.dsc) to begin with; its labels are indices of phases");
   command->add_flag("--keep-topology", options->keeps_topology,

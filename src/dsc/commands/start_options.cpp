@@ -7,8 +7,8 @@
 #include "commands/labels_option.h"
 #include "input/files.h"
 #include "input/inequalities.h"
+#include "programs/add_value.h"
 #include "programs/errors.h"
-#include "programs/option_values.h"
 
 #include <climits>
 
@@ -85,12 +85,15 @@ void require_kind(const Run_options& run, const Default_start& defaults, bool is
                       "labels; give a single INPUT");
 }
 
-void set_default_start(const Default_start& defaults, bool is_planar, Run_options& run) {
-  if (run.resume.empty() && !is_planar && defaults.ball &&
-      (defaults.fits_inputs || run.start.inputs.empty()))
-    run.start.ball = defaults.ball;
-  if (run.resume.empty() && !run.domain)
-    run.domain = is_planar ? defaults.domain_in_plane : defaults.domain_in_space;
+void read_domain(std::string text, bool is_planar, Run_options& run) {
+  run.step.grows_domain = take_growth(text);
+  if (!text.empty() || !run.step.grows_domain)
+    run.domain = parse_domain(text, is_planar ? 2 : 3);
+}
+
+/// Returns whether a motion keeps the shape of the interface.
+bool is_rigid(const Motion& motion) {
+  return std::holds_alternative<Rotation>(motion) || std::holds_alternative<Zalesak>(motion);
 }
 
 } // namespace
@@ -102,9 +105,9 @@ void require_space(const Run_options& run, bool is_planar,
       throw Usage_error(std::string(name) + " applies only in space; leave it out");
 }
 
-CLI::Option* add_inputs(CLI::App& command, Start_options& options) {
+CLI::Option* add_inputs(CLI::App& command, Run_start& start) {
   return command.add_option(
-      "INPUT", options.start.inputs,
+      "INPUT", start.inputs,
       "Closed surfaces (.off, .obj, .ply, .stl), inequalities like 'x^2+y^2+z^2<1' or, in the "
       "plane, polygons (.wkt), which get the labels 1, 2, ...; or labeled tetrahedra (.mesh, "
       ".vtu) or a labeled image (.inr, .inr.gz); in the plane, a labeled image (.pgm, .png) or "
@@ -112,108 +115,85 @@ CLI::Option* add_inputs(CLI::App& command, Start_options& options) {
       ".msh, .nii, .nii.gz, .mha, .mhd, .nrrd, .tif");
 }
 
-void add_start_options(CLI::App& command, Start_options& options, CLI::Option* resume) {
+void add_start_options(CLI::App& command, Run_start& start, std::string& domain,
+                       CLI::Option* resume) {
   command
-      .add_option("--triangles", options.start.triangles,
+      .add_option("--triangles", start.triangles,
                   "Simplify or refine the surfaces to about this number of triangles in total")
       ->check(CLI::Range(4, INT_MAX))
       ->excludes(resume);
   command
-      .add_option("--segments", options.start.segments,
+      .add_option("--segments", start.segments,
                   "Divide planar curves into at least about this number of segments in total")
       ->check(CLI::Range(4, INT_MAX))
       ->excludes(resume);
   command
       .add_option(
-          "--domain", options.domain,
+          "--domain", domain,
           "Box of the complex: minimum and maximum coordinates like -1,-1,-1,1,1,1, in the plane "
           "-1,-1,1,1. A final ,grow, or grow alone for the default box, enlarges the box when the "
           "interface comes near its boundary")
       ->excludes(resume);
-  command
-      .add_option(
-          "--edge", options.edge,
-          "Target length of interface edges for inequalities and images (default: 1/40 of the "
-          "longest side of the domain; 2.5 voxels or pixels)")
+  add_value(command, "--edge", start.edge, positive,
+            "Target length of interface edges for inequalities and images (default: 1/40 of the "
+            "longest side of the domain; 2.5 voxels or pixels)")
+      ->excludes(resume);
+  add_value(command, "--edge-per-thickness", start.thin_parts.edge_per_thickness, not_negative("3"),
+            "Split interface edges that are longer than this number of thicknesses of the part or "
+            "the gap at them (default: 3; 0, which turns this off, with --triangles and for "
+            "rotations)")
       ->excludes(resume);
   command
       .add_option(
-          "--edge-per-thickness", options.edge_per_thickness,
-          "Split interface edges that are longer than this number of thicknesses of the part or "
-          "the gap at them (default: 3; 0, which turns this off, with --triangles and for "
-          "rotations)")
-      ->excludes(resume);
-  command
-      .add_option(
-          "--most-new-facets", options.start.thin_parts.most_new_facets,
+          "--most-new-facets", start.thin_parts.most_new_facets,
           "Largest number of interface triangles, in the plane segments, that thin parts add")
       ->excludes(resume)
       ->capture_default_str();
-  add_labels_option(command, options.start.labels)->excludes(resume);
+  add_labels_option(command, start.labels)->excludes(resume);
   command
-      .add_option("--threshold", options.start.thresholds,
+      .add_option("--threshold", start.thresholds,
                   "Labels of a gray image: the number of thresholds that a value reaches, like "
                   "100 or 80,160; otsu or otsu:2 chooses one threshold or two")
       ->excludes(resume);
   CLI::Option* repairs =
       command
           .add_flag(
-              "--repair", options.start.repairs,
+              "--repair", start.repairs,
               "Repair surfaces that do not bound a solid: merge points, close T-junctions, fill "
               "holes, unite intersecting components or, if necessary, wrap the surface")
           ->excludes(resume);
-  command
-      .add_option(
-          "--largest-hole", options.largest_hole,
-          "Fill holes whose boundary is at most this long, like 2.5; 20e means 20 mean edges of "
-          "the surface (default: 1.6 diagonals of the bounding box of the component)")
+  add_value(command, "--largest-hole", start.largest_hole, Length_range{positive},
+            "Fill holes whose boundary is at most this long, like 2.5; 20e means 20 mean edges of "
+            "the surface (default: 1.6 diagonals of the bounding box of the component)")
       ->needs(repairs)
       ->excludes(resume);
 }
 
-bool set_default_figure(Run_options& run, const Default_start& defaults) {
-  const bool is_new = run.resume.empty();
-  if (is_new && run.start.inputs.empty())
+void complete_start(const std::string& domain, const Default_start& defaults, Start_check* check,
+                    Run_options& run) {
+  const bool is_new = run.resume.empty(), has_input = !run.start.inputs.empty();
+  if (is_new && !has_input)
     run.start.figure = defaults.figure;
-  return is_new && dimension_of(run.start) == 2;
-}
-
-void read_domain(const Start_options& options, bool is_planar, Run_options& run) {
-  if (run.given.count("--domain") == 0)
-    return;
-  std::string domain = options.domain;
-  run.step.grows_domain = take_growth(domain);
-  if (!domain.empty() || !run.step.grows_domain)
-    run.domain = parse_domain(domain, is_planar ? 2 : 3);
-}
-
-/// Returns whether a motion keeps the shape of the interface.
-bool is_rigid(const Motion& motion) {
-  return std::holds_alternative<Rotation>(motion) || std::holds_alternative<Zalesak>(motion);
-}
-
-void complete_start(const Start_options& options, const Default_start& defaults, bool is_planar,
-                    const Start_check& check, Run_options& run) {
+  const bool is_planar = is_new && dimension_of(run.start) == 2;
+  if (run.given.count("--domain") > 0)
+    read_domain(domain, is_planar, run);
   require_inputs(run, defaults, is_planar);
-  if (check)
+  if (check != nullptr)
     check(run, is_planar);
-  if (run.resume.empty()) {
-    require_dimension(run, is_planar);
-    require_kind(run, defaults, is_planar);
-  }
-  if (run.given.count("--largest-hole") > 0)
-    run.start.largest_hole = parse_length(options.largest_hole, "--largest-hole");
-  if (run.given.count("--edge") > 0)
-    run.start.edge = parse_positive(options.edge, "--edge");
   double& edge_per_thickness = run.start.thin_parts.edge_per_thickness;
-  if (run.given.count("--edge-per-thickness") > 0)
-    edge_per_thickness =
-        parse_not_negative(options.edge_per_thickness, "--edge-per-thickness", "3");
-  else if (run.given.count("--triangles") > 0 || is_rigid(run.step.motion))
+  if (run.given.count("--edge-per-thickness") == 0 &&
+      (run.given.count("--triangles") > 0 || is_rigid(run.step.motion)))
     edge_per_thickness = 0; // the triangles of the input or those that are asked for
   if (edge_per_thickness > 0 && edge_per_thickness < 1)
     throw Usage_error("--edge-per-thickness is less than 1; choose 1 or more, or 0");
-  set_default_start(defaults, is_planar, run);
+  if (!is_new)
+    return;
+  require_dimension(run, is_planar);
+  require_kind(run, defaults, is_planar);
+  if (!is_planar && (defaults.fits_inputs || !has_input))
+    run.start.ball = defaults.ball;
+  if (!run.domain)
+    run.domain = is_planar ? defaults.domain_in_plane : defaults.domain_in_space;
 }
 
 } // namespace dsc

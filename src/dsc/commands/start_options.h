@@ -10,19 +10,11 @@
 #include <CLI/CLI.hpp>
 
 #include <array>
-#include <functional>
 #include <initializer_list>
 #include <optional>
 #include <string>
 
 namespace dsc {
-
-/// The options for the start of a run.
-struct Start_options
-{
-  Run_start start;
-  std::string domain, edge, edge_per_thickness, largest_hole; ///< as written
-};
 
 /// The start of a command without start options.
 struct Default_start
@@ -34,30 +26,26 @@ struct Default_start
 };
 
 /// A function that throws Usage_error if a command cannot start from its options.
-using Start_check = std::function<void(const Run_options& options, bool is_planar)>;
+using Start_check = void(const Run_options& options, bool is_planar);
 
 /// Throws Usage_error if options that need a surface are given for a run in the plane.
 void require_space(const Run_options& run, bool is_planar,
                    std::initializer_list<const char*> options);
 
 /// Adds the positional option for the inputs.
-CLI::Option* add_inputs(CLI::App& command, Start_options& options);
+CLI::Option* add_inputs(CLI::App& command, Run_start& start);
 
 /// Adds the options of a new run. The option `resume` excludes them.
-void add_start_options(CLI::App& command, Start_options& options, CLI::Option* resume);
+/// \param domain receives the option `--domain` as written
+void add_start_options(CLI::App& command, Run_start& start, std::string& domain,
+                       CLI::Option* resume);
 
-/// Sets the default figure. Returns whether a new run starts in the plane.
-bool set_default_figure(Run_options& run, const Default_start& defaults);
-
-/// Reads the option `--domain`.
+/// Checks the start of a run, reads its domain, and sets the defaults.
+/// \param domain the option `--domain` as written
+/// \param check checks the conditions of the command; may be null
 /// \throws Usage_error
-void read_domain(const Start_options& options, bool is_planar, Run_options& run);
-
-/// Checks the start of a run, reads the remaining options, and sets the defaults.
-/// \param check checks the conditions of the command
-/// \throws Usage_error
-void complete_start(const Start_options& options, const Default_start& defaults, bool is_planar,
-                    const Start_check& check, Run_options& run);
+void complete_start(const std::string& domain, const Default_start& defaults, Start_check* check,
+                    Run_options& run);
 
 } // namespace dsc
 

@@ -36,43 +36,51 @@ void require_sound_surfaces(const Run_start& start) {
     leave(repairs_of_surfaces);
 }
 
+class Surface_inputs : public Inputs
+{
+public:
+  void require_all() const override { leave("the readers of other files"); }
+
+  std::string native(const std::string& path, const std::string&,
+                     const std::string& thresholds) const override {
+    const std::string format = extension(path);
+    if (!thresholds.empty() || is_foreign(path) || format == "vtu" || format == "png")
+      leave("the readers of files of other programs");
+    return path;
+  }
+
+  std::unique_ptr<Tracked_complex> start(const Run_options& options, Repairs&) const override {
+    require_sound_surfaces(options.start);
+    return track_in_space(options);
+  }
+
+  std::unique_ptr<Tracked_complex> resume(const std::string& path,
+                                          std::string& metadata) const override {
+    if (checkpoint_dimension(path) == 2)
+      leave(plane);
+    return track_checkpoint_3(path, metadata);
+  }
+
+  Start_distance distance_from(const Run_start& start) const override {
+    require_sound_surfaces(start);
+    return Start_distance(start_surfaces(start));
+  }
+
+  void convert(const std::string&, const std::string&, const std::string&,
+               const std::string&) const override {
+    leave("conversions of files");
+  }
+
+  void convert_to_image(const std::string&, const std::string&, const std::string&) const override {
+    leave("conversions to images");
+  }
+};
+
 } // namespace
 
-void Surface_inputs::require_all() const { leave("the readers of other files"); }
-
-std::string Surface_inputs::native(const std::string& path, const std::string&,
-                                   const std::string& thresholds) const {
-  const std::string format = extension(path);
-  if (!thresholds.empty() || is_foreign(path) || format == "vtu" || format == "png")
-    leave("the readers of files of other programs");
-  return path;
-}
-
-std::unique_ptr<Tracked_complex> Surface_inputs::start(const Run_options& options, Repairs&) const {
-  require_sound_surfaces(options.start);
-  return track_in_space(options);
-}
-
-std::unique_ptr<Tracked_complex> Surface_inputs::resume(const std::string& path,
-                                                        std::string& metadata) const {
-  if (checkpoint_dimension(path) == 2)
-    leave(plane);
-  return track_checkpoint_3(path, metadata);
-}
-
-Start_distance Surface_inputs::distance_from(const Run_start& start) const {
-  require_sound_surfaces(start);
-  return Start_distance(start_surfaces(start));
-}
-
-void Surface_inputs::convert(const std::string&, const std::string&, const std::string&,
-                             const std::string&) const {
-  leave("conversions of files");
-}
-
-void Surface_inputs::convert_to_image(const std::string&, const std::string&,
-                                      const std::string&) const {
-  leave("conversions to images");
+const Inputs& surface_inputs() {
+  static const Surface_inputs inputs;
+  return inputs;
 }
 
 } // namespace dsc

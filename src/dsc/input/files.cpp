@@ -48,6 +48,14 @@ void require_writable(const std::string& path) {
   fs::remove(probe, error);
 }
 
+void create_folder(const std::string& path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error || !fs::is_directory(path, error))
+    throw Input_error("cannot create the folder '" + path +
+                      "'; check that no file has this name and that the parent folder is writable");
+}
+
 bool is_same_file(const std::string& a, const std::string& b) {
   std::error_code error;
   return canonical(a) == canonical(b) || fs::equivalent(a, b, error);

@@ -18,6 +18,10 @@ std::string extension(const std::string& path);
 /// \throws Input_error if a regular file cannot be created at `path`
 void require_writable(const std::string& path);
 
+/// Creates a folder if necessary.
+/// \throws Input_error if it cannot be created
+void create_folder(const std::string& path);
+
 /// Returns whether two paths name the same file, which need not exist.
 bool is_same_file(const std::string& a, const std::string& b);
 

@@ -194,17 +194,10 @@ private:
   std::map<std::string, std::string> m_values;
 };
 
-/// Checks whether an image of voxels (.inr, .inr.gz) can be read, and prints its unused contents.
-/// \param most_channels largest number of values of a voxel
-/// \throws Input_error with the cause if the image cannot be read
-void check_image(const std::string& path, std::size_t most_channels) {
-  Inr_file(path).check(most_channels);
-}
-
 } // namespace
 
 CGAL::Image_3 read_inr(const std::string& path, std::size_t most_channels) {
-  check_image(path, most_channels);
+  Inr_file(path).check(most_channels); // and prints its unused contents
   CGAL::Image_3 image;
   if (!image.read(path))
     throw Input_error("cannot read '" + path + "' as a voxel image; check its format");

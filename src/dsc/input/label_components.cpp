@@ -7,10 +7,10 @@
 #include "programs/errors.h"
 
 #include <CGAL/Mesh_support/Progress_scope.h>
+#include <CGAL/Mesh_support/internal/sets/Disjoint_sets.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -19,43 +19,6 @@ namespace dsc {
 namespace {
 
 using Counts = std::array<std::size_t, 3>;
-
-/// Disjoint sets with labels.
-class Labeled_sets
-{
-public:
-  std::uint32_t add(int label) {
-    m_parents.push_back(std::uint32_t(m_parents.size()));
-    m_labels.push_back(label);
-    return m_parents.back();
-  }
-
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = root(a);
-    b = root(b);
-    m_parents[std::max(a, b)] = std::min(a, b);
-  }
-
-  std::map<int, std::size_t> numbers() const {
-    std::map<int, std::size_t> result;
-    for (std::size_t i = 0; i < m_parents.size(); ++i)
-      if (m_parents[i] == i)
-        ++result[m_labels[i]];
-    return result;
-  }
-
-private:
-  std::uint32_t root(std::uint32_t a) {
-    while (m_parents[a] != a) {
-      m_parents[a] = m_parents[m_parents[a]];
-      a = m_parents[a];
-    }
-    return a;
-  }
-
-  std::vector<std::uint32_t> m_parents;
-  std::vector<int> m_labels;
-};
 
 /// Connects the samples of a grid, which are added in the order of their positions. Only two layers
 /// are stored.
@@ -81,18 +44,27 @@ public:
       connect(sample, m_layer, i, j - 1, 1, 0);
     if (i > 0)
       connect(sample, m_layer, i - 1, j, 0, 0);
-    if (sample.set == none)
-      sample.set = m_sets.add(label);
+    if (sample.set == none) {
+      sample.set = m_sets.add();
+      m_labels.push_back(label);
+    }
   }
 
-  std::map<int, std::size_t> numbers() const { return m_sets.numbers(); }
+  /// Returns the number of connected components of each label.
+  std::map<int, std::size_t> numbers() {
+    std::map<int, std::size_t> result;
+    for (std::size_t i = 0; i < m_labels.size(); ++i)
+      if (m_sets.find(i) == i)
+        ++result[m_labels[i]];
+    return result;
+  }
 
 private:
-  static constexpr std::uint32_t none = -1;
+  static constexpr std::size_t none = -1;
   struct Sample
   {
     int label;
-    std::uint32_t set;
+    std::size_t set;
   };
 
   /// Connects a sample to the sample of a layer at (i, j) and, if corners count, to the samples
@@ -116,7 +88,8 @@ private:
   std::size_t m_nx, m_ny;
   bool m_with_corners, m_has_before = false, m_has_layer = false;
   std::vector<Sample> m_before, m_layer;
-  Labeled_sets m_sets;
+  CGAL::Deformable_simplicial_complexes::Disjoint_sets m_sets; // of samples
+  std::vector<int> m_labels;                                   // of the elements of the sets
 };
 
 /// Returns the numbers of samples along the axes for a spacing, all odd or all even. Odd numbers of

@@ -124,19 +124,14 @@ std::unique_ptr<Tracked_complex> track_repaired_surfaces(const Run_options& opti
   const std::vector<std::string>& names = options.start.inputs;
   std::vector<Surface> surfaces = start_surfaces(
       options.start, read_and_repair(options.start, &repairs), most_triangles_to_fill);
-  try {
-    return track_surfaces(surfaces, names, options);
-  } catch (const Tetrahedralization_error& error) {
-    if (is_out_of_memory(error))
-      throw;
-  }
-  try {
-    if (merge_near_vertices(surfaces, names, repairs))
-      return track_surfaces(surfaces, names, options);
-  } catch (const Tetrahedralization_error& error) {
-    if (is_out_of_memory(error))
-      throw;
-  }
+  for (const bool merges : {false, true})
+    try {
+      if (!merges || merge_near_vertices(surfaces, names, repairs))
+        return track_surfaces(surfaces, names, options);
+    } catch (const Tetrahedralization_error& error) {
+      if (is_out_of_memory(error))
+        throw;
+    }
   wrap(surfaces, names, repairs);
   return track_surfaces(surfaces, names, options);
 }

@@ -29,10 +29,6 @@ namespace {
 using Complex = Tracked_complex_3::Complex;
 using CGAL::Deformable_simplicial_complexes::Tetrahedralization_error;
 
-std::unique_ptr<Tracked_complex> track(Complex&& complex) {
-  return std::make_unique<Tracked_complex_3>(std::move(complex));
-}
-
 std::unique_ptr<Tracked_complex> track_inequalities(const Run_start& start,
                                                     const std::array<double, 6>& d) {
   const Inequalities inequalities(start.inputs);
@@ -55,7 +51,7 @@ std::unique_ptr<Tracked_complex> track_inequalities(const Run_start& start,
   const Component_ranges expected = count_components(d, edge, label_at);
   remove_fragments(complex, expected);
   require_resolved(d, edge, label_at, expected, numbers_of_components(complex), names);
-  return track(std::move(complex));
+  return std::make_unique<Tracked_complex_3>(std::move(complex));
 }
 
 /// Builds the complex from surfaces that bound solids.

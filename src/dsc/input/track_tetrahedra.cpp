@@ -20,7 +20,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
@@ -31,10 +30,6 @@ using Complex = Tracked_complex_3::Complex;
 using CGAL::Deformable_simplicial_complexes::Invalid_cells_error;
 using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
-
-std::unique_ptr<Tracked_complex> track(Complex&& complex) {
-  return std::make_unique<Tracked_complex_3>(std::move(complex));
-}
 
 /// Returns whether all tetrahedra at the boundary have label 0, so that there is room around the
 /// interface.
@@ -77,7 +72,7 @@ std::unique_ptr<Tracked_complex> track_tetrahedra(const std::string& path,
     }
   }
   try {
-    return track(DSC::make_deformable_simplicial_complex_3<Complex>(
+    return std::make_unique<Tracked_complex_3>(DSC::make_deformable_simplicial_complex_3<Complex>(
         mesh.points, mesh.tetrahedra, mesh.labels, CGAL::Tetgen_tetrahedralizer_3(),
         normalized(options.domain, options.start.thin_parts)));
   } catch (const Invalid_cells_error& error) {

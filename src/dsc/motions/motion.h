@@ -21,16 +21,18 @@ namespace dsc {
 /// A rotation about an axis through the center of the domain; in the plane, about the center.
 struct Rotation
 {
-  std::array<double, 3> axis; ///< of any length; zero in the plane
-  double degrees;             ///< per step
+  std::array<double, 3> axis = {}; ///< of any length; zero in the plane
+  double degrees = 0;              ///< per step
 };
 
 /// A motion along the outward normals.
 struct Offset
 {
-  Distance distance; ///< per step, positive outwards
-  bool moves_faces;  ///< whether faces move as a whole, instead of each vertex along its own normal
-  CGAL::Deformable_simplicial_complexes::Corner_rule corners;
+  Distance distance = {};   ///< per step, positive outwards
+  bool moves_faces = false; ///< whether faces move as a whole, instead of each vertex along its own
+                            ///< normal
+  CGAL::Deformable_simplicial_complexes::Corner_rule corners =
+      CGAL::Deformable_simplicial_complexes::Corner_rule::miter;
 };
 
 /// A motion by a velocity field in the coordinates of the input.
@@ -38,20 +40,22 @@ struct Advection
 {
   enum class Field { enright, vortex, expressions };
 
-  Field field;
-  std::string expressions; ///< in x, y, z and t, if `field` is `expressions`
-  double period;           ///< T of the factor cos(pi t / T); 0 for no such factor
-  double dt;               ///< per step; 0 until it is chosen at the start of the run
-  CGAL::Deformable_simplicial_complexes::Integration_scheme scheme;
-  std::optional<double> tolerance; ///< in mean edges; the library's default if not set
+  Field field = Field::expressions;
+  std::optional<double> period = std::nullopt; ///< T of the factor cos(pi t / T), if set
+  double dt = 0;                ///< per step; 0 until it is chosen at the start of the run
+  std::string expressions = ""; ///< in x, y, z and t, if `field` is `expressions`
+  CGAL::Deformable_simplicial_complexes::Integration_scheme scheme =
+      CGAL::Deformable_simplicial_complexes::Integration_scheme::rk4;
+  std::optional<double> tolerance = std::nullopt; ///< in mean edges; the library's default if not
+                                                  ///< set
 };
 
 /// A motion by the mean curvature.
 struct Curvature_flow
 {
-  double dt; ///< per step, in squares of the unit of the input; 0 for the square of the mean
-             ///< interface edge of the input
-  bool keeps_volumes;
+  std::optional<double> dt; ///< per step, in squares of the unit of the input; the square of the
+                            ///< mean interface edge of the input if not set
+  bool keeps_volumes = false;
   std::optional<double> tolerance; ///< in mean edges; the library's default if not set
   /// The volumes of all labels at the start of the run, if they are kept.
   std::map<int, double> volumes = {};
@@ -62,7 +66,7 @@ struct Zalesak
 {
   static constexpr double period = 628;
 
-  double dt; ///< per step
+  double dt = 1; ///< per step
 };
 
 using Motion = std::variant<Rotation, Offset, Advection, Curvature_flow, Zalesak>;
@@ -75,7 +79,7 @@ inline double time_step(const Motion& motion, double edge) {
   if (const auto* advection = std::get_if<Advection>(&motion))
     return advection->dt;
   const auto* flow = std::get_if<Curvature_flow>(&motion);
-  return flow == nullptr ? 1 : flow->dt > 0 ? flow->dt : edge * edge;
+  return flow == nullptr ? 1 : flow->dt.value_or(edge * edge);
 }
 
 /// The options of each step of a run.

@@ -119,11 +119,11 @@ template <class Complex> struct Motion_step
     switch (advection.field) {
     case Advection::Field::enright:
       if constexpr (d == 3)
-        return follow(Field(DSC::Enright_velocity_3(advection.period)), advection);
+        return follow(Field(DSC::Enright_velocity_3(advection.period.value_or(0))), advection);
       else
         throw Usage_error("dsc enright applies only in space; use dsc vortex in the plane");
     case Advection::Field::vortex:
-      return follow(Field(Vortex(advection.period)), advection);
+      return follow(Field(Vortex(advection.period.value_or(0))), advection);
     default: {
       const Velocity_expressions velocity(advection.expressions, d);
       return follow(Field([&](const Point& p, double t) {
@@ -131,7 +131,7 @@ template <class Complex> struct Motion_step
                       std::array<double, d> v;
                       std::copy_n(values.begin(), d, v.begin());
                       const double factor =
-                          advection.period > 0 ? std::cos(CGAL_PI * t / advection.period) : 1;
+                          advection.period ? std::cos(CGAL_PI * t / *advection.period) : 1;
                       return factor * DSC::vector_of<Whole>(v);
                     }),
                     advection);

@@ -72,7 +72,7 @@ double period(const Motion& motion) {
   if (std::holds_alternative<Zalesak>(motion))
     return Zalesak::period;
   const Advection* advection = std::get_if<Advection>(&motion);
-  return advection ? advection->period : 0;
+  return advection ? advection->period.value_or(0) : 0;
 }
 
 /// Returns the distance measurement to the initial surfaces or curves. Returns `nullopt` if the
@@ -145,8 +145,8 @@ double chosen_time_step(const Tracked_complex& complex, const Advection& flow, d
     fastest = std::max(fastest, std::hypot(x, y, z));
   }
   double result = fastest > 0 ? complex.mean_edge() / fastest : at_rest;
-  if (flow.period > 0)
-    result = flow.period / std::ceil(flow.period / result);
+  if (flow.period)
+    result = *flow.period / std::ceil(*flow.period / result);
   return result;
 }
 

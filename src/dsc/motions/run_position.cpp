@@ -5,7 +5,7 @@
 #include "motions/run_position.h"
 
 #include "input/translations.h"
-#include "motions/motion_json.h"
+#include "motions/motion_list.h"
 
 #include <stdexcept>
 
@@ -19,7 +19,7 @@ std::string to_metadata(const Run_position& position, const Step_options& step) 
   parameters["improve_interface"] = step.improves_interface;
   if (step.largest_displacement)
     parameters["largest_displacement"] = *step.largest_displacement;
-  parameters["aggressiveness"] = step.aggressiveness ? Json(*step.aggressiveness) : Json();
+  parameters["aggressiveness"] = value_or_null(step.aggressiveness);
   parameters["triangles"] = position.start.triangles;
   parameters["segments"] = position.start.segments;
   parameters["repair"] = position.start.repairs;

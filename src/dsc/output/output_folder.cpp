@@ -5,12 +5,11 @@
 #include "output/output_folder.h"
 
 #include "input/files.h"
+#include "output/collection.h"
 #include "programs/errors.h"
 
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <regex>
 #include <utility>
 #include <vector>
 
@@ -40,12 +39,9 @@ std::string numbered(const char* format, unsigned step) {
 Output_folder::Output_folder(const std::string& path, const std::string& resume, int subdivisions)
     : m_path(path), m_subdivisions(subdivisions), m_volume(file("volume.pvd")),
       m_interface(file("interface.pvd")) {
-  std::error_code error;
-  fs::create_directories(path, error);
-  if (error || !fs::is_directory(path, error))
-    throw Input_error("cannot create the folder '" + path +
-                      "'; check that no file has this name and that the parent folder is writable");
+  create_folder(path);
   require_writable(checkpoint());
+  std::error_code error;
   if (fs::exists(checkpoint(), error) && !fs::equivalent(checkpoint(), resume, error))
     throw Input_error("the folder '" + path +
                       "' contains the results of another run; choose another "

@@ -19,11 +19,10 @@ Json parameters_json(const Run_options& options, const Run_start& start) {
   json["most_new_facets"] = start.thin_parts.most_new_facets;
   json["repair"] = start.repairs;
   json["fit"] = start.ball && !start.inputs.empty();
-  json["domain"] = options.domain ? Json(*options.domain) : Json();
+  json["domain"] = value_or_null(options.domain);
   json["grow_domain"] = options.step.grows_domain;
   json["improve_interface"] = options.step.improves_interface;
-  json["aggressiveness"] =
-      options.step.aggressiveness ? Json(*options.step.aggressiveness) : Json();
+  json["aggressiveness"] = value_or_null(options.step.aggressiveness);
   json["threads"] = options.threads;
   json["output"] = value_or_null(options.output.folder);
   json["every"] = options.output.every;

@@ -6,7 +6,7 @@
 #define DSC_REPORT_H
 
 #include "input/surface.h"
-#include "motions/motion_json.h"
+#include "motions/motion_list.h"
 #include "motions/run.h"
 #include "motions/run_balance.h"
 #include "motions/run_position.h"

@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <optional>
 #include <string>
 
 namespace dsc {
@@ -17,6 +18,10 @@ using Json = nlohmann::ordered_json;
 
 template <class T> Json value_or_null(const T& value) {
   return value == T() ? Json() : Json(value);
+}
+
+template <class T> Json value_or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json();
 }
 
 /// Returns the value stored by value_or_null().

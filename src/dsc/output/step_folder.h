@@ -30,14 +30,9 @@ public:
   /// \throws Input_error if the folder cannot be created, or contains other steps
   explicit Step_folder(const std::string& path)
       : m_path(path), m_volume(file("volume.pvd")), m_interface(file("interface.pvd")) {
-    namespace fs = std::filesystem;
+    create_folder(path);
     std::error_code error;
-    fs::create_directories(path, error);
-    if (error || !fs::is_directory(path, error))
-      throw Input_error(
-          "cannot create the folder '" + path +
-          "'; check that no file has this name and that the parent folder is writable");
-    if (fs::exists(m_volume.path(), error))
+    if (std::filesystem::exists(m_volume.path(), error))
       throw Input_error("the folder '" + path +
                         "' contains the steps of another run; choose another folder");
     require_writable(m_volume.path());

@@ -55,7 +55,7 @@ void leave_flows_to_mpi(CLI::App& app, const std::string& command) {
 } // namespace
 
 int main(int argc, char** argv) {
-  const dsc::Surface_inputs inputs;
+  const dsc::Inputs& inputs = dsc::surface_inputs();
   return dsc::run_program(argc, argv, [&](CLI::App& app, int& exit_code) {
     for (const Other_command& other : other_commands)
       if (argc > 1 && std::strcmp(argv[1], other.name) == 0)

@@ -51,18 +51,26 @@ std::array<double, n> parse_numbers(std::string text, const std::string& option,
   return numbers;
 }
 
-double parse_number(const std::string& text, const std::string& option, const std::string& form) {
-  return parse_numbers<1>(text, option, form)[0];
-}
-
 } // namespace
 
-std::array<double, 3> parse_axis(const std::string& text) {
+double Number_range::operator()(const std::string& text, const std::string& option) const {
+  const double number = parse_numbers<1>(text, option, example)[0];
+  if (contains != nullptr && !contains(number))
+    throw Usage_error(option + complaint);
+  return number;
+}
+
+Distance Length_range::operator()(const std::string& text, const std::string& option) const {
+  const bool in_mean_edges = !text.empty() && text.back() == 'e';
+  return {numbers(in_mean_edges ? text.substr(0, text.size() - 1) : text, option), in_mean_edges};
+}
+
+std::array<double, 3> parse_axis(const std::string& text, const std::string& option) {
   const std::string form = "0,0,1";
-  const std::array<double, 3> axis = parse_numbers<3>(text, "--axis", form);
+  const std::array<double, 3> axis = parse_numbers<3>(text, option, form);
   const double length = std::hypot(axis[0], axis[1], axis[2]);
   if (!(length > 0) || !std::isfinite(length))
-    throw Usage_error("--axis must have a positive, finite length; write it like " + form);
+    throw Usage_error(option + " must have a positive, finite length; write it like " + form);
   return axis;
 }
 
@@ -101,13 +109,13 @@ std::array<double, 2> parse_pair(const std::string& text, const std::string& opt
   return parse_numbers<2>(text, option, "1.5,0");
 }
 
-std::vector<double> parse_point(const std::string& text) {
+std::vector<double> parse_point(const std::string& text, const std::string& option) {
   const std::string form = "0,0.3 or 1,0.5,0";
   if (std::count(text.begin(), text.end(), ',') == 2) {
-    const std::array<double, 3> p = parse_numbers<3>(text, "--point", form);
+    const std::array<double, 3> p = parse_numbers<3>(text, option, form);
     return {p.begin(), p.end()};
   }
-  const std::array<double, 2> p = parse_numbers<2>(text, "--point", form);
+  const std::array<double, 2> p = parse_numbers<2>(text, option, form);
   return {p.begin(), p.end()};
 }
 
@@ -121,57 +129,13 @@ std::vector<double> parse_list(std::string text, const std::string& option) {
   return result;
 }
 
-double parse_angle(const std::string& text) { return parse_number(text, "--angle", "7.2"); }
-
-double parse_threshold(const std::string& text) {
-  const double threshold = parse_number(text, "--threshold", "0.4");
-  if (!(0 < threshold && threshold <= 1))
-    throw Usage_error("--threshold is out of range; choose a number greater than 0 and at most 1");
-  return threshold;
-}
-
-Distance parse_distance(const std::string& text) {
-  const bool in_mean_edges = !text.empty() && text.back() == 'e';
-  const std::string number = in_mean_edges ? text.substr(0, text.size() - 1) : text;
-  return {parse_number(number, "--distance", "0.1 or 0.25e"), in_mean_edges};
-}
-
-Distance parse_length(const std::string& text, const std::string& option) {
-  const bool in_mean_edges = !text.empty() && text.back() == 'e';
-  const std::string number = in_mean_edges ? text.substr(0, text.size() - 1) : text;
-  return {parse_positive(number, option), in_mean_edges};
-}
-
-double parse_positive(const std::string& text, const std::string& option) {
-  const double number = parse_number(text, option, "0.01");
-  if (!(number > 0))
-    throw Usage_error(option + " is not positive; choose a number greater than 0");
-  return number;
-}
-
-Cut parse_cut(const std::string& text) {
+Cut parse_cut(const std::string& text, const std::string& option) {
   static const std::string axes = "xyz", form = "x=0.5";
   const std::size_t axis = text.empty() ? std::string::npos : axes.find(text[0]);
   if (axis == std::string::npos || text.size() < 2 || text[1] != '=')
-    throw Usage_error("--cut needs an axis and a coordinate, not '" + text + "'; write it like " +
-                      form);
-  return {axis, parse_number(text.substr(2), "--cut", form)};
-}
-
-double parse_not_negative(const std::string& text, const std::string& option,
-                          const std::string& example) {
-  const double number = parse_number(text, option, example);
-  if (!(number >= 0))
-    throw Usage_error(option + " is negative; choose 0 or more");
-  return number;
-}
-
-double parse_aggressiveness(const std::string& text) {
-  const std::string option = "--aggressiveness";
-  const double number = parse_number(text, option, "0.025");
-  if (!(0 <= number && number < 1))
-    throw Usage_error(option + " is out of range; choose a number from 0 to less than 1");
-  return number;
+    throw Usage_error(option + " needs an axis and a coordinate, not '" + text +
+                      "'; write it like " + form);
+  return {axis, parse_numbers<1>(text.substr(2), option, form)[0]};
 }
 
 const std::map<std::string, CGAL::Deformable_simplicial_complexes::Integration_scheme>&

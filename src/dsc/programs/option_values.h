@@ -10,6 +10,7 @@
 #include <CGAL/Interface_flows/Corner_rule.h>
 #include <CGAL/Interface_flows/Integration_scheme.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <initializer_list>
@@ -21,10 +22,36 @@ namespace dsc {
 
 constexpr int most_subdivisions = 5; ///< of a surface; each replaces a triangle by four
 
-/// The following functions parse the values of options. Numbers are read independently of the
+/// The numbers that an option accepts.
+struct Number_range
+{
+  const char* example;                ///< for messages
+  bool (*contains)(double) = nullptr; ///< accepts every finite number if null
+  const char* complaint = "";         ///< about other numbers; follows the name of the option
+
+  /// Reads a number from the text of an option.
+  double operator()(const std::string& text, const std::string& option) const;
+};
+
+inline constexpr Number_range positive = {"0.01", [](double x) { return x > 0; },
+                                          " is not positive; choose a number greater than 0"};
+
+constexpr Number_range not_negative(const char* example) {
+  return {example, [](double x) { return x >= 0; }, " is negative; choose 0 or more"};
+}
+
+/// Reads a length in the unit of the input or, with the suffix e, in mean edges.
+struct Length_range
+{
+  Number_range numbers;
+
+  Distance operator()(const std::string& text, const std::string& option) const;
+};
+
+/// The following functions read the text of an option, too. Numbers are read independently of the
 /// locale. All functions throw Usage_error with the expected form.
 
-std::array<double, 3> parse_axis(const std::string& text);
+std::array<double, 3> parse_axis(const std::string& text, const std::string& option);
 
 /// \return lower and then upper bounds of x, y and z
 std::array<double, 6> parse_domain(const std::string& text, int dimension);
@@ -33,26 +60,13 @@ std::array<double, 6> parse_domain(const std::string& text, int dimension);
 /// whether the word was there. The rest may be empty.
 bool take_growth(std::string& domain);
 
-double parse_angle(const std::string& text);
-
 std::array<double, 2> parse_pair(const std::string& text, const std::string& option);
 
 /// Parses two or three numbers.
-std::vector<double> parse_point(const std::string& text);
+std::vector<double> parse_point(const std::string& text, const std::string& option);
 
 /// Parses one or more numbers between commas.
 std::vector<double> parse_list(std::string text, const std::string& option);
-
-/// Parses a quality in (0, 1].
-double parse_threshold(const std::string& text);
-
-/// Parses a length in the unit of the input or, with the suffix e, in mean edges.
-Distance parse_distance(const std::string& text);
-
-/// Parses a positive length in the unit of the input or, with the suffix e, in mean edges.
-Distance parse_length(const std::string& text, const std::string& option);
-
-double parse_positive(const std::string& text, const std::string& option);
 
 /// A plane perpendicular to an axis.
 struct Cut
@@ -62,15 +76,15 @@ struct Cut
 };
 
 /// Parses a plane like x=0.5.
-Cut parse_cut(const std::string& text);
+Cut parse_cut(const std::string& text, const std::string& option);
 
-/// Parses the value of an option that is at least 0.
-/// \param example a typical value, for messages
-double parse_not_negative(const std::string& text, const std::string& option,
-                          const std::string& example);
-
-/// Parses a number in [0, 1).
-double parse_aggressiveness(const std::string& text);
+/// Returns the name of a value.
+template <class Value>
+const std::string& name_of(const std::map<std::string, Value>& names, const Value& value) {
+  return std::find_if(names.begin(), names.end(),
+                      [&](const auto& named) { return named.second == value; })
+      ->first;
+}
 
 /// Returns the integration schemes by their names.
 const std::map<std::string, CGAL::Deformable_simplicial_complexes::Integration_scheme>&

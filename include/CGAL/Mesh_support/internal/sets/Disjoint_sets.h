@@ -24,8 +24,14 @@ class Disjoint_sets
 {
 public:
   // Constructs `size` sets of one element each.
-  explicit Disjoint_sets(std::size_t size) : m_parents(size) {
+  explicit Disjoint_sets(std::size_t size = 0) : m_parents(size) {
     std::iota(m_parents.begin(), m_parents.end(), std::size_t(0));
+  }
+
+  // Adds a set of one element. Returns this element.
+  std::size_t add() {
+    m_parents.push_back(m_parents.size());
+    return m_parents.back();
   }
 
   // Returns the number of elements of all sets.
