@@ -1,3 +1,4 @@
+#include "all_cases.h"
 #include "program.h"
 
 #include <gtest/gtest.h>
@@ -333,8 +334,10 @@ TEST_F(Planar_program, finds_cut_loci) {
     expect_error("cut-locus " + arguments, 2);
   expect_error("cut-locus --point 0,0 --spacing 1", 1);
   expect_error("cut-locus --point 0,0 --surface u,0,0", 1);
-  expect_success("cut-locus --point 0,0 --spacing .3 --quiet -o a.svg --report a.json --surface "
-                 "'(2+cos(v))*cos(u),(2+cos(v))*sin(u),sin(v)'");
+  // The default surface is the same torus by formulas.
+  const std::string torus =
+      all_cases() ? " --surface '(2+cos(v))*cos(u),(2+cos(v))*sin(u),sin(v)'" : "";
+  expect_success("cut-locus --point 0,0 --spacing .3 --quiet -o a.svg --report a.json" + torus);
   const Json locus = report("a.json");
   double farthest = 0;
   for (const Json& vertex : locus.at("vertices"))
@@ -351,14 +354,16 @@ TEST_F(Planar_program, finds_cut_loci_of_surfaces_like_a_sphere) {
     expect_error("cut-locus --surface " + arguments, 2);
   expect_error("cut-locus --surface ellipsoid --point 0,0,0", 1);
   expect_error("cut-locus --surface x,0,0 --point 1,0,0", 1);
-  expect_success(
-      "cut-locus --surface x,y,z --point 1,2,3 --spacing .4 --quiet --report a.json -o a.svg");
-  ASSERT_EQ(report("a.json").at("vertices").size(), 1u);
-  EXPECT_NEAR(report("a.json").at("vertices")[0].at("distance").get<double>(), std::acos(-1.),
-              1e-6);
-  EXPECT_TRUE(report("a.json").at("is_complete").get<bool>());
+  if (all_cases()) { // a sphere
+    expect_success(
+        "cut-locus --surface x,y,z --point 1,2,3 --spacing .4 --quiet --report a.json -o a.svg");
+    ASSERT_EQ(report("a.json").at("vertices").size(), 1u);
+    EXPECT_NEAR(report("a.json").at("vertices")[0].at("distance").get<double>(), std::acos(-1.),
+                1e-6);
+  }
   expect_success(
       "cut-locus --point 1,0,0 --surface x,y,.8*z --spacing .2 --quiet -o a.svg --report a.json");
+  EXPECT_TRUE(report("a.json").at("is_complete").get<bool>());
   const Json locus = report("a.json");
   EXPECT_EQ(locus.at("arcs").size(), 1u);
   for (const Json& vertex : locus.at("vertices"))

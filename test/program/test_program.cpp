@@ -470,7 +470,7 @@ TEST_F(Program, goes_back_to_the_last_step_when_interrupted) {
   const std::string arguments =
       "rotate octahedron.off --axis 0,0,1 --angle 1 --steps 10000000 --report r.json";
   for (const char* signal : {"INT", "TERM"}) {
-    const std::string prefix = std::string("timeout --preserve-status -s ") + signal + " 2";
+    const std::string prefix = std::string("timeout --preserve-status -s ") + signal + " 1";
     const Outcome outcome = run(arguments, prefix);
     EXPECT_EQ(outcome.exit_code, 130);
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;

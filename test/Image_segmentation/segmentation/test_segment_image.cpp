@@ -1,4 +1,8 @@
 // Segmentation of images whose phases are known.
+#if __has_include(<CGAL/Image_segmentation/compiled_3.h>) // if the component Compiled is used
+#include <CGAL/Image_segmentation/compiled_2.h>
+#include <CGAL/Image_segmentation/compiled_3.h>
+#endif
 #include <CGAL/Complex_construction/sample_labels.h>
 #include <CGAL/Deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>

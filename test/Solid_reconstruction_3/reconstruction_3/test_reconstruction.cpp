@@ -1,15 +1,14 @@
 // Reconstruction of solids: point clouds of known solids, and point clouds that do not bound a
 // solid.
 
+#include "reconstruction.h"
 #include "temporary_folder.h"
 
-#include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Interface_remeshing/extract_interface_3.h>
 #include <CGAL/Interface_remeshing/manifold_interface.h>
 #include <CGAL/Mesh_files/point_set_3.h>
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Random.h>
-#include <CGAL/Solid_reconstruction_3/reconstruct_point_set_3.h>
 #include <CGAL/point_generators_3.h>
 #include <CGAL/property_map.h>
 

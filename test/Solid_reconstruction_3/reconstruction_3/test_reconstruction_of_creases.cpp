@@ -1,12 +1,11 @@
 // Reconstruction of solids with sharp edges, without notches and without cut corners.
 
 #include "../../../benchmark/gear.h"
+#include "reconstruction.h"
 
-#include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Interface_remeshing/extract_interface_3.h>
 #include <CGAL/Random.h>
 #include <CGAL/Solid_reconstruction_3/internal/reconstruction/Crease_planes_3.h>
-#include <CGAL/Solid_reconstruction_3/reconstruct_point_set_3.h>
 #include <CGAL/squared_distance_3.h>
 
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 // Reconstruction of scans: open scans, any unit of length, and interruption at any moment.
 
-#include <CGAL/Deformable_simplicial_complex_3.h>
+#include "reconstruction.h"
+
 #include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Random.h>
 #include <CGAL/Solid_reconstruction_3/Invalid_points_error.h>
-#include <CGAL/Solid_reconstruction_3/reconstruct_point_set_3.h>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Tests of the communicator and the partitioner that need MPI, on any number of processes.
+// Tests of the communicator and the partitioner that need MPI, on any number of processes. They run
+// with mpirun only.
 
 #include "small_meshes.h"
 
@@ -22,11 +23,18 @@
 #include <mpi.h>
 #include <vector>
 
-namespace {
+namespace test_mpi {
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 using small_meshes::Complex;
 using Distributed = DSC::Distributed_complex<Complex>;
+
+class Mpi : public testing::Test
+{
+protected:
+  static void SetUpTestSuite() { MPI_Init(nullptr, nullptr); }
+  static void TearDownTestSuite() { MPI_Finalize(); }
+};
 
 // A step in a field with strong shear, which makes many bad cells.
 void move(Distributed& dsc, int step) {
@@ -73,14 +81,14 @@ template <class Partitioner> void test_partitioner(const Partitioner& partitione
   }
 }
 
-TEST(Mpi, Divides_the_work_along_a_curve) { test_partitioner(DSC::Curve_partitioner()); }
+TEST_F(Mpi, Divides_the_work_along_a_curve) { test_partitioner(DSC::Curve_partitioner()); }
 
 #ifdef DSC_WITH_SCOTCH
-TEST(Mpi, Divides_the_work_with_Scotch) { test_partitioner(DSC::Scotch_partitioner()); }
+TEST_F(Mpi, Divides_the_work_with_Scotch) { test_partitioner(DSC::Scotch_partitioner()); }
 #endif
 
 // All processes get the message of the process that failed.
-TEST(Mpi, Throws_the_error_of_one_process_on_all) {
+TEST_F(Mpi, Throws_the_error_of_one_process_on_all) {
   DSC::Mpi_communicator communicator;
   const int last = communicator.size() - 1;
   try {
@@ -94,12 +102,4 @@ TEST(Mpi, Throws_the_error_of_one_process_on_all) {
   }
 }
 
-} // namespace
-
-int main(int argc, char** argv) {
-  MPI_Init(&argc, &argv);
-  testing::InitGoogleTest(&argc, argv);
-  const int result = RUN_ALL_TESTS();
-  MPI_Finalize();
-  return result;
-}
+} // namespace test_mpi
