@@ -1,3 +1,5 @@
+#include "test.h"
+
 #include <CGAL/Complex_construction/convert_mesh_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
@@ -9,27 +11,12 @@
 #include <CGAL/Mesh_triangulation_3.h>
 #include <CGAL/make_mesh_3.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <map>
-#include <set>
-#include <utility>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
-
 namespace test_mesh_generation {
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Domain = CGAL::Labeled_mesh_domain_3<Kernel>;
 using Mesh = CGAL::Mesh_complex_3_in_triangulation_3<CGAL::Mesh_triangulation_3<Domain>::type>;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 const CGAL::Tetgen_tetrahedralizer_3 tetgen;
 

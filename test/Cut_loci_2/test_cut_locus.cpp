@@ -1,18 +1,8 @@
+#include "test.h"
+
 #include <CGAL/Cut_loci_2/Geodesic_distance_2.h>
 #include <CGAL/Cut_loci_2/Sphere_like_surface_2.h>
 #include <CGAL/Cut_loci_2/cut_locus_2.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <limits>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_cut_locus {
 

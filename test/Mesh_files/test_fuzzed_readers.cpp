@@ -1,6 +1,7 @@
 #include "mutations.h"
 #include "small_meshes.h"
 #include "temporary_folder.h"
+#include "test.h"
 #include "whole_files.h"
 
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
@@ -17,25 +18,10 @@
 
 #include <boost/crc.hpp>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <atomic>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
 #include <exception>
-#include <functional>
 #include <iostream>
 #include <new>
-#include <random>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 // Readers accept any input: they read a damaged file or throw an exception of the package. They
 // print nothing, and the memory depends on the size of the file, not on sizes that the file

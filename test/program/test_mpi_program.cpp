@@ -1,16 +1,11 @@
 #include "all_cases.h"
 #include "program.h"
-
-#include <cstddef>
-#include <sstream>
-#include <string>
-#include <vector>
+#include "test.h"
 
 // Runs of several processes that hold a complex together.
 namespace {
 
-using program::Json;
-using program::Outcome;
+using namespace program;
 
 // Returns the number of lines that begin with a text.
 std::size_t lines(const std::string& text, const std::string& begin) {
@@ -91,12 +86,12 @@ TEST_F(Mpi_runs, resume_with_another_number_of_processes) {
   const Outcome outcome = run(resume + "--report rest.json", mpirun(2));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(steps("rest.json").back(), steps("all.json").back());
-  EXPECT_TRUE(program::fs::exists(path("run/volume_000004.pvtu")));
-  EXPECT_TRUE(program::fs::exists(path("run/interface_000004_1.vtu")));
+  EXPECT_TRUE(fs::exists(path("run/volume_000004.pvtu")));
+  EXPECT_TRUE(fs::exists(path("run/interface_000004_1.vtu")));
   // One process without mpirun names the remedy, and several can resume the run of one.
   const Outcome alone = run(resume);
   EXPECT_EQ(alone.exit_code, 1);
-  EXPECT_NE(alone.err.find("mpirun"), std::string::npos) << alone.err;
+  EXPECT_PRED2(contains, alone.err, "mpirun");
   ASSERT_EQ(run(command + "--steps 1 --output one").exit_code, 0);
   EXPECT_EQ(run("offset --resume one/checkpoint.dsc --steps 1", mpirun(2)).exit_code, 0);
 }
@@ -126,7 +121,7 @@ TEST_F(Mpi_runs, continue_after_a_process_was_killed) {
   const Outcome killed = run(
       rest + " : -n 1 timeout --preserve-status -s KILL 3 '" DSC_PROGRAM "' " + rest, mpirun(1));
   EXPECT_NE(killed.exit_code, 0);
-  EXPECT_NE(killed.err.find("illed"), std::string::npos) << killed.err; // mpirun names the signal
+  EXPECT_PRED2(contains, killed.err, "illed"); // mpirun names the signal
   const Outcome resumed =
       run("offset --resume run/checkpoint.dsc --steps 1 --report rest.json", mpirun(3));
   ASSERT_EQ(resumed.exit_code, 0) << resumed.err;

@@ -2,21 +2,13 @@
 #define DEFORMABLE_SIMPLICIAL_COMPLEX_2_TEST_CARRIED_VALUES_2_H
 
 #include "stamped_values.h"
+#include "test.h"
 
 #include <CGAL/Interface_remeshing/Carried_cell_averages.h>
 #include <CGAL/Interface_remeshing/Carried_vertex_values.h>
 #include <CGAL/Interface_remeshing/Deformation_visitor_pair.h>
 #include <CGAL/Interface_remeshing/control_detail.h>
 #include <CGAL/Interface_remeshing/improve_mesh.h>
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cstddef>
-#include <functional>
-#include <random>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace carried_values_2 {
 

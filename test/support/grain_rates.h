@@ -1,14 +1,11 @@
 #ifndef DEFORMABLE_SIMPLICIAL_COMPLEX_2_TEST_GRAIN_RATES_H
 #define DEFORMABLE_SIMPLICIAL_COMPLEX_2_TEST_GRAIN_RATES_H
 
+#include "test.h"
+
 #include <CGAL/Interface_flows/Grain_growth.h>
 #include <CGAL/Interface_flows/grain_statistics.h>
 #include <CGAL/Interface_remeshing/remove_components.h>
-
-#include <gtest/gtest.h>
-
-#include <cstddef>
-#include <map>
 
 namespace grain_rates {
 

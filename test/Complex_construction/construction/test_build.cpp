@@ -1,22 +1,10 @@
+#include "test.h"
+
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 #include <CGAL/boost/graph/generators.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <random>
-#include <string>
-#include <utility>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_build {
 
@@ -29,7 +17,6 @@ using CGAL::Deformable_simplicial_complexes::Error;
 using CGAL::Deformable_simplicial_complexes::Invalid_cells_error;
 using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
 using CGAL::Deformable_simplicial_complexes::Tetrahedralization_error;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 template <class Input, class NP = parameters::Default_named_parameters>
 Complex build(const Input& input, const NP& np = NP()) {
@@ -370,7 +357,7 @@ TEST(Build, the_tetrahedralizer_fails_with_words) {
     FAIL();
   } catch (const Tetrahedralization_error& e) {
     EXPECT_EQ(e.code(), 3);
-    EXPECT_NE(std::string(e.what()).find("TetGen"), std::string::npos);
+    EXPECT_PRED2(contains, std::string(e.what()), "TetGen");
   }
 }
 

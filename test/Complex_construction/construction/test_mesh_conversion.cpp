@@ -1,4 +1,5 @@
 #include "small_meshes.h"
+#include "test.h"
 
 #include <CGAL/Complex_construction/convert_mesh_complex_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
@@ -8,12 +9,9 @@
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
 
-#include <gtest/gtest.h>
-
 // Conversions without `make_mesh_3()`, which takes long to compile: see test_mesh_generation.cpp.
 namespace test_mesh_conversion {
 
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 using small_meshes::Complex;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Domain = CGAL::Labeled_mesh_domain_3<Kernel>;

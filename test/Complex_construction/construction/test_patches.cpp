@@ -1,18 +1,8 @@
+#include "test.h"
+
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <limits>
-#include <set>
-#include <utility>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_patches {
 
@@ -22,7 +12,6 @@ using Patch = DSC::Labeled_patch_3<Point>;
 using CGAL::Deformable_simplicial_complexes::Invalid_cells_error;
 using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
 using Reason = Invalid_surface_error::Reason;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 const CGAL::Tetgen_tetrahedralizer_3 tetgen;
 

@@ -1,3 +1,5 @@
+#include "test.h"
+
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -5,20 +7,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/generators.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
 #include <optional>
-#include <random>
-#include <set>
-#include <utility>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_surfaces {
 
@@ -29,7 +18,6 @@ using Surface = DSC::Labeled_surface_3<Point>;
 using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
 using Reason = Invalid_surface_error::Reason;
 using Indices = std::vector<std::size_t>;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 // Thrown if a surface is accepted and reaches the tetrahedralizer.
 struct Accepted

@@ -1,21 +1,12 @@
 // Thin parts that are given by few large triangles, and their resolution.
+#include "test.h"
+
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Complex_construction/refine_thin_parts.h>
 #include <CGAL/Deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <random>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_thin_parts {
 
@@ -24,7 +15,6 @@ using Planar_complex = CGAL::Deformable_simplicial_complex_2<>;
 using Point = Complex::Point_3;
 using Surface = DSC::Labeled_surface_3<Point>;
 using CGAL::Deformable_simplicial_complexes::Error;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 // A box between two corners, of twelve triangles.
 Surface box(const std::array<double, 3>& low, const std::array<double, 3>& high, int label = 1) {

@@ -1,23 +1,12 @@
 // Surfaces whose components touch at vertices and along edges.
 
 #include "mesh_helpers.h"
+#include "test.h"
 
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_flows/interface_flows_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <set>
-#include <utility>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_touching_surfaces {
 
@@ -25,7 +14,6 @@ using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Point = Complex::Point_3;
 using Surface = DSC::Labeled_surface_3<Point>;
 using Surfaces = std::vector<Surface>;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 template <class NP = parameters::Default_named_parameters>
 Complex build(const Surfaces& surfaces, const NP& np = NP()) {

@@ -1,10 +1,6 @@
 #include "carried_values_2.h"
+#include "test.h"
 #include "torus.h"
-
-#include <gtest/gtest.h>
-
-#include <random>
-#include <utility>
 
 namespace test_carried_values_on_tori {
 

@@ -1,5 +1,6 @@
 #include "carried_values_2.h"
 #include "plane.h"
+#include "test.h"
 
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/degeneracy_removal.h>
@@ -9,25 +10,12 @@
 #include <CGAL/Interface_remeshing/improve_mesh.h>
 #include <CGAL/Interface_remeshing/remove_degeneracies.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <random>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
-
 namespace test_planar_improvement {
 
 using CGAL::Deformable_simplicial_complexes::Error;
 using plane::Complex;
 using plane::Point;
 using Cavity = CGAL::Deformable_simplicial_complexes::Cavity<Complex>;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 template <class C> double worst_quality(const C& dsc) {
   double worst = 1;
@@ -155,7 +143,7 @@ TEST(Cap_flip_2, moves_the_interface_to_the_tip) {
   EXPECT_EQ(dsc.number_of_components(1), 1u);
 }
 
-TEST(Remove_degeneracies_2, leaves_a_cap_that_is_no_cap) {
+TEST(Remove_degeneracies_2, leaves_caps_within_the_threshold) {
   Complex dsc = spike(1);
   const auto report = DSC::remove_degeneracies(dsc);
   EXPECT_EQ(report.flipped + report.collapsed, 0u);

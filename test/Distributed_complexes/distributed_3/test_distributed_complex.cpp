@@ -9,6 +9,7 @@
 #include "all_cases.h"
 #include "small_meshes.h"
 #include "temporary_folder.h"
+#include "test.h"
 
 #include <CGAL/Deformable_simplicial_complexes/State.h>
 #include <CGAL/Distributed_complexes/PVTU.h>
@@ -29,28 +30,10 @@
 
 #include <CGAL/number_utils.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <chrono>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <fstream>
-#include <functional>
-#include <limits>
 #include <mutex>
-#include <numeric>
-#include <random>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace {
 
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 using small_meshes::Complex;
 using small_meshes::grid;
 using small_meshes::make_complex;
@@ -433,7 +416,8 @@ TEST(Distributed_complex, Reports_merging_and_vanishing_components) {
 
 // A migration changes the owners only.
 TEST(Distributed_complex, Migrates_cells_with_their_data) {
-  const Case c = cases()[3];
+  Case c = cases()[3];
+  c.steps = 3;
   const Result one = run(c, {"one rank", 1, {}});
   DSC::run_in_threads(3, [&](DSC::Communicator& communicator) {
     Distributed dsc(communicator);
@@ -449,7 +433,8 @@ TEST(Distributed_complex, Migrates_cells_with_their_data) {
 }
 
 TEST(Distributed_complex, Rebalances_the_work) {
-  const Case c = cases()[3]; // abuse
+  Case c = cases()[3]; // abuse
+  c.steps = 3;
   const Result one = run(c, {"one rank", 1, {}});
   DSC::run_in_threads(5, [&](DSC::Communicator& communicator) {
     Distributed dsc(communicator);
@@ -698,7 +683,7 @@ TEST(Distributed_complex, Each_rank_writes_its_cells_once) {
   EXPECT_TRUE(std::ifstream(folder / "a<b & c_2.vtu"));
   std::ifstream list(folder / "a<b & c.pvtu");
   const std::string text(std::istreambuf_iterator<char>(list), {});
-  EXPECT_NE(text.find("\"a&lt;b &amp; c_2.vtu\""), std::string::npos);
+  EXPECT_PRED2(contains, text, "\"a&lt;b &amp; c_2.vtu\"");
 }
 
 TEST(Distributed_complex, Errors_on_one_rank_are_thrown_on_all_ranks) {
@@ -752,12 +737,13 @@ TEST(Distributed_complex, Errors_on_one_rank_are_thrown_on_all_ranks) {
 
 // A rank is interrupted in a step. All ranks return to the state before the step and go on.
 TEST(Distributed_complex, Interrupts_of_one_rank_stop_all_ranks) {
-  const Case c = cases()[3];
+  Case c = cases()[3];
+  c.steps = 3;
   const Result one = run(c, {"one rank", 1, {}});
   DSC::run_in_threads(3, [&](DSC::Communicator& communicator) {
     Distributed dsc(communicator);
     dsc.distribute(c.start);
-    for (int step = 0; step < 3; ++step) {
+    for (int step = 0; step < c.steps; ++step) {
       const auto before = dsc.state();
       {
         int calls = 0;

@@ -6,6 +6,7 @@
 // with mpirun only.
 
 #include "small_meshes.h"
+#include "test.h"
 
 #include <CGAL/Distributed_complexes/Distributed_complex.h>
 #include <CGAL/Distributed_complexes/Mpi_communicator.h>
@@ -15,17 +16,10 @@
 #include <CGAL/Distributed_complexes/Scotch_partitioner.h>
 #endif
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <mpi.h>
-#include <vector>
 
 namespace test_mpi {
 
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 using small_meshes::Complex;
 using Distributed = DSC::Distributed_complex<Complex>;
 

@@ -1,18 +1,11 @@
 // Labels that decrease an energy of cells, and bisection of selected cells.
 #include "planar_regions.h"
+#include "test.h"
 
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Image_segmentation/internal/segmentation/relabel_by_energy.h>
 #include <CGAL/Interface_remeshing/Cell_snapshot.h>
 #include <CGAL/Interface_remeshing/refine_cells.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <map>
-#include <vector>
 
 namespace test_energies_of_cells {
 namespace {

@@ -1,17 +1,11 @@
 // Integrals of images over triangles and tetrahedra.
+#include "test.h"
+
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Image_segmentation/Image_moments.h>
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <random>
-#include <vector>
 
 namespace test_image_moments {
 namespace {

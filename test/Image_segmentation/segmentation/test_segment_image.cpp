@@ -1,4 +1,6 @@
 // Segmentation of images whose phases are known.
+#include "test.h"
+
 #if __has_include(<CGAL/Image_segmentation/compiled_3.h>) // if the component Compiled is used
 #include <CGAL/Image_segmentation/compiled_2.h>
 #include <CGAL/Image_segmentation/compiled_3.h>
@@ -10,16 +12,6 @@
 #include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <CGAL/number_utils.h>
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <chrono>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <random>
-#include <vector>
 
 namespace test_segment_image {
 namespace {

@@ -1,7 +1,7 @@
 // Rigid bodies that liquids move, solids that move as a function of time, and sources with a flux.
 #include "planar_regions.h"
+#include "test.h"
 
-#include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Incompressible_fluid_2.h>
 #if __has_include(<CGAL/Incompressible_fluids_3/compiled_2.h>) // if the component Compiled is used
 #include <CGAL/Incompressible_fluids_3/compiled_2.h>
@@ -10,15 +10,6 @@
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/generators.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <string>
-#include <vector>
 
 namespace test_bodies {
 namespace {
@@ -538,7 +529,7 @@ TEST(Moving_solid, must_not_jump) {
   } catch (const dsc::Fluid_step_error& error) {
     EXPECT_EQ(error.last_attempt().cause, dsc::Fluid_failure::walls);
     EXPECT_GE(error.last_attempt().amount, jump / edge / 2);
-    EXPECT_NE(std::string(error.what()).find("without jumps"), std::string::npos);
+    EXPECT_PRED2(contains, std::string(error.what()), "without jumps");
   }
   EXPECT_EQ(fluid.time(), .05);
 }

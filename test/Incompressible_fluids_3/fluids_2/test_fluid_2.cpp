@@ -1,20 +1,11 @@
 // Incompressible flow in the plane.
 #include "planar_regions.h"
+#include "test.h"
 
-#include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Incompressible_fluid_2.h>
 #if __has_include(<CGAL/Incompressible_fluids_3/compiled_2.h>) // if the component Compiled is used
 #include <CGAL/Incompressible_fluids_3/compiled_2.h>
 #endif
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <vector>
 
 namespace test_fluid_2 {
 namespace {

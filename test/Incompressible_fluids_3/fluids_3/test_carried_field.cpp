@@ -1,7 +1,7 @@
 // The field that liquids carry, and surface tensions that depend on it.
 #include "planar_regions.h"
+#include "test.h"
 
-#include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Incompressible_fluid_2.h>
 #include <CGAL/Incompressible_fluid_3.h>
@@ -10,16 +10,7 @@
 #include <CGAL/Incompressible_fluids_3/compiled_3.h>
 #endif
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <limits>
 #include <optional>
-#include <utility>
-#include <vector>
 
 namespace test_carried_field {
 namespace {

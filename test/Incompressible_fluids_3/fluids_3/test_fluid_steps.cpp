@@ -1,27 +1,17 @@
 // Time steps of fluids that fail: they are undone and repeated, or they end with an exception.
 #include "mesh_helpers.h"
+#include "test.h"
 
 #include <CGAL/Incompressible_fluid_3.h>
 #if __has_include(<CGAL/Incompressible_fluids_3/compiled_3.h>) // if the component Compiled is used
 #include <CGAL/Incompressible_fluids_3/compiled_3.h>
 #endif
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Dense>
 
-#include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <string>
 #include <type_traits>
-#include <utility>
 
 namespace test_fluid_steps {
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace {
 
@@ -148,7 +138,7 @@ TEST_F(Fluid_steps, that_fail_for_ever_leave_the_state_before) {
     EXPECT_EQ(error.last_attempt().cause, Fluid_failure::equations);
     EXPECT_EQ(error.last_attempt().time, .02);
     EXPECT_EQ(error.last_attempt().dt, .02 / 32);
-    EXPECT_NE(std::string(error.what()).find("step 2"), std::string::npos);
+    EXPECT_PRED2(contains, std::string(error.what()), "step 2");
     EXPECT_LE((error.last_attempt().place - CGAL::ORIGIN).squared_length(), .5 * .5);
   }
   EXPECT_TRUE(complex.state() == before);

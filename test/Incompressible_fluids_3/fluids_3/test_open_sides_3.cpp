@@ -1,15 +1,12 @@
 // Liquid that passes through sides of the domain against a pressure, in space.
+#include "test.h"
+
 #include <CGAL/Incompressible_fluid_3.h>
 #if __has_include(<CGAL/Incompressible_fluids_3/compiled_3.h>) // if the component Compiled is used
 #include <CGAL/Incompressible_fluids_3/compiled_3.h>
 #endif
 
 #include "small_meshes.h"
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <numeric>
 
 namespace test_open_sides_3 {
 namespace {

@@ -1,8 +1,8 @@
 // Grains: Voronoi labels, orientations, statistics, and their growth.
 #include "grain_rates.h"
 #include "planar_regions.h"
+#include "test.h"
 
-#include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Interface_flows/Grain_growth.h>
 #include <CGAL/Interface_flows/Grain_orientations.h>
 #include <CGAL/Interface_flows/Voronoi_labels.h>
@@ -10,17 +10,6 @@
 #include <CGAL/Interface_remeshing/remove_components.h>
 
 #include <CGAL/Bbox_2.h>
-#include <CGAL/number_utils.h>
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <map>
-#include <random>
-#include <vector>
 
 namespace test_grain_growth {
 namespace {

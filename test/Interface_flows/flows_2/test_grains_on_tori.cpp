@@ -1,13 +1,9 @@
 #include "grain_rates.h"
+#include "test.h"
 #include "torus.h"
 
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Interface_flows/Voronoi_labels.h>
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstddef>
 
 namespace test_grains_on_tori {
 

@@ -1,5 +1,6 @@
 // Tensions, mobilities and energy densities that depend on labels, and the flow of their energy.
 #include "planar_regions.h"
+#include "test.h"
 
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
@@ -15,17 +16,6 @@
 #include <CGAL/Interface_remeshing/shared_measures.h>
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/named_parameters.h>
-
-#include <CGAL/number_utils.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <utility>
-#include <vector>
 
 namespace test_interface_energy {
 namespace {

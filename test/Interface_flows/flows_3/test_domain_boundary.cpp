@@ -1,24 +1,16 @@
 // Interfaces at the domain boundary, and growing domains, in space.
 #include "mesh_helpers.h"
+#include "test.h"
 
 #include <CGAL/Complex_construction/grow_domain.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_flows/interface_flows_3.h>
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cstddef>
-#include <set>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_domain_boundary {
 
 using CGAL::Deformable_simplicial_complexes::Domain_rule;
 using CGAL::Deformable_simplicial_complexes::Invalid_destination_error;
 using small_meshes::Complex;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 Complex ball() {
   const auto mesh = small_meshes::grid(8, small_meshes::ball);

@@ -1,5 +1,6 @@
 #include "small_meshes.h"
 #include "temporary_folder.h"
+#include "test.h"
 
 #include <CGAL/Deformable_simplicial_complexes/State.h>
 #include <CGAL/Mesh_files/File_error.h>
@@ -8,16 +9,7 @@
 
 #include <boost/crc.hpp>
 
-#include <gtest/gtest.h>
-
-#include <cstddef>
-#include <cstdint>
 #include <cstring>
-#include <limits>
-#include <string>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_checkpoint {
 

@@ -3,6 +3,7 @@
 
 #include "reconstruction.h"
 #include "temporary_folder.h"
+#include "test.h"
 
 #include <CGAL/Interface_remeshing/extract_interface_3.h>
 #include <CGAL/Interface_remeshing/manifold_interface.h>
@@ -12,22 +13,7 @@
 #include <CGAL/point_generators_3.h>
 #include <CGAL/property_map.h>
 
-#include <gtest/gtest.h>
-
 #include <boost/property_map/property_map.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <fstream>
-#include <functional>
-#include <limits>
-#include <string>
-#include <utility>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_reconstruction {
 
@@ -39,7 +25,6 @@ using Report = CGAL::Deformable_simplicial_complexes::Reconstruction_report_3<Co
 using CGAL::Deformable_simplicial_complexes::Error;
 using CGAL::Deformable_simplicial_complexes::File_error;
 using CGAL::Deformable_simplicial_complexes::Invalid_points_error;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 void append_sphere(std::vector<Point>& points, std::size_t n, const Point& center, double radius) {
   CGAL::Random random(7);

@@ -1,19 +1,12 @@
 // Surfaces with shared walls.
 
+#include "test.h"
+
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 #include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
 #include <CGAL/Triangle_soup_repair/make_patches_3.h>
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cstddef>
-#include <utility>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_shared_walls {
 

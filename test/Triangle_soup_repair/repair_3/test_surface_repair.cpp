@@ -1,5 +1,7 @@
 // Repair of surfaces that almost bound a solid.
 
+#include "test.h"
+
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Mesh_support/Error.h>
@@ -10,17 +12,6 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-#include <gtest/gtest.h>
-
-#include <chrono>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <utility>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
-
 namespace test_surface_repair {
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
@@ -30,7 +21,6 @@ using Surface = DSC::Labeled_surface_3<Point>;
 using CGAL::Deformable_simplicial_complexes::Error;
 using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
 using Reason = Invalid_surface_error::Reason;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 constexpr int n = 4; // parts of an edge of a cube
 
