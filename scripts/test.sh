@@ -20,9 +20,6 @@ cmake -S . -B build-checked -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_
 cmake --build build-checked --parallel "$jobs"
 ctest --test-dir build-checked --output-on-failure --no-tests=error --parallel "$jobs"
 
-echo "== Inputs that were once lost, misread or rejected for a wrong reason"
-/usr/bin/python3 scripts/check_inputs.py build-checked/dsc
-
 # Sanitizers slow the compilation down, so only the tests with damaged input run with them here; these tests are
 # short and need no optimization. scripts/check_more.sh runs all tests with sanitizers.
 echo "== With the address and undefined behaviour sanitizers: damaged files"

@@ -39,4 +39,14 @@ inline bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
+// Returns the exception that a function throws. It must be of the type `Error`.
+template <class Error, class Function> Error thrown_by(const Function& function) {
+  try {
+    function();
+  } catch (const Error& error) {
+    return error;
+  }
+  throw std::logic_error("no exception");
+}
+
 #endif // DEFORMABLE_SIMPLICIAL_COMPLEX_3_TEST_TEST_H

@@ -295,13 +295,10 @@ TEST(Build, any_size_and_place) {
 
 TEST(Build, refuses_what_normalization_makes_equal) {
   const Surfaces surfaces = {cube(1e-20, 1), cube(1, 2, Point(3, 3, 3))};
-  try {
-    build(surfaces, parameters::normalize(true));
-    ADD_FAILURE() << "the corners of the small cube are one point";
-  } catch (const Invalid_surface_error& e) {
-    EXPECT_EQ(e.reason(), Invalid_surface_error::Reason::too_fine);
-    EXPECT_EQ(e.surface(), 0u);
-  }
+  const auto e =
+      thrown_by<Invalid_surface_error>([&] { build(surfaces, parameters::normalize(true)); });
+  EXPECT_EQ(e.reason(), Invalid_surface_error::Reason::too_fine);
+  EXPECT_EQ(e.surface(), 0u);
   EXPECT_THROW(build(Surfaces{cube(8e307, 1)}, parameters::normalize(true)), Error);
 }
 
@@ -352,13 +349,10 @@ TEST(Build, the_tetrahedralizer_fails_with_words) {
   const std::vector<std::array<double, 3>> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const std::vector<std::array<std::size_t, 3>> triangles = {
       {0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}, {0, 1, 2}};
-  try {
-    CGAL::Tetgen_tetrahedralizer_3()(points, triangles);
-    FAIL();
-  } catch (const Tetrahedralization_error& e) {
-    EXPECT_EQ(e.code(), 3);
-    EXPECT_PRED2(contains, std::string(e.what()), "TetGen");
-  }
+  const auto e = thrown_by<Tetrahedralization_error>(
+      [&] { CGAL::Tetgen_tetrahedralizer_3()(points, triangles); });
+  EXPECT_EQ(e.code(), 3);
+  EXPECT_PRED2(contains, std::string(e.what()), "TetGen");
 }
 
 // Models of ConstrainedTetrahedralizer_3 that violate their postconditions.

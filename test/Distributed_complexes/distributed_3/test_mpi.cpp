@@ -85,15 +85,13 @@ TEST_F(Mpi, Divides_the_work_with_Scotch) { test_partitioner(DSC::Scotch_partiti
 TEST_F(Mpi, Throws_the_error_of_one_process_on_all) {
   DSC::Mpi_communicator communicator;
   const int last = communicator.size() - 1;
-  try {
+  const auto error = thrown_by<DSC::Error>([&] {
     communicator.call_together([&] {
       if (communicator.rank() == last)
         throw DSC::Error("the last process fails");
     });
-    FAIL();
-  } catch (const DSC::Error& error) {
-    EXPECT_STREQ(error.what(), "the last process fails");
-  }
+  });
+  EXPECT_STREQ(error.what(), "the last process fails");
 }
 
 } // namespace test_mpi

@@ -8,7 +8,6 @@
 #include <CGAL/Interface_remeshing/refine_cells.h>
 
 namespace test_energies_of_cells {
-namespace {
 
 namespace dsc = CGAL::Deformable_simplicial_complexes;
 using planar_regions::Complex;
@@ -39,8 +38,6 @@ template <class Energy> double total(const Complex& complex, const Energy& energ
     result += tension * complex.measure(f);
   return result;
 }
-
-} // namespace
 
 // No label of a single cell decreases the energy any more, and the square of the image is found.
 TEST(Relabel_by_energy, ends_in_a_local_minimum) {

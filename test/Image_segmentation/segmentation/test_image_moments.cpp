@@ -8,7 +8,6 @@
 #include <CGAL/Image_segmentation/Image_moments.h>
 
 namespace test_image_moments {
-namespace {
 
 namespace dsc = CGAL::Deformable_simplicial_complexes;
 using Point = std::array<double, 2>;
@@ -50,8 +49,6 @@ double area(const std::vector<Point>& polygon) {
   }
   return result;
 }
-
-} // namespace
 
 // Against the areas of triangles clipped by pixels. Some triangles reach out of the image, some
 // have corners and edges on the lines of the grid.

@@ -14,7 +14,6 @@
 #include <CGAL/number_utils.h>
 
 namespace test_segment_image {
-namespace {
 
 namespace dsc = CGAL::Deformable_simplicial_complexes;
 using Complex_2 = CGAL::Deformable_simplicial_complex_2<>;
@@ -70,8 +69,6 @@ double greatest_distance(const Complex& complex, int a, int b, double x, double 
     }
   return result;
 }
-
-} // namespace
 
 TEST(Segment_image, finds_a_disk_in_a_ring) {
   const auto image = image_of<2>({64, 60}, target, .1);

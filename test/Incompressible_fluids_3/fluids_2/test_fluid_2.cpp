@@ -8,7 +8,6 @@
 #endif
 
 namespace test_fluid_2 {
-namespace {
 
 namespace dsc = CGAL::Deformable_simplicial_complexes;
 namespace parameters = dsc::parameters;
@@ -65,8 +64,6 @@ double greatest_velocity(const Fluid& fluid, int label) {
       result = (std::max)(result, fluid.velocity(c->vertex(i), label).squared_length());
   return std::sqrt(result);
 }
-
-} // namespace
 
 // Lord Rayleigh, "On the capillary phenomena of jets", 1879: the square of the frequency of mode n
 // is n (n^2 - 1) for unit density, tension and radius.

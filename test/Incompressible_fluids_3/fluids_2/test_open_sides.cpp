@@ -11,7 +11,6 @@
 #include <optional>
 
 namespace test_open_sides {
-namespace {
 
 namespace dsc = CGAL::Deformable_simplicial_complexes;
 using Complex = CGAL::Deformable_simplicial_complex_2<>;
@@ -69,8 +68,6 @@ double height_at_right(const Complex& complex) {
       result = complex.position(v).y();
   return result;
 }
-
-} // namespace
 
 // A plug flow carries a field through a channel. Where the liquid leaves, vertices do not move, but
 // the field does.

@@ -13,7 +13,6 @@
 #include <optional>
 
 namespace test_carried_field {
-namespace {
 
 namespace dsc = CGAL::Deformable_simplicial_complexes;
 namespace parameters = dsc::parameters;
@@ -92,8 +91,6 @@ void check_decay(Complex_of_dimension& complex) {
   EXPECT_LT(end.greatest_field, begin.greatest_field);
   EXPECT_GT(end.least_field, begin.least_field);
 }
-
-} // namespace
 
 TEST(Carried_field, decays_by_diffusion) {
   Complex plane = grid(16, 8, 1, .5, [](const Point& p) { return p.y() < .3 ? 1 : 0; });

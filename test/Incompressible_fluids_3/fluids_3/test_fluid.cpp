@@ -13,8 +13,6 @@
 
 namespace test_fluid {
 
-namespace {
-
 namespace dsc = CGAL::Deformable_simplicial_complexes;
 namespace parameters = dsc::parameters;
 using mesh_helpers::sphere;
@@ -55,8 +53,6 @@ double greatest_velocity(const Fluid& fluid) {
     result = (std::max)(result, length(fluid.velocity(v)));
   return result;
 }
-
-} // namespace
 
 TEST(Fluid, falls_freely) {
   Complex complex = block();

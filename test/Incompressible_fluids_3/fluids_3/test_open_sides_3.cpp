@@ -9,7 +9,6 @@
 #include "small_meshes.h"
 
 namespace test_open_sides_3 {
-namespace {
 
 namespace dsc = CGAL::Deformable_simplicial_complexes;
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
@@ -27,8 +26,6 @@ dsc::Fluid_properties liquid() {
   result.set_gravity({0, 0, -1});
   return result;
 }
-
-} // namespace
 
 TEST(Open_sides_3, tank_drains) {
   Complex complex = tank();

@@ -12,7 +12,6 @@
 #include <CGAL/Bbox_2.h>
 
 namespace test_grain_growth {
-namespace {
 
 namespace dsc = CGAL::Deformable_simplicial_complexes;
 using planar_regions::Complex;
@@ -22,8 +21,6 @@ Complex grains_in_box(std::size_t number, double edges) {
       CGAL::Bbox_2(0, 0, 1, 1), 1 / (std::sqrt(double(number)) * edges),
       dsc::Voronoi_labels<Complex>(number, {1, 1}, false));
 }
-
-} // namespace
 
 TEST(Voronoi_labels, are_those_of_the_nearest_seeds) {
   static constexpr std::size_t number = 40, samples = 200;

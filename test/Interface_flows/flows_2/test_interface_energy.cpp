@@ -18,7 +18,6 @@
 #include <CGAL/Mesh_support/named_parameters.h>
 
 namespace test_interface_energy {
-namespace {
 
 namespace dsc = CGAL::Deformable_simplicial_complexes;
 using dsc::Interface_energy;
@@ -53,8 +52,6 @@ Interface_energy with_tension_of_1_and_2(double other) {
   result.set_tension([other](int a, int b) { return a == 1 && b == 2 ? other : 1; });
   return result;
 }
-
-} // namespace
 
 TEST(Interface_energy, checks_its_values) {
   Interface_energy energy;

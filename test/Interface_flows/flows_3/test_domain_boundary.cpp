@@ -42,17 +42,15 @@ TEST(Domain_boundary_3, is_an_error_for_an_interface_that_would_leave) {
                                      parameters::largest_displacement(0.)),
                Invalid_destination_error);
   EXPECT_TRUE(dsc.state() == before);
-  try {
+  const auto error = thrown_by<Invalid_destination_error>([&] {
     DSC::deform_interface(
         dsc,
         [&](Complex::Vertex_handle v) {
           return dsc.exact(dsc.position(v) + Complex::Approximate_vector_3(.6, 0, 0));
         },
         parameters::domain_rule(Domain_rule::refuse));
-    ADD_FAILURE() << "the interface left the domain";
-  } catch (const Invalid_destination_error& error) {
-    EXPECT_FALSE(error.vertices().empty());
-  }
+  });
+  EXPECT_FALSE(error.vertices().empty());
   EXPECT_TRUE(dsc.state() == before);
 }
 

@@ -274,13 +274,10 @@ TEST(Reconstruction, refuses_what_bounds_no_solid) {
   using Reason = Invalid_points_error::Reason;
   const auto expect = [](const std::vector<Point>& points, Reason reason,
                          const std::vector<std::size_t>& wrong = {}) {
-    try {
-      DSC::reconstruct_point_set_3<Complex>(points);
-      ADD_FAILURE() << "not refused";
-    } catch (const Invalid_points_error& error) {
-      EXPECT_EQ(error.reason(), reason) << error.what();
-      EXPECT_EQ(error.points(), wrong);
-    }
+    const auto error =
+        thrown_by<Invalid_points_error>([&] { DSC::reconstruct_point_set_3<Complex>(points); });
+    EXPECT_EQ(error.reason(), reason) << error.what();
+    EXPECT_EQ(error.points(), wrong);
   };
   expect({}, Reason::too_few);
   expect({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, Reason::too_few);

@@ -89,13 +89,10 @@ TEST(Reconstruction_of_scans, refuses_open_sheets_or_keeps_them_on_request) {
     const double x = random.get_double(), y = random.get_double();
     hills.emplace_back(x, y, .1 * std::sin(6 * x) * std::cos(6 * y));
   }
-  try {
-    DSC::reconstruct_point_set_3<Complex>(hills);
-    ADD_FAILURE() << "accepted";
-  } catch (const Invalid_points_error& error) {
-    EXPECT_EQ(error.reason(), Invalid_points_error::Reason::sheet);
-    EXPECT_PRED2(contains, std::string(error.what()), "open sheet") << error.what();
-  }
+  const auto error =
+      thrown_by<Invalid_points_error>([&] { DSC::reconstruct_point_set_3<Complex>(hills); });
+  EXPECT_EQ(error.reason(), Invalid_points_error::Reason::sheet);
+  EXPECT_PRED2(contains, std::string(error.what()), "open sheet") << error.what();
   Report report;
   const Complex complex = DSC::reconstruct_point_set_3<Complex>(
       hills, parameters::keep_open(true).report(std::ref(report)));

@@ -106,12 +106,8 @@ TEST(Shared_walls, of_one_surface_divide_it_into_labels) {
 }
 
 void expect_refusal(const std::vector<Surface>& surfaces, Reason reason) {
-  try {
-    DSC::make_patches_3(surfaces);
-    FAIL() << "not refused";
-  } catch (const Invalid_surface_error& error) {
-    EXPECT_EQ(error.reason(), reason) << error.what();
-  }
+  const auto error = thrown_by<Invalid_surface_error>([&] { DSC::make_patches_3(surfaces); });
+  EXPECT_EQ(error.reason(), reason) << error.what();
 }
 
 TEST(Shared_walls, are_refused_where_surfaces_overlap_or_are_open) {

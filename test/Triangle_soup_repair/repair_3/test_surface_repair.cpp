@@ -61,12 +61,8 @@ double volume(const Surface& surface) {
 template <class NP = parameters::Default_named_parameters>
 void expect_refusal(const Surface& surface, Reason reason, const NP& np = NP()) {
   Surface repaired = surface;
-  try {
-    DSC::repair_surface_3(repaired, np);
-    FAIL() << "not refused";
-  } catch (const Invalid_surface_error& error) {
-    EXPECT_EQ(error.reason(), reason) << error.what();
-  }
+  const auto error = thrown_by<Invalid_surface_error>([&] { DSC::repair_surface_3(repaired, np); });
+  EXPECT_EQ(error.reason(), reason) << error.what();
   EXPECT_EQ(repaired.points.size(), surface.points.size()); // there may be NaN
   EXPECT_EQ(repaired.triangles, surface.triangles);
 }
