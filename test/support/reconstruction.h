@@ -5,6 +5,7 @@
 #include <CGAL/Solid_reconstruction_3/compiled_3.h>
 #endif
 #include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Solid_reconstruction_3/Invalid_points_error.h>
 #include <CGAL/Solid_reconstruction_3/reconstruct_point_set_3.h>
 
 #endif // DEFORMABLE_SIMPLICIAL_COMPLEX_3_TEST_RECONSTRUCTION_H

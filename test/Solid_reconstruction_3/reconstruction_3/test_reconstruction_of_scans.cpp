@@ -5,7 +5,6 @@
 
 #include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Random.h>
-#include <CGAL/Solid_reconstruction_3/Invalid_points_error.h>
 
 namespace test_reconstruction_of_scans {
 
