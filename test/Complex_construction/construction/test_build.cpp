@@ -1,17 +1,13 @@
+#include "small_surfaces.h"
 #include "test.h"
 
-#include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 #include <CGAL/boost/graph/generators.h>
 
 namespace test_build {
 
-using Complex = CGAL::Deformable_simplicial_complex_3<>;
-using Point = Complex::Point_3;
-using Surface = DSC::Labeled_surface_3<Point>;
-using Surfaces = std::vector<Surface>;
+using namespace small_surfaces;
 using Tetrahedra = std::vector<std::array<std::size_t, 4>>;
 using CGAL::Deformable_simplicial_complexes::Error;
 using CGAL::Deformable_simplicial_complexes::Invalid_cells_error;
@@ -26,33 +22,14 @@ Complex build(const Input& input, const NP& np = NP()) {
   return dsc;
 }
 
-Surface octahedron(double radius, int label) {
-  const double r = radius;
-  return {{{r, 0, 0}, {-r, 0, 0}, {0, r, 0}, {0, -r, 0}, {0, 0, r}, {0, 0, -r}},
-          {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}},
-          label};
-}
-
-// A cube about a center. The index of a corner has one bit per axis.
+// A cube about a center.
 Surface cube(double half_side, int label, const Point& center = Point(0, 0, 0)) {
-  Surface s;
-  for (int corner = 0; corner < 8; ++corner) {
-    const auto coordinate = [&](int axis) {
-      return center[axis] + (corner >> axis & 1 ? half_side : -half_side);
-    };
-    s.points.emplace_back(coordinate(0), coordinate(1), coordinate(2));
+  std::array<double, 3> low, high;
+  for (int axis = 0; axis < 3; ++axis) {
+    low[axis] = center[axis] - half_side;
+    high[axis] = center[axis] + half_side;
   }
-  s.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                 {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-  s.label = label;
-  return s;
-}
-
-void append(Surface& surface, const Surface& other) {
-  const std::size_t n = surface.points.size();
-  surface.points.insert(surface.points.end(), other.points.begin(), other.points.end());
-  for (const auto& t : other.triangles)
-    surface.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
+  return box(low, high, label);
 }
 
 Surface inside_out(Surface s) {

@@ -1,9 +1,8 @@
 // Repair of surfaces that almost bound a solid.
 
+#include "small_surfaces.h"
 #include "test.h"
 
-#include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
@@ -14,10 +13,8 @@
 
 namespace test_surface_repair {
 
-using Complex = CGAL::Deformable_simplicial_complex_3<>;
-using Point = Complex::Point_3;
+using namespace small_surfaces;
 using Vector = CGAL::Exact_predicates_inexact_constructions_kernel::Vector_3;
-using Surface = DSC::Labeled_surface_3<Point>;
 using CGAL::Deformable_simplicial_complexes::Error;
 using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
 using Reason = Invalid_surface_error::Reason;
