@@ -85,37 +85,39 @@ std::string medit(const Mesh& mesh) {
   return text.str();
 }
 
-template <class Number>
-std::string text_array(const std::string& type, const std::string& name,
-                       const std::vector<Number>& values, int components = 1) {
-  std::ostringstream text;
-  text << "<DataArray type=\"" << type << "\" Name=\"" << name << "\" NumberOfComponents=\""
-       << components << "\" format=\"ascii\">\n"
-       << std::setprecision(std::numeric_limits<double>::max_digits10);
-  for (const Number value : values)
-    text << value << '\n';
-  return text.str() + "</DataArray>\n";
-}
-
 // `attributes` of the root element, as other programs write them.
 std::string vtu(const Mesh& mesh, const std::string& name_of_labels,
                 const std::string& attributes = "") {
-  std::vector<double> coordinates;
-  for (const auto& p : mesh.points)
-    coordinates.insert(coordinates.end(), p.begin(), p.end());
-  std::vector<std::size_t> corners, offsets;
-  for (const auto& t : mesh.tetrahedra) {
-    corners.insert(corners.end(), t.begin(), t.end());
-    offsets.push_back(corners.size());
-  }
+  const auto array = [](const std::string& type, const std::string& name, int components,
+                        const auto& values, const auto& write) {
+    std::ostringstream text;
+    text << "<DataArray type=\"" << type << "\" Name=\"" << name << "\" NumberOfComponents=\""
+         << components << "\" format=\"ascii\">\n";
+    for (const auto& value : values) {
+      write(text, value);
+      text << '\n';
+    }
+    text << "</DataArray>\n";
+    return text.str();
+  };
+  const auto plain = [](std::ostream& out, const auto& value) { out << value; };
+  std::vector<std::size_t> offsets(mesh.tetrahedra.size());
+  for (std::size_t i = 0; i < offsets.size(); ++i)
+    offsets[i] = 4 * (i + 1);
   return "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" " +
          attributes + ">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
          std::to_string(mesh.points.size()) + "\" NumberOfCells=\"" +
          std::to_string(mesh.tetrahedra.size()) + "\">\n<CellData>\n" +
-         text_array("Int32", name_of_labels, mesh.labels) + "</CellData>\n<Points>\n" +
-         text_array("Float64", "Points", coordinates, 3) + "</Points>\n<Cells>\n" +
-         text_array("Int64", "connectivity", corners) + text_array("Int64", "offsets", offsets) +
-         text_array("UInt8", "types", std::vector<int>(mesh.tetrahedra.size(), 10)) +
+         array("Int32", name_of_labels, 1, mesh.labels, plain) + "</CellData>\n<Points>\n" +
+         array("Float64", "Points", 3, mesh.points,
+               [](std::ostream& out, const auto& p) { out << numbers(p); }) +
+         "</Points>\n<Cells>\n" +
+         array("Int64", "connectivity", 1, mesh.tetrahedra,
+               [](std::ostream& out, const auto& t) {
+                 out << t[0] << ' ' << t[1] << ' ' << t[2] << ' ' << t[3];
+               }) +
+         array("Int64", "offsets", 1, offsets, plain) +
+         array("UInt8", "types", 1, std::vector<int>(mesh.tetrahedra.size(), 10), plain) +
          "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 
@@ -425,6 +427,17 @@ std::vector<double> volumes(const std::string& file) {
                      6);
   }
   return result;
+}
+
+template <class Number>
+std::string text_array(const std::string& type, const std::string& name,
+                       const std::vector<Number>& values) {
+  std::ostringstream text;
+  text << "<DataArray type=\"" << type << "\" Name=\"" << name << "\" format=\"ascii\">\n"
+       << std::setprecision(std::numeric_limits<double>::max_digits10);
+  for (const Number value : values)
+    text << value << '\n';
+  return text.str() + "</DataArray>\n";
 }
 
 // The layers with arrays: x at points; a density and the fraction of each layer at cells.
