@@ -18,17 +18,21 @@ cmake -S . -B build-checked -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_
   -DDSC_BUILD_EXAMPLES=OFF -DDSC_BUILD_BENCHMARKS=OFF -DDSC_SHARE_COMPILATION=ON -DDSC_BUILD_SLOW_TESTS=OFF \
   -DDSC_WITH_MPI=ON -DDSC_BUILD_PYTHON=ON -DPython_EXECUTABLE=/usr/bin/python3
 cmake --build build-checked --parallel "$jobs"
-ctest --test-dir build-checked --output-on-failure --no-tests=error --parallel "$jobs"
-
-echo "== Inputs that were once lost, misread or rejected for a wrong reason"
-/usr/bin/python3 scripts/check_inputs.py build-checked/dsc
 
 # Sanitizers slow the compilation down, so only the tests with damaged input run with them here; these tests are
-# short and need no optimization. scripts/check_more.sh runs all tests with sanitizers.
-echo "== With the address and undefined behaviour sanitizers: damaged files"
+# short and need no optimization. scripts/check_more.sh runs all tests with sanitizers. They are one unit, which
+# takes one core only, so they are built beside the other tests.
 sanitized=(test_fuzzed_readers)
-cmake -S . -B build-sanitized -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O0 -g1" -DDSC_BUILD_COMPILED=OFF \
-  -DDSC_SANITIZE=ON -DDSC_BUILD_PYTHON=OFF -DDSC_BUILD_PROGRAM=OFF -DDSC_BUILD_EXAMPLES=OFF -DDSC_BUILD_BENCHMARKS=OFF
-cmake --build build-sanitized --parallel "$jobs" --target "${sanitized[@]}"
+build_sanitized() {
+  cmake -S . -B build-sanitized -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O0 -g1" -DDSC_BUILD_COMPILED=OFF \
+    -DDSC_SANITIZE=ON -DDSC_BUILD_PYTHON=OFF -DDSC_BUILD_PROGRAM=OFF -DDSC_BUILD_EXAMPLES=OFF -DDSC_BUILD_BENCHMARKS=OFF
+  nice cmake --build build-sanitized --parallel 1 --target "${sanitized[@]}"
+}
+(set -e; build_sanitized) >build-checked/sanitized.log 2>&1 &
+built=$!
+ctest --test-dir build-checked --output-on-failure --no-tests=error --parallel "$jobs"
+
+echo "== With the address and undefined behaviour sanitizers: damaged files"
+wait "$built" || { cat build-checked/sanitized.log; exit 1; }
 ctest --test-dir build-sanitized --output-on-failure --no-tests=error --parallel "$jobs" \
   --tests-regex "^($(IFS='|'; echo "${sanitized[*]}"))\."

@@ -1,17 +1,8 @@
+#include "test.h"
+
 #include <CGAL/Cut_loci_2/Geodesic_distance_2.h>
 #include <CGAL/Cut_loci_2/Sphere_like_surface_2.h>
 #include <CGAL/Cut_loci_2/cut_locus_2.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_cut_locus {
 
@@ -49,10 +40,15 @@ struct Sheared_metric
   DSC::Metric_jet_2 operator()(double, double) const { return {1, .5, 1.25, 0, 0, 0, 0, 0, 0}; }
 };
 
-struct Flat_metric
-{
-  DSC::Metric_jet_2 operator()(double, double) const { return {1, 0, 1, 0, 0, 0, 0, 0, 0}; }
-};
+// All metrics of fronts and of cut loci have this type, so that the templates are instantiated
+// once.
+using Metric = std::function<DSC::Metric_jet_2(double, double)>;
+
+Metric constant_metric(double E, double F, double G) {
+  return [=](double, double) { return DSC::Metric_jet_2{E, F, G, 0, 0, 0, 0, 0, 0}; };
+}
+
+const Metric flat = constant_metric(1, 0, 1);
 
 TEST(Riemannian_metric, of_an_embedding_is_differentiated) {
   const Torus_metric metric;
@@ -149,7 +145,7 @@ TEST(Geodesics, are_straight_in_a_sheared_chart) {
 }
 
 TEST(Geodesic_front, is_a_circle_before_it_meets_itself) {
-  DSC::Geodesic_front_2<Flat_metric> front(Flat_metric(), Domain(), Point(0, 0), .04);
+  DSC::Geodesic_front_2<Metric> front(flat, Domain(), Point(0, 0), .04);
   while (front.radius() < .4)
     EXPECT_TRUE(front.advance(.02));
   EXPECT_TRUE(front.complex().is_valid());
@@ -162,7 +158,7 @@ TEST(Geodesic_front, is_a_circle_before_it_meets_itself) {
 // Two lines that intersect where four geodesics meet.
 TEST(Cut_locus, of_a_flat_torus) {
   const Point p(.2, .3);
-  const DSC::Cut_locus_2 locus = DSC::cut_locus_2(Flat_metric(), Domain(), p, .05, .025);
+  const DSC::Cut_locus_2 locus = DSC::cut_locus_2(flat, Domain(), p, .05, .025);
   std::size_t crossings = 0;
   for (const auto& v : locus.vertices) {
     const double u = std::abs(std::remainder(v.point.x() - p.x(), 1)),
@@ -181,16 +177,14 @@ TEST(Cut_locus, of_a_flat_torus) {
 
 // A torus of revolution whose generator is an ellipse of height 2 b. It uses formulas, which are
 // faster than automatic differentiation.
-struct Torus_by_formulas
-{
-  double b;
-
-  DSC::Metric_jet_2 operator()(double, double v) const {
+Metric torus_by_formulas(double b) {
+  return [b](double, double v) {
     const double radius = 2 + std::cos(v), s = std::sin(v), c = std::cos(v);
-    return {radius * radius,        0, s * s + b * b * c * c, 0, -2 * radius * s, 0, 0, 0,
-            2 * (1 - b * b) * s * c};
-  }
-};
+    return DSC::Metric_jet_2{
+        radius * radius,        0, s * s + b * b * c * c, 0, -2 * radius * s, 0, 0, 0,
+        2 * (1 - b * b) * s * c};
+  };
+}
 
 // An end or a junction in the chart from -pi to pi.
 struct Special_point
@@ -203,7 +197,7 @@ struct Special_point
 // meridian.
 void expect_cut_locus(double b, double v, double spacing, std::size_t arcs,
                       const std::vector<Special_point>& expected) {
-  const DSC::Cut_locus_2 locus = DSC::cut_locus_2(Torus_by_formulas{b}, Domain({2 * pi, 2 * pi}),
+  const DSC::Cut_locus_2 locus = DSC::cut_locus_2(torus_by_formulas(b), Domain({2 * pi, 2 * pi}),
                                                   Point(0, v), spacing, spacing / 2);
   EXPECT_EQ(locus.polylines.size(), arcs);
   std::vector<Special_point> found;
@@ -250,7 +244,7 @@ TEST(Cut_locus, of_a_torus_does_not_depend_on_the_mesh) {
   for (double v : {.09 * pi, .095 * pi, .105 * pi})
     for (double spacing : {.19, .21}) {
       const DSC::Cut_locus_2 locus = DSC::cut_locus_2(
-          Torus_by_formulas{1}, Domain({2 * pi, 2 * pi}), Point(0, v), spacing, spacing / 2);
+          torus_by_formulas(1), Domain({2 * pi, 2 * pi}), Point(0, v), spacing, spacing / 2);
       EXPECT_TRUE(locus.is_complete);
       EXPECT_EQ(locus.polylines.size(), 6u) << v << ' ' << spacing;
     }
@@ -271,21 +265,19 @@ TEST(Cut_locus, of_a_point_of_a_high_torus) {
 }
 
 // A torus of revolution with other radii.
-struct Thin_torus
-{
-  double large, small;
-
-  DSC::Metric_jet_2 operator()(double, double v) const {
+Metric thin_torus(double large, double small) {
+  return [=](double, double v) {
     const double radius = large + small * std::cos(v);
-    return {radius * radius, 0, small * small, 0, -2 * radius * small * std::sin(v), 0, 0, 0, 0};
-  }
-};
+    return DSC::Metric_jet_2{
+        radius * radius, 0, small * small, 0, -2 * radius * small * std::sin(v), 0, 0, 0, 0};
+  };
+}
 
 // By the symmetry of v and -v, the cut locus of a point of the outer equator contains the inner
 // equator, and the part of the outer equator beyond the conjugate points.
 TEST(Cut_locus, of_a_thin_torus_is_symmetric) {
   const DSC::Cut_locus_2 locus =
-      DSC::cut_locus_2(Thin_torus{2, .5}, Domain({2 * pi, 2 * pi}), Point(0, 0), .157, .078);
+      DSC::cut_locus_2(thin_torus(2, .5), Domain({2 * pi, 2 * pi}), Point(0, 0), .157, .078);
   EXPECT_TRUE(locus.is_complete);
   EXPECT_EQ(locus.polylines.size(), 5u);
   const double conjugate = pi * std::sqrt(.5 / 2.5);
@@ -303,7 +295,7 @@ TEST(Cut_locus, of_a_thin_torus_is_symmetric) {
 // by only 1e-6.
 TEST(Cut_locus, of_a_point_of_the_outer_equator_of_a_thin_torus) {
   const DSC::Cut_locus_2 locus =
-      DSC::cut_locus_2(Thin_torus{2, .4}, Domain({2 * pi, 2 * pi}), Point(0, 0), .2, .04);
+      DSC::cut_locus_2(thin_torus(2, .4), Domain({2 * pi, 2 * pi}), Point(0, 0), .2, .04);
   EXPECT_TRUE(locus.is_complete);
   EXPECT_EQ(locus.polylines.size(), 5u);
 }
@@ -311,7 +303,7 @@ TEST(Cut_locus, of_a_point_of_the_outer_equator_of_a_thin_torus) {
 // Geodesics along the inner side diverge by a factor of thousands.
 TEST(Cut_locus, of_a_torus_is_reached_by_no_shorter_way) {
   const Domain domain({2 * pi, 2 * pi});
-  for (const Thin_torus& torus : {Thin_torus{3, 1}, Thin_torus{2, .3}}) {
+  for (const Metric& torus : {thin_torus(3, 1), thin_torus(2, .3)}) {
     const DSC::Cut_locus_2 locus = DSC::cut_locus_2(torus, domain, Point(.7, 1.1), .157, .078);
     EXPECT_TRUE(locus.is_complete);
     EXPECT_EQ(locus.polylines.size(), 2u);
@@ -320,7 +312,6 @@ TEST(Cut_locus, of_a_torus_is_reached_by_no_shorter_way) {
   }
 }
 
-template <class Metric>
 DSC::Geodesic_distance_2<Metric> distance_field(const Metric& metric, const Domain& domain,
                                                 const Point& source, double spacing) {
   DSC::Geodesic_front_2<Metric> front(metric, domain, source, spacing);
@@ -331,7 +322,7 @@ DSC::Geodesic_distance_2<Metric> distance_field(const Metric& metric, const Doma
 
 TEST(Geodesic_distance, on_a_flat_torus) {
   const Point source(.2, .3);
-  const auto distance = distance_field(Flat_metric(), Domain(), source, .05);
+  const auto distance = distance_field(flat, Domain(), source, .05);
   EXPECT_EQ(distance(source), 0);
   for (int i = 0; i < 10; ++i)
     for (int j = 0; j < 10; ++j) {
@@ -346,31 +337,31 @@ TEST(Geodesic_distance, on_a_flat_torus) {
 // The other values are computed with 8000 geodesics.
 TEST(Geodesic_distance, on_tori_of_revolution) {
   const Domain domain({2 * pi, 2 * pi});
-  const auto equator = distance_field(Torus_by_formulas{1}, domain, Point(0, 0), .2);
+  const auto equator = distance_field(torus_by_formulas(1), domain, Point(0, 0), .2);
   EXPECT_NEAR(equator(Point(0, pi)), pi, 1e-8);
   EXPECT_NEAR(equator(Point(pi, 0)), 7.63112309, 1e-7);
   EXPECT_NEAR(equator(Point(pi, pi)), 5.47597569, 1e-7);
   EXPECT_NEAR(equator(Point(.001, -.002)), std::hypot(.003, .002), 1e-5);
-  const auto above = distance_field(Torus_by_formulas{1}, domain, Point(0, .3 * pi), .2);
+  const auto above = distance_field(torus_by_formulas(1), domain, Point(0, .3 * pi), .2);
   EXPECT_NEAR(above(Point(1.95, -.3 * pi)), 5.17309, 1e-4);
-  const auto high = distance_field(Torus_by_formulas{2}, domain, Point(0, .1 * pi), .15);
+  const auto high = distance_field(torus_by_formulas(2), domain, Point(0, .1 * pi), .15);
   EXPECT_NEAR(high(Point(3.05, -.1 * pi)), 9.09745, 1e-4);
 }
 
 // The points that are conjugate to the source, and their neighborhoods.
 TEST(Geodesic_distance, at_an_end_of_the_cut_locus) {
   const auto distance =
-      distance_field(Torus_by_formulas{1}, Domain({2 * pi, 2 * pi}), Point(0, 0), .2);
+      distance_field(torus_by_formulas(1), Domain({2 * pi, 2 * pi}), Point(0, 0), .2);
   const double conjugate = pi * std::sqrt(1. / 3);
   for (double way : {0., 1e-9, -1e-9, 1e-7, -1e-7, -1e-4})
     EXPECT_NEAR(distance(Point(conjugate + way, 0)), 3 * (conjugate + way), 1e-7) << way;
 }
 
 TEST(Geodesic_distance, is_infinite_where_the_front_did_not_come) {
-  DSC::Geodesic_front_2<Flat_metric> front(Flat_metric(), Domain(), Point(0, 0), .04);
+  DSC::Geodesic_front_2<Metric> front(flat, Domain(), Point(0, 0), .04);
   while (front.radius() < .2)
     front.advance(.02);
-  const DSC::Geodesic_distance_2<Flat_metric> distance(front);
+  const DSC::Geodesic_distance_2<Metric> distance(front);
   EXPECT_NEAR(distance(Point(.1, 0)), .1, 1e-9);
   EXPECT_EQ(distance(Point(.5, .5)), std::numeric_limits<double>::infinity());
 }
@@ -385,6 +376,11 @@ struct Ellipsoid
 };
 
 using Ellipsoid_surface = DSC::Sphere_like_surface_2<Ellipsoid>;
+
+struct Case
+{
+  std::array<double, 3> axes, source;
+};
 
 TEST(Geodesics, of_a_sphere_are_great_circles) {
   const Ellipsoid_surface sphere(Ellipsoid{{1, 1, 1}}, {1, 2, 2});
@@ -455,10 +451,6 @@ TEST(Cut_locus, of_a_sphere_is_a_point) {
 }
 
 TEST(Cut_locus, of_ellipsoids_of_any_shape) {
-  struct Case
-  {
-    std::array<double, 3> axes, source;
-  };
   for (const Case& c : {Case{{1, .99, .98}, {1, 1, 1}}, Case{{1, .5, .4}, {.3, -1, .4}}}) {
     const Ellipsoid_surface surface(Ellipsoid{c.axes}, c.source);
     const DSC::Cut_locus_2 locus = DSC::cut_locus_2(surface, .2, .04);
@@ -470,10 +462,6 @@ TEST(Cut_locus, of_ellipsoids_of_any_shape) {
 // In the chart of a sphere, the metric has ratios of up to 100, and conjugate points are near the
 // source.
 TEST(Cut_locus, of_long_and_flat_ellipsoids) {
-  struct Case
-  {
-    std::array<double, 3> axes, source;
-  };
   for (const Case& c : {Case{{1, .3, .1}, {1, 1, 1}}, Case{{1, .3, .1}, {.3, -1, .4}},
                         Case{{1, .1, .1}, {.3, -1, .4}}}) {
     const Ellipsoid_surface surface(Ellipsoid{c.axes}, c.source);
@@ -506,19 +494,12 @@ TEST(Sphere_like_surface, has_a_source) {
 
 // A torus of period 1 in any unit: chart and surface may have different units.
 TEST(Cut_locus, does_not_depend_on_units) {
-  struct Metric
-  {
-    double scale;
-    DSC::Metric_jet_2 operator()(double, double) const {
-      return {scale * scale, 0, scale * scale, 0, 0, 0, 0, 0, 0};
-    }
-  };
   for (double period : {1e-14, 1., 1e10})
     for (double scale : {1e-8, 1e8}) {
       const Domain domain({period, period});
       const DSC::Cut_locus_2 locus =
-          DSC::cut_locus_2(Metric{scale}, domain, Point(.2 * period, .3 * period), .05 * period,
-                           .025 * period * scale);
+          DSC::cut_locus_2(constant_metric(scale * scale, 0, scale * scale), domain,
+                           Point(.2 * period, .3 * period), .05 * period, .025 * period * scale);
       EXPECT_TRUE(locus.is_complete);
       EXPECT_EQ(locus.polylines.size(), 2u);
       for (const auto& v : locus.vertices) {
@@ -531,29 +512,29 @@ TEST(Cut_locus, does_not_depend_on_units) {
 }
 
 TEST(Cut_locus, tells_whether_it_is_complete) {
-  EXPECT_FALSE(DSC::cut_locus_2(Flat_metric(), Domain(), Point(0, 0), .05, .025, .52).is_complete);
-  EXPECT_TRUE(DSC::cut_locus_2(Flat_metric(), Domain(), Point(0, 0), .05, .025, .8).is_complete);
+  EXPECT_FALSE(DSC::cut_locus_2(flat, Domain(), Point(0, 0), .05, .025, .52).is_complete);
+  EXPECT_TRUE(DSC::cut_locus_2(flat, Domain(), Point(0, 0), .05, .025, .8).is_complete);
 }
 
 // A step that is too long is divided.
 TEST(Geodesic_front, goes_on_by_any_length) {
-  DSC::Geodesic_front_2<Flat_metric> front(Flat_metric(), Domain(), Point(0, 0), .04);
+  DSC::Geodesic_front_2<Metric> front(flat, Domain(), Point(0, 0), .04);
   EXPECT_TRUE(front.advance(.3));
   EXPECT_TRUE(front.advance(1e-7));
   for (double length : {0., -1., std::nan(""), 1e-300, 1e10})
     EXPECT_THROW(front.advance(length), Error) << length;
-  const DSC::Geodesic_distance_2<Flat_metric> distance(front);
+  const DSC::Geodesic_distance_2<Metric> distance(front);
   EXPECT_NEAR(distance(Point(.1, .2)), std::hypot(.1, .2), 1e-9);
 }
 
 // Geodesics do not enter the region where the metric is not positive definite; the front keeps its
 // previous state.
 TEST(Geodesic_front, ends_where_the_metric_is_not_positive) {
-  const auto metric = [](double, double v) {
+  const Metric metric = [](double, double v) {
     const double G = std::abs(v - .5) < .2 ? -1 : 1;
     return DSC::Metric_jet_2{1, 0, G, 0, 0, 0, 0, 0, 0};
   };
-  DSC::Geodesic_front_2<decltype(metric)> front(metric, Domain(), Point(.3, 0), .04);
+  DSC::Geodesic_front_2<Metric> front(metric, Domain(), Point(.3, 0), .04);
   double last = front.radius();
   try {
     for (;; last = front.radius())
@@ -567,11 +548,11 @@ TEST(Geodesic_front, ends_where_the_metric_is_not_positive) {
 }
 
 TEST(Geodesic_distance, close_to_the_source) {
-  DSC::Geodesic_front_2<Flat_metric> front(Flat_metric(), Domain(), Point(.3, .3), .04);
-  const DSC::Geodesic_distance_2<Flat_metric> at_once(front);
+  DSC::Geodesic_front_2<Metric> front(flat, Domain(), Point(.3, .3), .04);
+  const DSC::Geodesic_distance_2<Metric> at_once(front);
   EXPECT_NEAR(at_once(Point(.35, .3)), .05, 1e-12);
   front.advance(.2);
-  const DSC::Geodesic_distance_2<Flat_metric> distance(front);
+  const DSC::Geodesic_distance_2<Metric> distance(front);
   for (double radius : {1e-12, 1e-9, 1e-6, 1e-3, .03})
     for (double angle : {0., 1., 2., 3., 4., 5.})
       EXPECT_NEAR(distance(Point(.3 + radius * std::cos(angle), .3 + radius * std::sin(angle))),
@@ -580,7 +561,7 @@ TEST(Geodesic_distance, close_to_the_source) {
 
 TEST(Cut_locus, refuses_what_it_cannot_do) {
   const auto find = [](double spacing, double step) {
-    return DSC::cut_locus_2(Flat_metric(), Domain(), Point(0, 0), spacing, step);
+    return DSC::cut_locus_2(flat, Domain(), Point(0, 0), spacing, step);
   };
   EXPECT_THROW(find(0, .1), Error);
   EXPECT_THROW(find(.1, .1), Error);
@@ -589,17 +570,12 @@ TEST(Cut_locus, refuses_what_it_cannot_do) {
   EXPECT_THROW(find(.05, 1e-300), Error);
   EXPECT_THROW(find(.05, std::numeric_limits<double>::infinity()), Error);
   for (double distance : {0., -1., std::nan("")})
-    EXPECT_THROW(DSC::cut_locus_2(Flat_metric(), Domain(), Point(0, 0), .05, .02, distance), Error);
+    EXPECT_THROW(DSC::cut_locus_2(flat, Domain(), Point(0, 0), .05, .02, distance), Error);
   for (double x : {std::nan(""), std::numeric_limits<double>::infinity()})
-    EXPECT_THROW(DSC::cut_locus_2(Flat_metric(), Domain(), Point(x, 0), .05, .02), Error);
-  const auto anisotropic = [](double, double) {
-    return DSC::Metric_jet_2{1, 0, 100, 0, 0, 0, 0, 0, 0};
-  };
-  EXPECT_TRUE(DSC::cut_locus_2(anisotropic, Domain(), Point(0, 0), .01, .005).is_complete);
-  const auto no_metric = [](double, double) {
-    return DSC::Metric_jet_2{1, 1, 1, 0, 0, 0, 0, 0, 0};
-  };
-  EXPECT_THROW(DSC::cut_locus_2(no_metric, Domain(), Point(0, 0), .05, .02), Error);
+    EXPECT_THROW(DSC::cut_locus_2(flat, Domain(), Point(x, 0), .05, .02), Error);
+  EXPECT_TRUE(
+      DSC::cut_locus_2(constant_metric(1, 0, 100), Domain(), Point(0, 0), .01, .005).is_complete);
+  EXPECT_THROW(DSC::cut_locus_2(constant_metric(1, 1, 1), Domain(), Point(0, 0), .05, .02), Error);
 }
 
 } // namespace test_cut_locus

@@ -1,20 +1,12 @@
 #include "mesh_helpers.h"
+#include "test.h"
 
-#include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_removal_3.h>
 #include <CGAL/Deformable_simplicial_complexes/multi_face_removal_3.h>
 #include <CGAL/Deformable_simplicial_complexes/vertex_smoothing.h>
 
-#include <gtest/gtest.h>
-
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
 #include <new>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 // Inner loops allocate no memory once their buffers are large enough. If an allocation fails, the
 // complex is unchanged.

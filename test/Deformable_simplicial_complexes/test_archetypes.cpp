@@ -1,9 +1,8 @@
 #include "archetypes.h"
 #include "mesh_helpers.h"
 #include "stamped_values.h"
+#include "test.h"
 
-#include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Interface_flows/Mean_curvature_flow.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_flows/face_offsetting_3.h>
@@ -18,21 +17,13 @@
 #include <CGAL/Interface_remeshing/restore_volumes.h>
 #include <CGAL/Triangulation_data_structure_3.h>
 
-#include <gtest/gtest.h>
-
-#include <functional>
 #include <type_traits>
-#include <utility>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 // The package accepts models that provide only the requirements of the concepts, and gives the same
 // results as with its own models.
 
 namespace test_archetypes {
 
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 using Tds =
     CGAL::Triangulation_data_structure_3<archetypes::Vertex_base<>, archetypes::Cell_base<>>;
 using Archetype =

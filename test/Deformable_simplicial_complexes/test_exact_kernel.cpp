@@ -1,21 +1,12 @@
 #include "mesh_helpers.h"
-#include "small_meshes.h"
 #include "temporary_folder.h"
+#include "test.h"
 
-#include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_traits_3.h>
-#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Interface_remeshing/improve_mesh.h>
 #include <CGAL/Mesh_files/checkpoint.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-
-#include <gtest/gtest.h>
-
-#include <string>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 // The numbers of this kernel are evaluated lazily, and conversions to double depend on the
 // evaluation.

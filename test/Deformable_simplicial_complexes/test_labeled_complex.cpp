@@ -1,20 +1,12 @@
 #include "plane.h"
+#include "test.h"
 
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_flip_2.h>
 #include <CGAL/Deformable_simplicial_complexes/topology_control.h>
 
-#include <gtest/gtest.h>
-
-#include <cstddef>
-#include <cstdlib>
-#include <limits>
 #include <new>
 #include <type_traits>
-#include <utility>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace {
 

@@ -1,19 +1,8 @@
 #include "mesh_helpers.h"
+#include "test.h"
 
-#include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Interface_remeshing/improve_mesh.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 // For any input, a deformation terminates, reports its changes and leaves a valid complex.
 
@@ -26,7 +15,6 @@ using small_meshes::grid;
 using small_meshes::make_complex;
 using small_meshes::Point;
 using Vertex_handle = Complex::Vertex_handle;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 constexpr unsigned maximum_number_of_passes = 6;
 

@@ -1,10 +1,8 @@
 #include "mesh_helpers.h"
 #include "plane.h"
-#include "small_meshes.h"
+#include "test.h"
 
-#include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
-#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_removal_3.h>
 #include <CGAL/Deformable_simplicial_complexes/multi_face_removal_3.h>
@@ -17,13 +15,7 @@
 #include <CGAL/Interface_remeshing/improve_mesh.h>
 #include <CGAL/Mesh_support/For_each_index.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <future>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 // Several threads may query a complex; only one thread may change it. Two complexes share no data:
 // two threads may work on one complex each, with helper threads. scripts/check_more.sh runs this
@@ -32,7 +24,6 @@ namespace {
 
 using small_meshes::Complex;
 using State = Complex::State;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 // Two components that rotate and grow, on a mesh that is large enough for several threads.
 State flow(unsigned number_of_threads) {

@@ -1,3 +1,4 @@
+#include "test.h"
 #include "torus.h"
 
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
@@ -6,19 +7,6 @@
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_flows/interface_flows_2.h>
 #include <CGAL/Interface_remeshing/control_detail.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <map>
-#include <random>
-#include <set>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_torus {
 

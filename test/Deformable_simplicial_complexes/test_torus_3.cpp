@@ -1,3 +1,5 @@
+#include "test.h"
+
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
@@ -7,17 +9,6 @@
 #include <CGAL/Interface_remeshing/control_detail.h>
 #include <CGAL/Interface_remeshing/improve_interface.h>
 #include <CGAL/Interface_remeshing/improve_mesh.h>
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <map>
-#include <random>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace {
 

@@ -2,17 +2,13 @@
 // `SaddlePointSolver`, with the same results as with models of the package.
 #include "archetypes.h"
 #include "small_meshes.h"
+#include "test.h"
 
 #include <CGAL/Incompressible_fluid_3.h>
 #if __has_include(<CGAL/Incompressible_fluids_3/compiled_3.h>) // if the component Compiled is used
 #include <CGAL/Incompressible_fluids_3/compiled_3.h>
 #endif
 #include <CGAL/Triangulation_data_structure_3.h>
-
-#include <gtest/gtest.h>
-
-#include <utility>
-#include <vector>
 
 namespace test_fluid_archetypes {
 

@@ -1,4 +1,5 @@
 // Incompressible flow on flat tori.
+#include "test.h"
 #include "torus.h"
 
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
@@ -6,13 +7,6 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Incompressible_fluid_2.h>
 #include <CGAL/Incompressible_fluid_3.h>
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstddef>
-#include <map>
-#include <vector>
 
 namespace {
 

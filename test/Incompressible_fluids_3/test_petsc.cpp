@@ -1,15 +1,10 @@
 // The parallel solver of saddle point systems. All processes run the same tests.
+#include "test.h"
+
 #include <CGAL/Incompressible_fluids_3/Petsc_saddle_point_solver.h>
 #include <CGAL/Incompressible_fluids_3/Saddle_point_solver.h>
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Dense>
-
-#include <limits>
-#include <random>
-#include <utility>
-#include <vector>
 
 namespace {
 

@@ -1,6 +1,7 @@
 #include "mutations.h"
 #include "small_meshes.h"
 #include "temporary_folder.h"
+#include "test.h"
 #include "whole_files.h"
 
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
@@ -14,24 +15,10 @@
 #include <CGAL/Mesh_files/point_set_3.h>
 #include <CGAL/Mesh_support/Error.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <atomic>
-#include <cmath>
-#include <cstddef>
-#include <cstdlib>
 #include <exception>
-#include <functional>
 #include <iostream>
 #include <new>
-#include <random>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 // Readers accept any input: they read a damaged file or throw an exception of the package. They
 // print nothing, and the memory depends on the size of the file, not on sizes that the file
@@ -122,8 +109,16 @@ void read_checkpoint(const std::string& path) {
 
 using Planar_complex = CGAL::Deformable_simplicial_complex_2<>;
 
+// Many curves through the same points take a minute with sanitizers, so only the long runs
+// of scripts/check_more.sh build them.
 void build_from_wkt(const std::string& path) {
-  DSC::make_deformable_simplicial_complex_2<Planar_complex>(CGAL::IO::read_labeled_curves(path));
+  static constexpr std::size_t many_segments = 300;
+  const auto curves = CGAL::IO::read_labeled_curves(path);
+  std::size_t n = 0;
+  for (const auto& curve : curves)
+    n += curve.segments.size();
+  if (n < many_segments || std::getenv("DSC_FUZZ_MUTATIONS") != nullptr)
+    DSC::make_deformable_simplicial_complex_2<Planar_complex>(curves);
 }
 
 void build_from_poly(const std::string& path) {

@@ -2,8 +2,7 @@
 #define DEFORMABLE_SIMPLICIAL_COMPLEX_3_TEST_FLUID_PROGRAM_H
 
 #include "program.h"
-
-#include <string>
+#include "test.h"
 
 namespace program {
 
@@ -25,7 +24,7 @@ protected:
   void expect_refusal(const Json& json, const std::string& text) {
     const Outcome outcome = run("fluid " + write_scene(json));
     EXPECT_NE(outcome.exit_code, 0) << text;
-    EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
+    EXPECT_PRED2(contains, outcome.err, text);
     EXPECT_EQ(outcome.err.substr(0, 5), "dsc: ");
     EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err; // one line
   }

@@ -1,25 +1,17 @@
 #ifndef DEFORMABLE_SIMPLICIAL_COMPLEX_3_TEST_PROGRAM_H
 #define DEFORMABLE_SIMPLICIAL_COMPLEX_3_TEST_PROGRAM_H
 
+#include "test.h"
+
 #include <nlohmann/json.hpp>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <sstream>
-#include <string>
 
 #include <sys/wait.h>
 
 // Tests of the program from outside: exit codes, messages, files. The tests need the built program.
 namespace program {
 
-namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 struct Outcome

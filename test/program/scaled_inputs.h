@@ -1,18 +1,9 @@
 #ifndef DEFORMABLE_SIMPLICIAL_COMPLEX_3_TEST_SCALED_INPUTS_H
 #define DEFORMABLE_SIMPLICIAL_COMPLEX_3_TEST_SCALED_INPUTS_H
 
-#include <nlohmann/json.hpp>
+#include "test.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <map>
-#include <sstream>
-#include <string>
-#include <vector>
+#include <nlohmann/json.hpp>
 
 // Small inputs of all formats, with coordinates multiplied by a unit of length.
 namespace scaled_inputs {

@@ -7,12 +7,7 @@
 #include "input/velocity_expressions.h"
 #include "motions/lengths_repeat.h"
 #include "programs/errors.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <random>
-#include <string>
+#include "test.h"
 
 namespace {
 
@@ -39,7 +34,7 @@ std::string refusal(const std::string& text) {
 
 void expect_refusal(const std::string& text, const std::string& reason) {
   const std::string message = refusal(text);
-  EXPECT_NE(message.find(reason), std::string::npos) << message;
+  EXPECT_PRED2(contains, message, reason);
   EXPECT_EQ(message.rfind("--test '", 0), 0u) << message;
 }
 
@@ -138,9 +133,7 @@ TEST(Expressions, that_are_not_finite_tell_the_place) {
       ADD_FAILURE();
     } catch (const dsc::Input_error& error) {
       const std::string message = error.what();
-      EXPECT_NE(message.find(x == 1 ? "inf at x = 1, t = 1" : "nan at x = 2, t = -1"),
-                std::string::npos)
-          << message;
+      EXPECT_PRED2(contains, message, x == 1 ? "inf at x = 1, t = 1" : "nan at x = 2, t = -1");
     }
   EXPECT_THROW(dsc::Velocity_expressions("z,0", 2), dsc::Usage_error);
   EXPECT_THROW(dsc::Velocity_expressions("0,0,0", 2), dsc::Usage_error);
@@ -219,16 +212,14 @@ TEST(Label_components, are_counted_by_samples) {
 TEST(Label_components, that_are_missing_are_told_with_an_edge_length) {
   EXPECT_EQ(message_of(.1, two_balls, {{0, 1}, {1, 2}}), "");
   const std::string joined = message_of(.3, two_balls, {{0, 1}, {1, 1}});
-  EXPECT_NE(joined.find("the body has 1 connected component in the mesh instead of 2"),
-            std::string::npos)
-      << joined;
-  EXPECT_NE(joined.find("choose about 0.15"), std::string::npos) << joined;
+  EXPECT_PRED2(contains, joined, "the body has 1 connected component in the mesh instead of 2");
+  EXPECT_PRED2(contains, joined, "choose about 0.15");
   const auto sheet = [](const std::array<double, 3>& p) { return std::abs(p[2]) < .02 ? 1 : 0; };
   const std::string crumbs = message_of(.1, sheet, {{0, 1}, {1, 153}});
-  EXPECT_NE(crumbs.find("choose about 0.025"), std::string::npos) << crumbs;
+  EXPECT_PRED2(contains, crumbs, "choose about 0.025");
   const auto speck = [](const std::array<double, 3>& p) {
     return std::hypot(p[0] - .31, p[1], p[2]) < 1e-4 ? 1 : 0;
   };
   const std::string nothing = message_of(.1, speck, {{0, 1}});
-  EXPECT_NE(nothing.find("has no cells: it is empty"), std::string::npos) << nothing;
+  EXPECT_PRED2(contains, nothing, "has no cells: it is empty");
 }

@@ -1,20 +1,10 @@
 // The commands that move surfaces by flows, compared with exact properties of the flows.
 #include "program.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <filesystem>
-#include <string>
-#include <vector>
+#include "test.h"
 
 namespace {
 
-using program::box;
-using program::contents;
-using program::Json;
-using program::label_of;
-namespace fs = std::filesystem;
+using namespace program;
 
 double volume(const Json& step, int label = 1) { return label_of(step, label).at("volume"); }
 
@@ -192,7 +182,7 @@ TEST_F(Flows, stop_at_the_boundary_or_let_it_grow) {
     stopped += steps_[i].at("stopped_at_boundary").get<std::size_t>();
   }
   EXPECT_GT(stopped, 0u);
-  EXPECT_NE(run(outwards + domain).out.find("--domain grow"), std::string::npos);
+  EXPECT_PRED2(contains, run(outwards + domain).out, "--domain grow");
 
   const double whole = std::pow(18, 3);
   for (const char* growing : {"grow", "96,96,96,114,114,114,grow"}) {
@@ -210,8 +200,8 @@ TEST_F(Flows, choose_a_time_step) {
   const double mean_edge = 10 * (2 + std::sqrt(2.)) / 3;
   const Json step = steps("advect box.off --velocity '0,4,3' --steps 1")[1];
   EXPECT_NEAR(step.at("time").get<double>(), mean_edge / 5, 1e-9);
-  EXPECT_NE(run("advect box.off --velocity '0,4,3' --steps 1").out.find("the time step is 2.27"),
-            std::string::npos);
+  EXPECT_PRED2(contains, run("advect box.off --velocity '0,4,3' --steps 1").out,
+               "the time step is 2.27");
   const Json back = steps("advect box.off --velocity '0,4,3' --period 5 --steps 3");
   EXPECT_NEAR(back[3].at("time").get<double>(), 5, 1e-9);
   EXPECT_LT(back[3].at("distance_to_start").at("maximum").get<double>(), 1e-6);
@@ -243,8 +233,8 @@ TEST_F(Flows, tell_of_thin_parts_that_stay_coarse) {
   const std::string motion = "offset plate.off --distance .1 --steps 1 ";
   const Json resolved = steps(motion + "--edge-per-thickness 8")[0];
   EXPECT_GT(resolved.at("interface_triangles").get<int>(), 400);
-  EXPECT_NE(run(motion + "--most-new-facets 100").out.find("more facets would resolve them"),
-            std::string::npos);
+  EXPECT_PRED2(contains, run(motion + "--most-new-facets 100").out,
+               "more facets would resolve them");
   EXPECT_EQ(steps(motion + "--edge-per-thickness 0")[0].at("interface_triangles"), 12);
   const std::string turn = "rotate plate.off --axis 0,0,1 --angle 10 --steps 1 ";
   EXPECT_EQ(steps(turn)[1].at("interface_triangles"), 12);
@@ -298,9 +288,9 @@ TEST_F(Flows, keep_a_plate_of_twelve_triangles) {
 TEST_F(Flows, tell_of_labels_that_vanish_and_of_divided_steps) {
   write("small.off", box(0, 0, 0, 1, 1, 1));
   const std::string shrunk = run("offset small.off --steps 2 --distance=-0.3").out;
-  EXPECT_NE(shrunk.find("label 1 (step 2) vanished"), std::string::npos) << shrunk;
+  EXPECT_PRED2(contains, shrunk, "label 1 (step 2) vanished");
   const std::string turned = run("rotate small.off --axis 0,0,1 --angle 180 --steps 1").out;
-  EXPECT_NE(turned.find("was too long"), std::string::npos) << turned;
+  EXPECT_PRED2(contains, turned, "was too long");
 }
 
 } // namespace

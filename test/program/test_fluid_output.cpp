@@ -1,23 +1,13 @@
 // Output files, probes of points and pictures of fluids by the program, in the plane and in space.
 #include "fluid_program.h"
+#include "test.h"
 
 #include <CGAL/Mesh_files/internal/grids/Vtu_reader.h>
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <sstream>
-#include <string>
-#include <vector>
 
 namespace {
 
 using CGAL::Deformable_simplicial_complexes::internal::Vtu_reader;
-using program::contents;
-using program::Json;
-using program::Outcome;
+using namespace program;
 
 // A ball that rotates about the z-axis with angular velocity 1.
 Json rotating_ball(int dimension) {
@@ -181,9 +171,7 @@ TEST_F(Fluid_output_3, of_smooth_surfaces_has_velocities) {
     header += line + '\n';
     std::sscanf(line.c_str(), "element vertex %zu", &n);
   }
-  EXPECT_NE(header.find("property float vx\nproperty float vy\nproperty float vz\n"),
-            std::string::npos)
-      << header;
+  EXPECT_PRED2(contains, header, "property float vx\nproperty float vy\nproperty float vz\n");
   EXPECT_GT(n, 100u);
   for (std::size_t i = 0; i < n; ++i) {
     std::array<double, 6> row; // point and velocity
@@ -204,15 +192,15 @@ TEST_P(Fluid_output, is_drawn_by_colors) {
   for (const std::string quantity : {"field", "pressure", "velocity", "vorticity"}) {
     const Outcome outcome = run(fluid + picture + cut + " --color " + quantity);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_NE(outcome.out.find(", " + quantity + " from "), std::string::npos) << outcome.out;
-    EXPECT_NE(contents(path(picture)).find(is_plane ? "color_ffffff" : "PNG"), std::string::npos);
+    EXPECT_PRED2(contains, outcome.out, ", " + quantity + " from ");
+    EXPECT_PRED2(contains, contents(path(picture)), is_plane ? "color_ffffff" : "PNG");
     EXPECT_GT(contents(path(picture)).size(), 1000u);
   }
   EXPECT_EQ(run(fluid + picture + cut + " --color heat").exit_code, 2);
   write_scene(rotating_ball(GetParam()));
   const Outcome cold = run(fluid + picture + cut + " --color field");
   EXPECT_EQ(cold.exit_code, 2);
-  EXPECT_NE(cold.err.find("only to a scene with a field"), std::string::npos) << cold.err;
+  EXPECT_PRED2(contains, cold.err, "only to a scene with a field");
 }
 
 TEST_F(Fluid_output_3, is_drawn_in_a_cut) {
@@ -229,9 +217,8 @@ TEST_F(Fluid_output_3, is_drawn_in_a_cut) {
   Json broken = rotating_ball(3);
   broken["liquids"].push_back(broken["liquids"][0]);
   broken["liquids"][0]["shape"]["center"] = {99, 99, 99};
-  EXPECT_NE(run("fluid " + write_scene(broken) + " --picture a.png --cut x=2.5")
-                .err.find("--cut is outside the domain"),
-            std::string::npos);
+  EXPECT_PRED2(contains, run("fluid " + write_scene(broken) + " --picture a.png --cut x=2.5").err,
+               "--cut is outside the domain");
   const std::string plane = "fluid " + write_scene(rotating_ball(2));
-  EXPECT_NE(run(plane + " --picture a.svg --cut x=0").err.find("only in space"), std::string::npos);
+  EXPECT_PRED2(contains, run(plane + " --picture a.svg --cut x=0").err, "only in space");
 }

@@ -1,20 +1,10 @@
 // Fluids by the program.
 #include "fluid_program.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <sstream>
-#include <string>
-#include <vector>
+#include "test.h"
 
 namespace {
 
-using program::contents;
-using program::Json;
-using program::Outcome;
-namespace fs = std::filesystem;
+using namespace program;
 
 // A droplet of 80 triangles that falls onto a floor.
 Json scene() {
@@ -48,7 +38,7 @@ TEST_F(Fluids, scenes_are_listed_and_printed) {
         "capillary-wave", "bubble",         "sessile",      "jet",          "breathing", "tap",
         "rising-bubble",  "u-tube",         "floating-box", "falling-ball", "wheel",     "filling",
         "draining",       "thermocapillary"}) {
-    EXPECT_NE(list.out.find(name), std::string::npos) << name;
+    EXPECT_PRED2(contains, list.out, name) << name;
     const Outcome scene = run("fluid --print " + std::string(name));
     EXPECT_EQ(scene.exit_code, 0) << scene.err;
     EXPECT_TRUE(Json::parse(scene.out).contains("liquids"));
@@ -170,8 +160,8 @@ TEST_F(Fluids, gas_in_a_drop_expands_and_a_source_feeds_it) {
               10 * std::pow(first.at("volume").get<double>(), 1.4), 1e-9);
   EXPECT_NEAR(steps[3].at("volume").get<double>(),
               steps[0].at("volume").get<double>() * std::exp(.1 * .15), 1e-3);
-  EXPECT_NE(contents(path("run/volume_000003.vtu")).find("Name=\"velocity\""), std::string::npos);
-  EXPECT_NE(contents(path("run/volume_000003.vtu")).find("Name=\"pressure\""), std::string::npos);
+  EXPECT_PRED2(contains, contents(path("run/volume_000003.vtu")), "Name=\"velocity\"");
+  EXPECT_PRED2(contains, contents(path("run/volume_000003.vtu")), "Name=\"pressure\"");
   const Outcome rest =
       run("fluid --resume " + folder + "/checkpoint.dsc --steps 1 --output " + folder);
   EXPECT_EQ(rest.exit_code, 0) << rest.err;
@@ -207,8 +197,7 @@ TEST_F(Fluids, drop_that_lands_survives_or_leaves_a_checkpoint) {
   EXPECT_TRUE(fs::exists(path("run/checkpoint.dsc")));
   if (outcome.exit_code != 0) {
     EXPECT_EQ(outcome.exit_code, 1);
-    EXPECT_NE(outcome.err.find("step " + std::to_string(steps.size())), std::string::npos)
-        << outcome.err;
+    EXPECT_PRED2(contains, outcome.err, "step " + std::to_string(steps.size()));
   } else
     EXPECT_NEAR(steps.back().at("time").get<double>(), 2, 1e-9);
 }
@@ -284,7 +273,7 @@ TEST_F(Fluids, misspelt_fields_get_advice) {
   expect("/edge", "\"0.6\"", "without quotes");
   expect_refusal_of_patch(scene(), R"({"gravitiy": [0, 0, -1], "gravity": null, "end": null})",
                           "did you mean 'gravity'?");
-  EXPECT_NE(run("fluid dropelt").err.find("did you mean 'droplet'?"), std::string::npos);
+  EXPECT_PRED2(contains, run("fluid dropelt").err, "did you mean 'droplet'?");
 }
 
 TEST_F(Fluids, fields_are_there_once_in_json_without_comments) {
@@ -293,7 +282,7 @@ TEST_F(Fluids, fields_are_there_once_in_json_without_comments) {
     write("text.json", file);
     const Outcome outcome = run("fluid " + path("text.json").string());
     EXPECT_EQ(outcome.exit_code, 1);
-    EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
+    EXPECT_PRED2(contains, outcome.err, message);
   };
   const auto changed = [&](const std::string& from, const std::string& to) {
     std::string result = text;
@@ -385,8 +374,8 @@ TEST_F(Fluids, liquids_that_others_cover_are_refused) {
 TEST_F(Fluids, solver_is_known_and_built) {
   expect_error("fluid droplet --solver other", 2);
   expect_error("fluid droplet -ksp_view", 2);
-  const program::fs::path folder = program::fs::path(DSC_PROGRAM).parent_path();
-  if (!program::fs::exists(folder / "dsc-fluid-petsc"))
+  const fs::path folder = fs::path(DSC_PROGRAM).parent_path();
+  if (!fs::exists(folder / "dsc-fluid-petsc"))
     expect_error("fluid droplet --solver petsc -ksp_view", 1);
 }
 
@@ -395,7 +384,7 @@ TEST_F(Fluids, options_without_effect_are_refused) {
   const auto expect = [&](const std::string& arguments, const std::string& message) {
     const Outcome outcome = run("fluid " + arguments);
     EXPECT_EQ(outcome.exit_code, 2) << arguments;
-    EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
+    EXPECT_PRED2(contains, outcome.err, message);
   };
   expect(file + " --data .", "--data");
   expect("droplet --data .", "--data");

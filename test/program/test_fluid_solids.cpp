@@ -1,17 +1,10 @@
 // Bodies, moving solids, forces and sources that depend on the time, by the program.
 #include "fluid_program.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstddef>
-#include <string>
+#include "test.h"
 
 namespace {
 
-using program::contents;
-using program::Json;
-using program::Outcome;
+using namespace program;
 
 // A box that floats in a box of liquid in a tank, partly above the surface.
 Json floating() {
@@ -321,10 +314,8 @@ TEST_F(Fluid_solids, steps_that_fail_leave_a_checkpoint) {
   json["sources"] = {{{"center", {1, 0.4}}, {"radius", 0.3}, {"flux", "t<0.05?0.1:1/0"}}};
   const Outcome outcome = run("fluid " + write_scene(json));
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_NE(outcome.err.find("step 3 of the fluid at time 0.04 failed: "), std::string::npos)
-      << outcome.err;
-  EXPECT_NE(outcome.err.find("the state before this step is in "), std::string::npos)
-      << outcome.err;
+  EXPECT_PRED2(contains, outcome.err, "step 3 of the fluid at time 0.04 failed: ");
+  EXPECT_PRED2(contains, outcome.err, "the state before this step is in ");
   EXPECT_TRUE(std::filesystem::exists(path("dsc_failed.dsc")));
 }
 

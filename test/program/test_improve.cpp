@@ -1,31 +1,17 @@
 // Improvement of tetrahedral meshes of other programs.
 #include "program.h"
+#include "test.h"
 #include "vtu_grid.h"
 
 #include <CGAL/Mesh_files/internal/grids/Vtu_reader.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
+#include <cstring>
 #include <iomanip>
-#include <limits>
-#include <set>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace {
 
 using CGAL::Deformable_simplicial_complexes::internal::Vtu_reader;
-using program::contents;
-using program::Json;
-using program::label_of;
-using program::Outcome;
-namespace fs = std::filesystem;
+using namespace program;
 
 struct Mesh
 {
@@ -125,11 +111,13 @@ std::string vtu(const Mesh& mesh, const std::string& name_of_labels,
             attributes);
 }
 
-// Returns the interface triangles in a mesh that the program wrote: coordinates as text, sorted.
-std::set<std::set<std::string>> interface_triangles(const std::string& mesh) {
+// Returns the simplices of a section with their references, by the coordinates of their vertices
+// as text.
+std::multiset<std::pair<std::set<std::string>, int>>
+simplices(const std::string& mesh, const std::string& section, std::size_t corners) {
   std::istringstream in(mesh);
   std::vector<std::string> points;
-  std::set<std::set<std::string>> triangles;
+  std::multiset<std::pair<std::set<std::string>, int>> result;
   for (std::string line; std::getline(in, line);) {
     std::size_t n = 0;
     if (line == "Vertices") {
@@ -137,13 +125,26 @@ std::set<std::set<std::string>> interface_triangles(const std::string& mesh) {
       std::array<std::string, 4> words;
       for (; n > 0 && in >> words[0] >> words[1] >> words[2] >> words[3]; --n)
         points.push_back(words[0] + ' ' + words[1] + ' ' + words[2]);
-    } else if (line == "Triangles") {
+    } else if (line == section) {
       in >> n;
-      std::array<std::size_t, 4> v;
-      for (; n > 0 && in >> v[0] >> v[1] >> v[2] >> v[3]; --n)
-        triangles.insert({points.at(v[0] - 1), points.at(v[1] - 1), points.at(v[2] - 1)});
+      for (; n > 0; --n) {
+        std::set<std::string> vertices;
+        int reference = 0;
+        for (std::size_t i = 0, v = 0; i < corners && in >> v; ++i)
+          vertices.insert(points.at(v - 1));
+        if (corners > 1)
+          in >> reference;
+        result.insert({vertices, reference});
+      }
     }
   }
+  return result;
+}
+
+std::set<std::set<std::string>> interface_triangles(const std::string& mesh) {
+  std::set<std::set<std::string>> triangles;
+  for (const auto& [vertices, reference] : simplices(mesh, "Triangles", 3))
+    triangles.insert(vertices);
   return triangles;
 }
 
@@ -167,7 +168,7 @@ protected:
     EXPECT_EQ(contents(path("old.mesh")), "precious");
     EXPECT_TRUE(contents(path(input)) == text);
     EXPECT_FALSE(fs::exists(path("report.json")));
-    EXPECT_NE(contents(path("stderr.txt")).find(input), std::string::npos);
+    EXPECT_PRED2(contains, contents(path("stderr.txt")), input);
     expect_error("improve " + input + " -o " + input, 1);
     EXPECT_TRUE(contents(path(input)) == text);
   }
@@ -179,7 +180,7 @@ protected:
     const std::string before = contents(path(input));
     expect_error("improve " + arguments + " -o " + input, 1);
     EXPECT_TRUE(contents(path(input)) == before);
-    EXPECT_NE(contents(path("stderr.txt")).find(what), std::string::npos);
+    EXPECT_PRED2(contains, contents(path("stderr.txt")), what);
   }
 };
 
@@ -244,7 +245,7 @@ TEST_F(Improve, says_where_tetrahedra_are_flat) {
   Mesh bad = layers();
   bad.points[bad.tetrahedra.back()[1]] = bad.points[bad.tetrahedra.back()[0]];
   expect_refusal("flat.mesh", medit(bad));
-  EXPECT_NE(contents(path("stderr.txt")).find("at the point "), std::string::npos);
+  EXPECT_PRED2(contains, contents(path("stderr.txt")), "at the point ");
 }
 
 TEST_F(Improve, reports_before_and_after) {
@@ -424,8 +425,8 @@ TEST_F(Improve, does_not_guess_labels) {
   const std::string text = vtu(layers(), "material");
   expect_refusal("material.vtu", text);
   const std::string message = contents(path("stderr.txt"));
-  EXPECT_NE(message.find("'material' (Int32, integers from 2 to 5)"), std::string::npos);
-  EXPECT_NE(message.find("--labels NAME"), std::string::npos);
+  EXPECT_PRED2(contains, message, "'material' (Int32, integers from 2 to 5)");
+  EXPECT_PRED2(contains, message, "--labels NAME");
   expect_error("offset material.vtu --distance 0.1 --steps 1", 1);
   expect_error("info material.vtu", 1);
   expect_error("improve material.vtu -o out.mesh --labels materials", 1);
@@ -492,39 +493,10 @@ TEST_F(Improve, replaces_no_input_by_less) {
   EXPECT_FALSE(array_of(Vtu_reader(path("out.vtu").string()), "heat").empty());
   // MEDIT files cannot contain arrays.
   write("fields.vtu", grid_with_fields());
-  EXPECT_NE(run("improve fields.vtu -o out.mesh --labels material").err.find("point array (heat)"),
-            std::string::npos);
+  EXPECT_PRED2(contains, run("improve fields.vtu -o out.mesh --labels material").err,
+               "point array (heat)");
   write("layers.sol", "MeshVersionFormatted 2\n");
   expect_loss_is_refused("layers.mesh", "layers.sol");
-}
-
-// Returns the simplices of a section with their references, by the coordinates of their vertices.
-std::multiset<std::pair<std::set<std::string>, int>>
-simplices(const std::string& mesh, const std::string& section, std::size_t corners) {
-  std::istringstream in(mesh);
-  std::vector<std::string> points;
-  std::multiset<std::pair<std::set<std::string>, int>> result;
-  for (std::string line; std::getline(in, line);) {
-    std::size_t n = 0;
-    if (line == "Vertices") {
-      in >> n;
-      std::array<std::string, 4> words;
-      for (; n > 0 && in >> words[0] >> words[1] >> words[2] >> words[3]; --n)
-        points.push_back(words[0] + ' ' + words[1] + ' ' + words[2]);
-    } else if (line == section) {
-      in >> n;
-      for (; n > 0; --n) {
-        std::set<std::string> vertices;
-        int reference = 0;
-        for (std::size_t i = 0, v = 0; i < corners && in >> v; ++i)
-          vertices.insert(points.at(v - 1));
-        if (corners > 1)
-          in >> reference;
-        result.insert({vertices, reference});
-      }
-    }
-  }
-  return result;
 }
 
 // Facets and edges of tetrahedra inside, on the interface and on the boundary.
@@ -573,9 +545,8 @@ TEST_F(Improve, keeps_entities) {
     };
     EXPECT_GE(angle("after"), angle("before"));
   }
-  EXPECT_NE(run("improve entities.mesh -o out.vtu").err.find("2 corners"), std::string::npos);
-  EXPECT_NE(run("offset entities.mesh --distance 0.01 --steps 1").err.find("17 triangles"),
-            std::string::npos);
+  EXPECT_PRED2(contains, run("improve entities.mesh -o out.vtu").err, "2 corners");
+  EXPECT_PRED2(contains, run("offset entities.mesh --distance 0.01 --steps 1").err, "17 triangles");
 }
 
 // An inner surface between cells of one label, like a crack or a membrane.
@@ -609,7 +580,7 @@ TEST_F(Improve, refuses_other_cells) {
   text.erase(text.find("End\n"));
   expect_refusal("hexahedra.mesh", text + "Hexahedra\n1\n1 2 7 6 26 27 32 31 5\nEnd\n");
   expect_refusal("label.mesh", text + "Tetrahedra\n1\n1 2 3 4 3000000000\nEnd\n");
-  EXPECT_NE(contents(path("stderr.txt")).find("'3000000000'"), std::string::npos);
+  EXPECT_PRED2(contains, contents(path("stderr.txt")), "'3000000000'");
 }
 
 } // namespace

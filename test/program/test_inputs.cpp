@@ -1,21 +1,10 @@
 // All kinds of INPUT of the moving commands, by the program.
 #include "program.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <map>
-#include <sstream>
-#include <string>
-#include <vector>
+#include "test.h"
 
 namespace {
 
-using program::contents;
-using program::Json;
-using program::Outcome;
+using namespace program;
 
 class Inputs : public program::Program_test
 {
@@ -38,7 +27,7 @@ protected:
   void expect_refusal(const std::string& input, int code, const std::string& text) {
     const Outcome outcome = run("rotate " + input + " --axis 0,0,1 --angle 5");
     EXPECT_EQ(outcome.exit_code, code) << input;
-    EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
+    EXPECT_PRED2(contains, outcome.err, text);
   }
 };
 
@@ -77,7 +66,7 @@ std::string inr(int n, const std::string& voxels) {
 
 TEST_F(Inputs, may_be_inequalities) {
   const auto result =
-      volumes("'x^2+y^2+z^2<0.5' '(x^2+y^2+z^2<0.5)&&(z>0)' --domain -1,-1,-1,1,1,1 --edge 0.05");
+      volumes("'x^2+y^2+z^2<0.5' '(x^2+y^2+z^2<0.5)&&(z>0)' --domain -1,-1,-1,1,1,1 --edge 0.1");
   ASSERT_EQ(result.size(), 3u);
   const double half = 2 * 3.14159265358979 / 3 * std::pow(.5, 1.5);
   EXPECT_NEAR(result.at(1), half, .01 * half);
@@ -118,11 +107,9 @@ TEST_F(Inputs, may_be_surfaces_to_be_repaired) {
   EXPECT_EQ(report["repairs"][0]["distance_to_input"], 0);
 
   const Outcome outcome = run("rotate " + broken + " --repair --axis 0,0,1 --angle 5 --steps 1");
-  EXPECT_NE(outcome.out.find("1 duplicate triangle removed; maximum displacement 0 ("),
-            std::string::npos)
-      << outcome.out;
+  EXPECT_PRED2(contains, outcome.out, "1 duplicate triangle removed; maximum displacement 0 (");
   const Outcome sound = run("rotate " + box + " --repair --axis 0,0,1 --angle 5 --steps 1");
-  EXPECT_NE(sound.out.find("no repair is necessary"), std::string::npos) << sound.out;
+  EXPECT_PRED2(contains, sound.out, "no repair is necessary");
 
   write("sheet.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   expect_refusal(path("sheet.off").string() + " --repair", 1, "cannot be repaired");
@@ -163,7 +150,7 @@ TEST_F(Inputs, may_be_parts_that_cross) {
   EXPECT_EQ(report["repairs"][0]["united_parts"], 2);
   EXPECT_TRUE(report["repairs"][0]["wrap"].is_null());
   const Outcome outcome = run("rotate " + cross + " --repair --axis 0,0,1 --angle 5 --steps 1");
-  EXPECT_NE(outcome.out.find("2 intersecting components united"), std::string::npos) << outcome.out;
+  EXPECT_PRED2(contains, outcome.out, "2 intersecting components united");
 }
 
 TEST_F(Inputs, may_have_t_junctions) {
@@ -238,7 +225,7 @@ TEST_F(Inputs, may_share_walls) {
   EXPECT_NEAR(result.at(1), 1, 1e-9);
   EXPECT_NEAR(result.at(2), 2, 1e-9);
   const Outcome outcome = run("rotate " + file("both.off") + " --axis 0,0,1 --angle 5 --steps 1");
-  EXPECT_NE(outcome.out.find("2 regions with the labels 1, 2"), std::string::npos) << outcome.out;
+  EXPECT_PRED2(contains, outcome.out, "2 regions with the labels 1, 2");
   EXPECT_NEAR(volumes(file("both.off") + " --repair").at(1), 3, 1e-9);
 }
 
@@ -251,7 +238,7 @@ TEST_F(Inputs, that_are_refused_are_told_of_options_of_the_program) {
   for (const char* name : {"crossing.off", "open.off"}) {
     const Outcome outcome = run("rotate " + path(name).string() + " --axis 0,0,1 --angle 5");
     EXPECT_EQ(outcome.err.find("CGAL"), std::string::npos) << outcome.err;
-    EXPECT_NE(outcome.err.find("--repair"), std::string::npos) << outcome.err;
+    EXPECT_PRED2(contains, outcome.err, "--repair");
   }
 }
 
@@ -292,7 +279,7 @@ TEST_F(Inputs, that_are_misspelt_get_advice) {
         std::pair("cut-locus --point 0,0 --surface 'u,v,w'", "'w'")}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.exit_code, 2) << arguments;
-    EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
+    EXPECT_PRED2(contains, outcome.err, text);
   }
 }
 
@@ -307,14 +294,14 @@ TEST_F(Inputs, have_no_options_without_effect) {
         std::pair("cut-locus --surface u,v,u^2 --point 0,0", "--periods")}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.exit_code, 2) << arguments;
-    EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
+    EXPECT_PRED2(contains, outcome.err, text);
   }
   // A resumed run that improves its interface ignores the tolerance, too.
   const std::string vortex = "vortex --triangles 80 --dt 0.001 --steps 1 --output out ";
   ASSERT_EQ(run(vortex + "--improve-interface").exit_code, 0);
   const Outcome outcome = run("vortex --resume out/checkpoint.dsc --tolerance 0.1");
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_NE(outcome.err.find("--tolerance"), std::string::npos) << outcome.err;
+  EXPECT_PRED2(contains, outcome.err, "--tolerance");
 }
 
 // The mesh contains everything that inequalities describe, or the program reports the missing
@@ -323,7 +310,7 @@ TEST_F(Inputs, of_inequalities_are_resolved) {
   const std::string box = " --domain=-1,-1,-1,1,1,1 --edge ";
   const std::string balls = "'(x-.5)^2+y^2+z^2<.1||(x+.5)^2+y^2+z^2<.1'";
   EXPECT_GT(volumes(balls + box + ".2").at(1), 0);
-  expect_refusal("'abs(z)<.005&&x^2+y^2<.5'" + box + ".1", 1, "connected component");
+  expect_refusal("'abs(z)<.005&&x^2+y^2<.5'" + box + ".25", 1, "connected component");
   expect_refusal("'x^2+y^2+z^2<.5' '(x-.01)^2+y^2+z^2<.0001'" + box + ".2", 1,
                  "(x-.01)^2+y^2+z^2<.0001");
   expect_refusal("'x^2+y^2+z^2<.1' 'x^2+y^2+z^2<.5'" + box + ".2", 1, "later ones cover it");

@@ -1,14 +1,10 @@
 #include "fluid_program.h"
-
-#include <cstddef>
-#include <set>
-#include <string>
+#include "test.h"
 
 // Fluids that PETSc solves in several processes.
 namespace {
 
-using program::Json;
-using program::Outcome;
+using namespace program;
 
 std::size_t occurrences(const std::string& text, const std::string& part) {
   std::size_t result = 0;
@@ -23,7 +19,7 @@ protected:
   static std::string mpirun(int processes) { return DSC_MPIRUN " " + std::to_string(processes); }
   std::set<std::string> files(const std::string& folder) const {
     std::set<std::string> result;
-    for (const auto& entry : program::fs::directory_iterator(path(folder)))
+    for (const auto& entry : fs::directory_iterator(path(folder)))
       result.insert(entry.path().filename().string());
     return result;
   }
@@ -41,7 +37,7 @@ TEST_F(Petsc_fluids, agree_with_built_in_solver) {
         command + file + " --solver petsc --output " + folder + " -ksp_view", mpirun(processes));
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(occurrences(outcome.out, "dsc: "), 1u) << outcome.out; // the summary
-    EXPECT_NE(outcome.out.find("type: fgmres"), std::string::npos) << outcome.out;
+    EXPECT_PRED2(contains, outcome.out, "type: fgmres");
     const Json found = report(file).at("steps");
     ASSERT_EQ(found.size(), expected.size());
     for (std::size_t k = 1; k < found.size(); ++k) {
@@ -84,7 +80,7 @@ TEST_F(Petsc_fluids, name_unused_options_of_petsc) {
       run("fluid droplet --steps 1 --solver petsc -ksp_tipe gcr -ksp_type gcr", mpirun(2));
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(occurrences(outcome.err, "dsc: "), 1u) << outcome.err;
-  EXPECT_NE(outcome.err.find("-ksp_tipe;"), std::string::npos) << outcome.err;
+  EXPECT_PRED2(contains, outcome.err, "-ksp_tipe;");
 }
 
 // The first process alone writes the report, so it alone meets the error.

@@ -1,19 +1,10 @@
 // Fluids in the plane by the program.
 #include "fluid_program.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstddef>
-#include <string>
-#include <vector>
+#include "test.h"
 
 namespace {
 
-using program::contents;
-using program::Json;
-using program::Outcome;
-namespace fs = std::filesystem;
+using namespace program;
 
 // A disk that falls onto a floor.
 Json scene() {
@@ -77,8 +68,8 @@ TEST_F(Planar_fluids, run_is_resumed_to_the_same_bits) {
   ASSERT_EQ(rest.exit_code, 0) << rest.err;
   EXPECT_EQ(contents(path("parts/checkpoint.dsc")), contents(path("whole/checkpoint.dsc")));
   EXPECT_EQ(contents(path("parts/volume_000008.vtu")), contents(path("whole/volume_000008.vtu")));
-  EXPECT_NE(contents(path("parts/volume_000008.vtu")).find("Name=\"velocity\""), std::string::npos);
-  EXPECT_NE(contents(path("parts/volume_000008.vtu")).find("Name=\"pressure\""), std::string::npos);
+  EXPECT_PRED2(contains, contents(path("parts/volume_000008.vtu")), "Name=\"velocity\"");
+  EXPECT_PRED2(contains, contents(path("parts/volume_000008.vtu")), "Name=\"pressure\"");
   EXPECT_TRUE(fs::exists(path("parts/picture_000008.svg")));
 }
 
@@ -232,9 +223,9 @@ TEST_F(Planar_fluids, options_of_space_are_refused) {
   const std::string file = write_scene(scene());
   const Outcome smooth = run("fluid " + file + " --subdivide 1 --output out");
   EXPECT_EQ(smooth.exit_code, 2);
-  EXPECT_NE(smooth.err.find("--subdivide"), std::string::npos) << smooth.err;
+  EXPECT_PRED2(contains, smooth.err, "--subdivide");
   EXPECT_NE(run("fluid " + file + " --picture a.png").exit_code, 0);
   const std::string picture = path("picture.svg").string();
   EXPECT_EQ(run("fluid " + file + " --steps 1 --picture " + picture).exit_code, 0);
-  EXPECT_NE(contents(picture).find("<svg"), std::string::npos);
+  EXPECT_PRED2(contains, contents(picture), "<svg");
 }

@@ -1,16 +1,9 @@
 // Files as other programs write, damage or rename them. Their content is used, reported as unused,
 // or rejected with a reason.
 #include "program.h"
+#include "test.h"
 
-#include <gtest/gtest.h>
-
-#include <cstddef>
-#include <cstdint>
 #include <cstring>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace {
 
@@ -89,8 +82,8 @@ protected:
     write(name, bytes);
     const Outcome outcome = run("info " + name);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_NE(outcome.out.find("triangles             4\n"), std::string::npos) << outcome.out;
-    EXPECT_NE(outcome.out.find("volume                0.16666"), std::string::npos) << outcome.out;
+    EXPECT_PRED2(contains, outcome.out, "triangles             4\n");
+    EXPECT_PRED2(contains, outcome.out, "volume                0.16666");
     EXPECT_EQ(outcome.err, unused.empty() ? "" : "dsc: " + name + ": not used: " + unused + "\n");
   }
 
@@ -100,7 +93,7 @@ protected:
     write(name, bytes);
     const std::string arguments = command + ' ' + name;
     expect_error(arguments, 1);
-    EXPECT_NE(run(arguments).err.find(cause), std::string::npos) << run(arguments).err;
+    EXPECT_PRED2(contains, run(arguments).err, cause);
   }
 };
 
@@ -206,13 +199,13 @@ TEST_F(Readers, name_files_of_another_kind) {
   expect_cause("reconstruct -o b.off", "a.xyz", "$MeshFormat\n", "is a Gmsh mesh");
   write("b.off", "OFF\n4 4 6\n" + off_numbers);
   write("b.dsc", "OFF\n4 4 6\n" + off_numbers);
-  EXPECT_NE(run("convert b.dsc c.ply").err.find("is an OFF file"), std::string::npos);
+  EXPECT_PRED2(contains, run("convert b.dsc c.ply").err, "is an OFF file");
   expect_success("convert b.off c.ply --quiet");
   expect_error("convert b.off c.vtu", 2);
-  program::fs::create_directory(path("folder.off"));
+  fs::create_directory(path("folder.off"));
   expect_error("info folder.off", 1);
-  EXPECT_NE(run("info folder.off").err.find("it is a folder"), std::string::npos);
-  EXPECT_NE(run("info missing.off").err.find("it does not exist"), std::string::npos);
+  EXPECT_PRED2(contains, run("info folder.off").err, "it is a folder");
+  EXPECT_PRED2(contains, run("info missing.off").err, "it does not exist");
 }
 
 TEST_F(Readers, tell_why_images_of_voxels_cannot_be_read) {

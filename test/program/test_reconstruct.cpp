@@ -1,21 +1,12 @@
 // Reconstruction of solids from points, by the program.
 #include "program.h"
+#include "test.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <cstdio>
-#include <sstream>
-#include <string>
 
 namespace {
 
-using program::contents;
-using program::Json;
-using program::Outcome;
-namespace fs = std::filesystem;
+using namespace program;
 
 // Points of the unit sphere along a spiral.
 std::string sphere(int n) {
@@ -37,7 +28,7 @@ TEST_F(Reconstruction, writes_surface_report_and_steps) {
                               path("sphere.off").string() + " --output " + path("steps").string();
   const Outcome outcome = run(command + " --report " + path("report.json").string());
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("Euler characteristic 2"), std::string::npos);
+  EXPECT_PRED2(contains, outcome.out, "Euler characteristic 2");
   const Json report = Json::parse(contents(path("report.json")));
   EXPECT_EQ(report["points"], 800);
   EXPECT_TRUE(report["is_complete"]);
@@ -49,7 +40,7 @@ TEST_F(Reconstruction, writes_surface_report_and_steps) {
   std::snprintf(last, sizeof last, "steps/volume_%06zu.vtu", steps);
   EXPECT_TRUE(fs::exists(path(last)));
   const Outcome info = run("info " + path("sphere.off").string());
-  EXPECT_NE(info.out.find("Euler characteristic  2"), std::string::npos) << info.out;
+  EXPECT_PRED2(contains, info.out, "Euler characteristic  2");
   // Steps of another run are not overwritten.
   EXPECT_EQ(run(command).exit_code, 1);
 }
@@ -59,7 +50,7 @@ TEST_F(Reconstruction, tells_outliers_and_refuses_open_sheets) {
   const Outcome outcome =
       run("reconstruct " + path("sphere.xyz").string() + " -o " + path("sphere.off").string());
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("1 outlier,"), std::string::npos) << outcome.out;
+  EXPECT_PRED2(contains, outcome.out, "1 outlier,");
   std::ostringstream hills;
   for (int i = 0; i < 900; ++i)
     hills << i % 30 << ' ' << i / 30 << ' ' << 2 * std::sin(.2 * (i % 30)) * std::cos(.2 * (i / 30))
@@ -69,7 +60,7 @@ TEST_F(Reconstruction, tells_outliers_and_refuses_open_sheets) {
       "reconstruct " + path("hills.xyz").string() + " -o " + path("hills.off").string();
   const Outcome refused = run(command);
   EXPECT_EQ(refused.exit_code, 1);
-  EXPECT_NE(refused.err.find("open sheet"), std::string::npos) << refused.err;
+  EXPECT_PRED2(contains, refused.err, "open sheet");
   EXPECT_EQ(run(command + " --open").exit_code, 0);
   EXPECT_TRUE(fs::exists(path("hills.off")));
   EXPECT_EQ(run(command + " --open --picture " + path("hills.png").string()).exit_code, 2);
@@ -81,7 +72,7 @@ TEST_F(Reconstruction, refuses_points_that_bound_nothing) {
   const auto expect = [&](const std::string& arguments, int code, const std::string& text) {
     const Outcome outcome = run("reconstruct " + arguments);
     EXPECT_EQ(outcome.exit_code, code);
-    EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
+    EXPECT_PRED2(contains, outcome.err, text);
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1);
   };
   expect(plane + off, 1, "lie in a plane");

@@ -1,18 +1,12 @@
 #include "program.h"
-
-#include <cmath>
-#include <set>
-#include <sstream>
-#include <string>
-#include <vector>
+#include "test.h"
 
 // No data are lost: long operations stop on request, results are written completely or not at all,
 // and failed writing is reported.
 namespace {
 
-using program::contents;
-using program::Outcome;
-using program::fs::directory_iterator;
+using namespace program;
+using fs::directory_iterator;
 
 class Stopping : public program::Program_test
 {
@@ -78,7 +72,7 @@ TEST_F(Stopping, a_long_step_stops_and_the_one_before_is_kept) {
                               "--report r.json",
                               "timeout --preserve-status -s INT 2");
   EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
-  EXPECT_NE(outcome.err.find("--resume out/checkpoint.dsc"), std::string::npos) << outcome.err;
+  EXPECT_PRED2(contains, outcome.err, "--resume out/checkpoint.dsc");
   const int step = int(info("out/checkpoint.dsc", "step"));
   EXPECT_EQ(report("r.json").at("steps").back().at("step"), step);
 }

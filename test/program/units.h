@@ -1,20 +1,9 @@
 #ifndef DEFORMABLE_SIMPLICIAL_COMPLEX_3_TEST_UNITS_H
 #define DEFORMABLE_SIMPLICIAL_COMPLEX_3_TEST_UNITS_H
 
+#include "test.h"
+
 #include <nlohmann/json.hpp>
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdlib>
-#include <iterator>
-#include <map>
-#include <set>
-#include <sstream>
-#include <string>
-#include <vector>
 
 // Comparison of results in different units.
 namespace units {

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable
 
 import dsc
@@ -19,13 +20,26 @@ def is_in_balls(points: npt.NDArray[np.float64], *balls: tuple[list[float], floa
 
 def ball(edge: float = 0.2) -> dsc.Complex3:
     """Returns a ball of radius .5 in the cube (-1, 1)³."""
+    return _ball(edge).copy()
+
+
+def disk(edge: float = 0.1) -> dsc.Complex2:
+    """Returns a disk of radius .5 in the square (-1, 1)²."""
+    return _disk(edge).copy()
+
+
+# The functions of labels are slow, so each complex is built once.
+
+
+@functools.cache
+def _ball(edge: float) -> dsc.Complex3:
     return dsc.Complex3.from_function(
         lambda points: is_in_balls(points, ([0, 0, 0], 0.5)), box=[(-1, -1, -1), (1, 1, 1)], edge=edge
     )
 
 
-def disk(edge: float = 0.1) -> dsc.Complex2:
-    """Returns a disk of radius .5 in the square (-1, 1)²."""
+@functools.cache
+def _disk(edge: float) -> dsc.Complex2:
     return dsc.Complex2.from_function(
         lambda points: is_in_balls(points, ([0, 0], 0.5)), box=[(-1, -1), (1, 1)], edge=edge
     )

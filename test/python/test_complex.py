@@ -450,8 +450,8 @@ def test_domain_grows_with_a_motion():
     assert sum(c.volumes.values()) > 1.5 * box
     c = ball()
     with pytest.raises(dsc.InvalidDestinationError):
-        c.offset(4.0, domain="refuse", largest_displacement=0)
-    assert c.offset(4.0, domain="stop").stopped_at_boundary > 0
+        c.offset(2.0, domain="refuse", largest_displacement=0)
+    assert c.offset(2.0, domain="stop").stopped_at_boundary > 0
 
 
 def test_thin_parts_are_resolved():

@@ -216,6 +216,7 @@ def test_notebooks():
 
 CHROMIUM = shutil.which("chromium")
 PROGRAM = os.environ.get("DSC_PROGRAM")
+ALL_CASES = os.environ.get("DSC_ALL_CASES") == "1"  # see test/support/all_cases.h
 
 
 def verdict(page: Path) -> list[str]:
@@ -249,7 +250,7 @@ def test_the_session_of_the_manual(tmp_path):
 
 @pytest.mark.skipif(CHROMIUM is None, reason="Chromium is not installed")
 @pytest.mark.skipif(PROGRAM is None, reason="the program dsc is not built")
-@pytest.mark.parametrize("options", [[], ["--surface"], ["--every", "2", "--without", "0"]])
+@pytest.mark.parametrize("options", [["--surface"], ["--every", "2", "--without", "0"]] + ([[]] if ALL_CASES else []))
 def test_a_run_in_the_plane(tmp_path, options):
     (tmp_path / "disk.wkt").write_text("POLYGON((0 0,4 0,4 4,2 3,0 4,0 0))\n")
     run = [PROGRAM, "mean-curvature", "disk.wkt", "--steps", "4", "--output", "run", "--report", "r.json"]

@@ -2,20 +2,10 @@
 #define DEFORMABLE_SIMPLICIAL_COMPLEX_3_TEST_MESH_HELPERS_H
 
 #include "small_meshes.h"
+#include "test.h"
 
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/enum.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <random>
-#include <utility>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 // Functions that several tests use for complexes. They are templates because of other kernels and
 // archetypes.

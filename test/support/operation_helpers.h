@@ -2,20 +2,10 @@
 #define DEFORMABLE_SIMPLICIAL_COMPLEX_3_TEST_OPERATION_HELPERS_H
 
 #include "mesh_helpers.h"
+#include "test.h"
 
-#include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/number_utils.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <utility>
-#include <vector>
 
 // Functions that the tests of mesh operations share.
 namespace operation_helpers {

@@ -1,16 +1,12 @@
 #ifndef DEFORMABLE_SIMPLICIAL_COMPLEX_2_TEST_PLANAR_REGIONS_H
 #define DEFORMABLE_SIMPLICIAL_COMPLEX_2_TEST_PLANAR_REGIONS_H
 
+#include "test.h"
+
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complex_2.h>
 
 #include <CGAL/number_utils.h>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <vector>
 
 // Regions of the plane that polygons bound.
 namespace planar_regions {

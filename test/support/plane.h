@@ -1,16 +1,13 @@
 #ifndef DEFORMABLE_SIMPLICIAL_COMPLEX_2_TEST_PLANE_H
 #define DEFORMABLE_SIMPLICIAL_COMPLEX_2_TEST_PLANE_H
 
+#include "test.h"
+
 #include <CGAL/Deformable_simplicial_complex_2.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <vector>
 
 namespace plane {
 

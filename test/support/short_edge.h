@@ -2,16 +2,10 @@
 #define DEFORMABLE_SIMPLICIAL_COMPLEX_3_TEST_SHORT_EDGE_H
 
 #include "operation_helpers.h"
+#include "test.h"
 
-#include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Mesh_support/Error.h>
-
-#include <gtest/gtest.h>
-
-#include <cstddef>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 // A mesh with an edge that is too short, for tests of functions that remove short edges.
 namespace short_edge {

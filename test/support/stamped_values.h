@@ -1,9 +1,10 @@
 #ifndef DEFORMABLE_SIMPLICIAL_COMPLEX_3_TEST_STAMPED_VALUES_H
 #define DEFORMABLE_SIMPLICIAL_COMPLEX_3_TEST_STAMPED_VALUES_H
 
+#include "test.h"
+
 #include <CGAL/property_map.h>
 
-#include <cstddef>
 #include <unordered_map>
 
 // Values on vertices or cells, and property maps that refer to them.

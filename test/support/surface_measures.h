@@ -2,12 +2,7 @@
 #define DEFORMABLE_SIMPLICIAL_COMPLEX_3_TEST_SURFACE_MEASURES_H
 
 #include "small_meshes.h"
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <map>
-#include <utility>
+#include "test.h"
 
 // Functions for the tests of files and of extraction.
 namespace surface_measures {

@@ -1,15 +1,9 @@
 #ifndef DEFORMABLE_SIMPLICIAL_COMPLEX_3_TEST_TEMPORARY_FOLDER_H
 #define DEFORMABLE_SIMPLICIAL_COMPLEX_3_TEST_TEMPORARY_FOLDER_H
 
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <random>
-#include <string>
-
 // A unique folder that is removed at the end of the scope.
+#include "test.h"
+
 class Temporary_folder
 {
 public:

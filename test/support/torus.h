@@ -1,12 +1,10 @@
 #ifndef DEFORMABLE_SIMPLICIAL_COMPLEX_2_TEST_TORUS_H
 #define DEFORMABLE_SIMPLICIAL_COMPLEX_2_TEST_TORUS_H
 
+#include "test.h"
+
 #include <CGAL/Deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
-
-#include <array>
-#include <cstddef>
-#include <vector>
 
 namespace torus {
 

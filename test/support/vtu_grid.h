@@ -1,17 +1,11 @@
 #ifndef DEFORMABLE_SIMPLICIAL_COMPLEX_3_TEST_VTU_GRID_H
 #define DEFORMABLE_SIMPLICIAL_COMPLEX_3_TEST_VTU_GRID_H
 
+#include "test.h"
+
 #include <CGAL/Mesh_files/internal/text/little_endian.h>
 
-#include <cstddef>
-#include <cstdint>
 #include <iomanip>
-#include <limits>
-#include <map>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
 // Files `.vtu` as other programs write them.
 namespace vtu_grid {

@@ -12,6 +12,7 @@
 
 #include <CGAL/Complex_construction/internal/thin_parts/improve_new_mesh.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/balance/Destinations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Domain_box.h>
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/coordinates.h>
@@ -161,10 +162,12 @@ interface and of the boundary.
 \param destinations of the vertices of the interface
 \return whether a destination is outside the box, and no vertex of the interface is on its sides,
         which are walls otherwise
+\throws Invalid_destination_error if a destination is not finite
 */
 template <class Complex>
 bool leaves_domain(const Complex& dsc, const Interface_vertices<Complex>& interface_,
                    const std::vector<typename Complex::Approximate_point>& destinations) {
+  require_finite(destinations, "a destination"); // or the domain would grow up to the largest one
   return !internal::Domain_box<Complex>(dsc).leaving(interface_.vertices, destinations).empty();
 }
 

@@ -1,35 +1,18 @@
-#include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3.h>
+#include "small_surfaces.h"
+#include "test.h"
+
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 #include <CGAL/boost/graph/generators.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <random>
-#include <string>
-#include <utility>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
-
 namespace test_build {
 
-using Complex = CGAL::Deformable_simplicial_complex_3<>;
-using Point = Complex::Point_3;
-using Surface = DSC::Labeled_surface_3<Point>;
-using Surfaces = std::vector<Surface>;
+using namespace small_surfaces;
 using Tetrahedra = std::vector<std::array<std::size_t, 4>>;
 using CGAL::Deformable_simplicial_complexes::Error;
 using CGAL::Deformable_simplicial_complexes::Invalid_cells_error;
 using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
 using CGAL::Deformable_simplicial_complexes::Tetrahedralization_error;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 template <class Input, class NP = parameters::Default_named_parameters>
 Complex build(const Input& input, const NP& np = NP()) {
@@ -39,33 +22,14 @@ Complex build(const Input& input, const NP& np = NP()) {
   return dsc;
 }
 
-Surface octahedron(double radius, int label) {
-  const double r = radius;
-  return {{{r, 0, 0}, {-r, 0, 0}, {0, r, 0}, {0, -r, 0}, {0, 0, r}, {0, 0, -r}},
-          {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}},
-          label};
-}
-
-// A cube about a center. The index of a corner has one bit per axis.
+// A cube about a center.
 Surface cube(double half_side, int label, const Point& center = Point(0, 0, 0)) {
-  Surface s;
-  for (int corner = 0; corner < 8; ++corner) {
-    const auto coordinate = [&](int axis) {
-      return center[axis] + (corner >> axis & 1 ? half_side : -half_side);
-    };
-    s.points.emplace_back(coordinate(0), coordinate(1), coordinate(2));
+  std::array<double, 3> low, high;
+  for (int axis = 0; axis < 3; ++axis) {
+    low[axis] = center[axis] - half_side;
+    high[axis] = center[axis] + half_side;
   }
-  s.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                 {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-  s.label = label;
-  return s;
-}
-
-void append(Surface& surface, const Surface& other) {
-  const std::size_t n = surface.points.size();
-  surface.points.insert(surface.points.end(), other.points.begin(), other.points.end());
-  for (const auto& t : other.triangles)
-    surface.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
+  return box(low, high, label);
 }
 
 Surface inside_out(Surface s) {
@@ -308,13 +272,10 @@ TEST(Build, any_size_and_place) {
 
 TEST(Build, refuses_what_normalization_makes_equal) {
   const Surfaces surfaces = {cube(1e-20, 1), cube(1, 2, Point(3, 3, 3))};
-  try {
-    build(surfaces, parameters::normalize(true));
-    ADD_FAILURE() << "the corners of the small cube are one point";
-  } catch (const Invalid_surface_error& e) {
-    EXPECT_EQ(e.reason(), Invalid_surface_error::Reason::too_fine);
-    EXPECT_EQ(e.surface(), 0u);
-  }
+  const auto e =
+      thrown_by<Invalid_surface_error>([&] { build(surfaces, parameters::normalize(true)); });
+  EXPECT_EQ(e.reason(), Invalid_surface_error::Reason::too_fine);
+  EXPECT_EQ(e.surface(), 0u);
   EXPECT_THROW(build(Surfaces{cube(8e307, 1)}, parameters::normalize(true)), Error);
 }
 
@@ -365,13 +326,10 @@ TEST(Build, the_tetrahedralizer_fails_with_words) {
   const std::vector<std::array<double, 3>> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const std::vector<std::array<std::size_t, 3>> triangles = {
       {0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}, {0, 1, 2}};
-  try {
-    CGAL::Tetgen_tetrahedralizer_3()(points, triangles);
-    FAIL();
-  } catch (const Tetrahedralization_error& e) {
-    EXPECT_EQ(e.code(), 3);
-    EXPECT_NE(std::string(e.what()).find("TetGen"), std::string::npos);
-  }
+  const auto e = thrown_by<Tetrahedralization_error>(
+      [&] { CGAL::Tetgen_tetrahedralizer_3()(points, triangles); });
+  EXPECT_EQ(e.code(), 3);
+  EXPECT_PRED2(contains, std::string(e.what()), "TetGen");
 }
 
 // Models of ConstrainedTetrahedralizer_3 that violate their postconditions.

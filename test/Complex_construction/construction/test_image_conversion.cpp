@@ -1,3 +1,5 @@
+#include "test.h"
+
 #include <CGAL/Complex_construction/convert_labeled_image_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
@@ -6,27 +8,11 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/number_utils.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <map>
-#include <set>
-#include <string>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
-
 namespace test_image_conversion {
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using CGAL::Deformable_simplicial_complexes::Error;
 namespace internal = CGAL::Deformable_simplicial_complexes::internal;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 struct Sides
 {

@@ -1,17 +1,9 @@
+#include "test.h"
+
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Interface_flows/Mean_curvature_flow.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Mesh_support/Error.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <map>
-#include <random>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 // Complexes of images: each label has the area of its pixels, and the center of each pixel has the
 // label of the pixel.
@@ -20,7 +12,6 @@ namespace test_images {
 
 using Complex = CGAL::Deformable_simplicial_complex_2<>;
 using CGAL::Deformable_simplicial_complexes::Error;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 template <class LabelAt> DSC::Labeled_image_2 image(int width, int height, LabelAt label_at) {
   DSC::Labeled_image_2 result;

@@ -1,18 +1,8 @@
+#include "test.h"
+
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <limits>
-#include <set>
-#include <utility>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_patches {
 
@@ -22,7 +12,6 @@ using Patch = DSC::Labeled_patch_3<Point>;
 using CGAL::Deformable_simplicial_complexes::Invalid_cells_error;
 using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
 using Reason = Invalid_surface_error::Reason;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 const CGAL::Tetgen_tetrahedralizer_3 tetgen;
 
@@ -103,27 +92,21 @@ TEST(Patches, may_enclose_other_patches_and_be_open_within_a_label) {
 TEST(Patches, that_leave_a_gap_are_refused) {
   auto patches = two_cubes();
   patches[4].triangles.pop_back();
-  try {
-    DSC::make_deformable_simplicial_complex_3<Complex>(patches, tetgen);
-    FAIL() << "label 2 leaks out";
-  } catch (const Invalid_surface_error& error) {
-    EXPECT_EQ(error.reason(), Reason::contradicting_sides);
-    EXPECT_EQ(error.facets().size(), 2u);
-    EXPECT_TRUE(error.surface() == 1 || error.surface() == 4 || error.other_surface() == 1 ||
-                error.other_surface() == 4);
-  }
+  const auto error = thrown_by<Invalid_surface_error>(
+      [&] { DSC::make_deformable_simplicial_complex_3<Complex>(patches, tetgen); });
+  EXPECT_EQ(error.reason(), Reason::contradicting_sides);
+  EXPECT_EQ(error.facets().size(), 2u);
+  EXPECT_TRUE(error.surface() == 1 || error.surface() == 4 || error.other_surface() == 1 ||
+              error.other_surface() == 4);
 }
 
 TEST(Patches, with_a_turned_triangle_are_refused) {
   auto patches = two_cubes();
   std::swap(patches[2].triangles[1][0], patches[2].triangles[1][1]);
-  try {
-    DSC::make_deformable_simplicial_complex_3<Complex>(patches, tetgen);
-    FAIL() << "the wall tells both labels for both sides";
-  } catch (const Invalid_surface_error& error) {
-    EXPECT_EQ(error.reason(), Reason::contradicting_sides);
-    EXPECT_EQ(error.facets().size(), 2u);
-  }
+  const auto error = thrown_by<Invalid_surface_error>(
+      [&] { DSC::make_deformable_simplicial_complex_3<Complex>(patches, tetgen); });
+  EXPECT_EQ(error.reason(), Reason::contradicting_sides);
+  EXPECT_EQ(error.facets().size(), 2u);
 }
 
 TEST(Patches, that_cross_are_refused) {
@@ -195,13 +178,9 @@ TEST(Tetrahedra_in_a_box, that_overlap_are_refused) {
   Tetrahedra crossing;
   crossing.append(0, 0, 0, 1);
   crossing.append(.5, .5, .5, 2);
-  try {
-    crossing.complex();
-    FAIL();
-  } catch (const Invalid_cells_error& error) {
-    EXPECT_FALSE(error.tetrahedra().empty());
-    EXPECT_LT(error.tetrahedra().back(), 12u);
-  }
+  const auto error = thrown_by<Invalid_cells_error>([&] { crossing.complex(); });
+  EXPECT_FALSE(error.tetrahedra().empty());
+  EXPECT_LT(error.tetrahedra().back(), 12u);
   Tetrahedra twice;
   twice.append(0, 0, 0, 1);
   twice.append(0, 0, 0, 2);

@@ -1,16 +1,9 @@
 #include "mesh_helpers.h"
 #include "plane.h"
+#include "test.h"
 
 #include <CGAL/Complex_construction/sample_labels.h>
 #include <CGAL/Mesh_support/Error.h>
-
-#include <gtest/gtest.h>
-
-#include <cstddef>
-#include <limits>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 // The labels of a complex at the points of a grid.
 

@@ -1,35 +1,20 @@
-#include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3.h>
+#include "small_surfaces.h"
+#include "test.h"
+
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/generators.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
 #include <optional>
-#include <random>
-#include <set>
-#include <utility>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_surfaces {
 
-using Complex = CGAL::Deformable_simplicial_complex_3<>;
-using Point = Complex::Point_3;
+using namespace small_surfaces;
 using Vector = Complex::Geom_traits::Kernel::Vector_3;
-using Surface = DSC::Labeled_surface_3<Point>;
 using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
 using Reason = Invalid_surface_error::Reason;
 using Indices = std::vector<std::size_t>;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 // Thrown if a surface is accepted and reaches the tetrahedralizer.
 struct Accepted
@@ -75,19 +60,6 @@ Surface tetrahedron(const Point& corner = Point(0, 0, 0), double size = 1) {
            corner + Vector(0, 0, size)},
           {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}},
           1};
-}
-
-Surface octahedron() {
-  return {{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
-          {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}},
-          1};
-}
-
-void append(Surface& surface, const Surface& other) {
-  const std::size_t n = surface.points.size();
-  surface.points.insert(surface.points.end(), other.points.begin(), other.points.end());
-  for (const auto& t : other.triangles)
-    surface.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
 }
 
 TEST(Surfaces, a_tetrahedron_is_accepted) { EXPECT_FALSE(refusal(tetrahedron())); }

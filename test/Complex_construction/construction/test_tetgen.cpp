@@ -1,30 +1,18 @@
 #include "../../../src/tetgen/child_process.h"
+#include "test.h"
 
 #include <CGAL/Complex_construction/Tetrahedralization_3.h>
 #include <CGAL/Complex_construction/internal/building/Boxed_soup_3.h>
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 
-#include <gtest/gtest.h>
-
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
 #include <cerrno>
-#include <cmath>
 #include <csignal>
-#include <cstddef>
 #include <cstdio>
-#include <cstdlib>
-#include <limits>
-#include <stdexcept>
-#include <string>
 #include <thread>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_tetgen {
 

@@ -1,46 +1,20 @@
 // Thin parts that are given by few large triangles, and their resolution.
+#include "small_surfaces.h"
+#include "test.h"
+
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
-#include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Complex_construction/refine_thin_parts.h>
 #include <CGAL/Deformable_simplicial_complex_2.h>
-#include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <random>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_thin_parts {
 
-using Complex = CGAL::Deformable_simplicial_complex_3<>;
+using namespace small_surfaces;
 using Planar_complex = CGAL::Deformable_simplicial_complex_2<>;
-using Point = Complex::Point_3;
-using Surface = DSC::Labeled_surface_3<Point>;
 using CGAL::Deformable_simplicial_complexes::Error;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
-
-// A box between two corners, of twelve triangles.
-Surface box(const std::array<double, 3>& low, const std::array<double, 3>& high, int label = 1) {
-  Surface s;
-  for (int corner = 0; corner < 8; ++corner) {
-    const auto x = [&](int axis) { return (corner >> axis & 1 ? high : low)[axis]; };
-    s.points.emplace_back(x(0), x(1), x(2));
-  }
-  s.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                 {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-  s.label = label;
-  return s;
-}
 
 template <class NP = parameters::Default_named_parameters>
-Complex build(const std::vector<Surface>& surfaces, const NP& np = NP()) {
+Complex build(const Surfaces& surfaces, const NP& np = NP()) {
   return DSC::make_deformable_simplicial_complex_3<Complex>(surfaces,
                                                             CGAL::Tetgen_tetrahedralizer_3(), np);
 }

@@ -1,31 +1,16 @@
 // Surfaces whose components touch at vertices and along edges.
 
 #include "mesh_helpers.h"
+#include "small_surfaces.h"
+#include "test.h"
 
-#include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_flows/interface_flows_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <set>
-#include <utility>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
-
 namespace test_touching_surfaces {
 
-using Complex = CGAL::Deformable_simplicial_complex_3<>;
-using Point = Complex::Point_3;
-using Surface = DSC::Labeled_surface_3<Point>;
-using Surfaces = std::vector<Surface>;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+using namespace small_surfaces;
 
 template <class NP = parameters::Default_named_parameters>
 Complex build(const Surfaces& surfaces, const NP& np = NP()) {
@@ -44,18 +29,8 @@ Surface corner(double x, double y, double z) {
   return tetrahedron({{0, 0, 0}, {x, 0, 0}, {0, y, 0}, {0, 0, z}});
 }
 
-Surface cube(const Point& lowest, double side) {
-  Surface s;
-  for (int corner = 0; corner < 8; ++corner) {
-    const auto coordinate = [&](int axis) {
-      return lowest[axis] + (corner >> axis & 1 ? side : 0);
-    };
-    s.points.emplace_back(coordinate(0), coordinate(1), coordinate(2));
-  }
-  s.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                 {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-  s.label = 1;
-  return s;
+Surface cube(const Point& p, double side) {
+  return box({p.x(), p.y(), p.z()}, {p.x() + side, p.y() + side, p.z() + side});
 }
 
 // Two tetrahedra without their common facet; the volume is 8/3 (top - bottom).

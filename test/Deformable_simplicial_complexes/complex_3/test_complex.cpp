@@ -1,35 +1,16 @@
 #include "mesh_helpers.h"
+#include "test.h"
 
-#include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Interface_remeshing/improve_mesh.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <string>
-#include <utility>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_complex {
 
 using CGAL::Deformable_simplicial_complexes::Invalid_cells_error;
 using mesh_helpers::interface_triangles;
 using mesh_helpers::jittered_grid;
-using small_meshes::Complex;
-using small_meshes::grid;
-using small_meshes::Labeled_mesh;
-using small_meshes::make_complex;
-using small_meshes::Point;
+using namespace small_meshes;
 using Indices = std::vector<std::size_t>;
-using Vertex_handle = Complex::Vertex_handle;
-using Cell_handle = Complex::Cell_handle;
 
 constexpr double tolerance = 1e-14;
 
@@ -181,7 +162,7 @@ TEST(Assign, refuses_what_cannot_be_measured) {
     Labeled_mesh mesh = corner_tetrahedron();
     for (Point& p : mesh.points)
       p = Point(x * p.x(), x * p.y(), x * p.z());
-    EXPECT_NE(std::string(refusal(mesh).what()).find("extent"), std::string::npos) << x;
+    EXPECT_PRED2(contains, std::string(refusal(mesh).what()), "extent") << x;
   }
 }
 

@@ -1,8 +1,7 @@
 #include "mesh_helpers.h"
+#include "test.h"
 
-#include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
-#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_split.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
@@ -11,17 +10,6 @@
 #include <CGAL/Random.h>
 #include <CGAL/hilbert_sort.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <utility>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
-
 // Copies, states, storage order, numbers of components, and errors that is_valid() finds.
 
 namespace test_complex_storage {
@@ -29,13 +17,7 @@ namespace test_complex_storage {
 using CGAL::Deformable_simplicial_complexes::Invalid_cells_error;
 using mesh_helpers::interface_triangles;
 using mesh_helpers::jittered_grid;
-using small_meshes::Complex;
-using small_meshes::grid;
-using small_meshes::make_complex;
-using small_meshes::Point;
-using Vertex_handle = Complex::Vertex_handle;
-using Cell_handle = Complex::Cell_handle;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+using namespace small_meshes;
 
 // A complex in which vertices and cells were removed and created.
 Complex used_complex() {

@@ -1,41 +1,19 @@
 #include "mesh_helpers.h"
+#include "test.h"
 
-#include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
-#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_flows/interface_flows_3.h>
 #include <CGAL/Interface_remeshing/improve_mesh.h>
 #include <CGAL/Mesh_support/Error.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <limits>
-#include <stdexcept>
-#include <utility>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
-
 namespace test_deformation {
 
 using CGAL::Deformable_simplicial_complexes::Invalid_destination_error;
 using mesh_helpers::interface_triangles;
-using small_meshes::Complex;
-using small_meshes::grid;
-using small_meshes::make_complex;
-using small_meshes::Point;
-using Position = Complex::Approximate_point_3;
-using Vector = Complex::Approximate_vector_3;
+using namespace small_meshes;
 using Report = DSC::Deformation_report<Complex>;
-using Vertex_handle = Complex::Vertex_handle;
-using Cell_handle = Complex::Cell_handle;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 

@@ -1,31 +1,16 @@
 #include "mesh_helpers.h"
+#include "test.h"
 
-#include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/collision_order.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <utility>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_motion {
 
 using mesh_helpers::jittered_grid;
 using mesh_helpers::Random;
-using small_meshes::Complex;
-using small_meshes::grid;
-using small_meshes::make_complex;
-using small_meshes::Point;
+using namespace small_meshes;
 using Rational = CGAL::Exact_rational;
-using Vertex_handle = Complex::Vertex_handle;
-using Cell_handle = Complex::Cell_handle;
 
 Point shifted(const Complex& dsc, Vertex_handle v, const Complex::Approximate_vector_3& by) {
   return mesh_helpers::exact_point(dsc, dsc.position(v) + by);

@@ -1,4 +1,5 @@
 #include "mesh_helpers.h"
+#include "test.h"
 
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Harmonic_extension.h>
 #include <CGAL/Mesh_support/For_each_index.h>
@@ -7,22 +8,11 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
-
 namespace test_motion_of_space {
 
 namespace internal = CGAL::Deformable_simplicial_complexes::internal;
 using DSC::For_each_index;
-using small_meshes::Complex;
-using Vector = Complex::Approximate_vector_3;
-using Vertex_handle = Complex::Vertex_handle;
+using namespace small_meshes;
 
 TEST(Row_blocks, have_all_rows_in_order) {
   for (const std::size_t size : {0, 1, 255, 256, 257, 5000}) {

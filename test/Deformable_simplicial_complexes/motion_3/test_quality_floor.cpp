@@ -1,16 +1,5 @@
 #include "mesh_helpers.h"
-
-#include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <utility>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
+#include "test.h"
 
 // Detection of cells below the quality floor; deformations leave no such cells.
 

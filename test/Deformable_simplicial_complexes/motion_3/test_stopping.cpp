@@ -1,22 +1,12 @@
 #include "mesh_helpers.h"
+#include "test.h"
 
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_flows/interface_flows_3.h>
 #include <CGAL/Interface_remeshing/improve_interface.h>
 #include <CGAL/Interface_remeshing/improve_mesh.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
-
-#include <gtest/gtest.h>
-
-#include <chrono>
-#include <cstddef>
-#include <functional>
-#include <set>
-#include <string>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_stopping {
 
@@ -24,7 +14,6 @@ using CGAL::Deformable_simplicial_complexes::Interrupted_error;
 using CGAL::Deformable_simplicial_complexes::Progress_phase;
 using CGAL::Deformable_simplicial_complexes::Progress_scope;
 using small_meshes::Complex;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 constexpr std::chrono::milliseconds at_each_check(0);
 

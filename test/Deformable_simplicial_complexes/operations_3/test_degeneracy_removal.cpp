@@ -1,24 +1,11 @@
-#include "operation_helpers.h"
 #include "short_edge.h"
+#include "test.h"
 
-#include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/degeneracy_removal.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_removal_3.h>
 #include <CGAL/Deformable_simplicial_complexes/multi_face_removal_3.h>
 #include <CGAL/Interface_remeshing/remove_degeneracies.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <utility>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 // Removal of degenerate tetrahedra, facets and edges.
 
@@ -29,7 +16,6 @@ using mesh_helpers::minimum_quality;
 using small_meshes::grid;
 using small_meshes::make_complex;
 using namespace short_edge;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 constexpr double flat = 1e-3; // height of degenerate cells
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();

@@ -1,17 +1,8 @@
 #include "mesh_helpers.h"
+#include "test.h"
 
 #include <CGAL/Deformable_simplicial_complexes/quality_measures.h>
 #include <CGAL/Simple_cartesian.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numeric>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_quality_measures {
 

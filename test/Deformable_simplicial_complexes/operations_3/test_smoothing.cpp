@@ -1,17 +1,7 @@
 #include "operation_helpers.h"
+#include "test.h"
 
-#include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/vertex_smoothing.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 // Smart Laplacian and optimization-based smoothing of vertices.
 

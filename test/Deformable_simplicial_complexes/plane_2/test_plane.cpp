@@ -1,18 +1,7 @@
 #include "plane.h"
+#include "test.h"
 
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <map>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_plane {
 
@@ -104,7 +93,7 @@ TEST(Plane, space_without_flow_follows_the_interface) {
 }
 
 // A band across the square. Its contact points move along two sides of the square.
-TEST(Plane, free_vertices_on_the_boundary_go_along_with_lines_of_contact) {
+TEST(Plane, free_vertices_on_the_boundary_move_with_the_interface) {
   const int n = 12;
   std::vector<Point> points;
   std::vector<std::array<std::size_t, 3>> triangles;
@@ -132,7 +121,7 @@ TEST(Plane, free_vertices_on_the_boundary_go_along_with_lines_of_contact) {
 }
 
 // One cell of subnormal area must not disturb the displacements of other cells.
-TEST(Plane, a_flat_cell_has_no_say_in_the_motion_of_space) {
+TEST(Plane, flat_cells_do_not_change_the_extension_of_the_displacement) {
   std::vector<Point> points;
   std::vector<std::array<std::size_t, 3>> triangles;
   const auto index = [](int i, int j) { return std::size_t((i + 2) * 5 + j + 2); };

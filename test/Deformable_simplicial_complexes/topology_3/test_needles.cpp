@@ -1,5 +1,7 @@
 // CAD surfaces, whose triangles have small angles, in rigid motion.
 
+#include "test.h"
+
 #include <CGAL/Complex_construction/Construction_options.h>
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
@@ -8,17 +10,6 @@
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 
 #include <CGAL/Bbox_3.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <utility>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_needles {
 
@@ -117,7 +108,7 @@ TEST(Boxes_of_twelve_triangles, are_turned_exactly_by_any_angle) {
 
 // Cells at needles cannot be improved. After the first step, remeshing works only where the mesh is
 // sheared.
-TEST(Needles, are_not_worked_on_in_vain_again_and_again) {
+TEST(Needles, are_not_tried_again_in_each_step) {
   Complex dsc = drum(48, 4);
   const auto reports = turn(dsc, 5);
   for (std::size_t step = 1; step < reports.size(); ++step)

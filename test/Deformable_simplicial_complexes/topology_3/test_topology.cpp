@@ -1,21 +1,9 @@
 #include "betti_numbers.h"
 #include "mesh_helpers.h"
+#include "test.h"
 
-#include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/relabeling.h>
 #include <CGAL/Deformable_simplicial_complexes/topology_control.h>
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <set>
-#include <utility>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 // Changes of the topology of labels and of their interface in deformations.
 
@@ -25,16 +13,8 @@ using CGAL::Deformable_simplicial_complexes::Allow_topology_changes_between;
 using CGAL::Deformable_simplicial_complexes::Forbid_topology_changes;
 using DSC::relabeling_keeps_topology;
 using mesh_helpers::Random;
-using small_meshes::Complex;
-using small_meshes::grid;
-using small_meshes::make_complex;
-using small_meshes::Point;
-using Cell_handle = Complex::Cell_handle;
-using Vertex_handle = Complex::Vertex_handle;
-using Position = Complex::Approximate_point_3;
-using Vector = Complex::Approximate_vector_3;
+using namespace small_meshes;
 using betti_numbers::Betti_numbers;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 const Betti_numbers ball = {1, 0, 0}, sphere = {1, 0, 1};
 

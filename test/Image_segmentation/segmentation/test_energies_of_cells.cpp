@@ -1,21 +1,13 @@
 // Labels that decrease an energy of cells, and bisection of selected cells.
 #include "planar_regions.h"
+#include "test.h"
 
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Image_segmentation/internal/segmentation/relabel_by_energy.h>
 #include <CGAL/Interface_remeshing/Cell_snapshot.h>
 #include <CGAL/Interface_remeshing/refine_cells.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <map>
-#include <vector>
-
 namespace test_energies_of_cells {
-namespace {
 
 namespace dsc = CGAL::Deformable_simplicial_complexes;
 using planar_regions::Complex;
@@ -46,8 +38,6 @@ template <class Energy> double total(const Complex& complex, const Energy& energ
     result += tension * complex.measure(f);
   return result;
 }
-
-} // namespace
 
 // No label of a single cell decreases the energy any more, and the square of the image is found.
 TEST(Relabel_by_energy, ends_in_a_local_minimum) {

@@ -1,20 +1,13 @@
 // Integrals of images over triangles and tetrahedra.
+#include "test.h"
+
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Image_segmentation/Image_moments.h>
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <random>
-#include <vector>
-
 namespace test_image_moments {
-namespace {
 
 namespace dsc = CGAL::Deformable_simplicial_complexes;
 using Point = std::array<double, 2>;
@@ -56,8 +49,6 @@ double area(const std::vector<Point>& polygon) {
   }
   return result;
 }
-
-} // namespace
 
 // Against the areas of triangles clipped by pixels. Some triangles reach out of the image, some
 // have corners and edges on the lines of the grid.

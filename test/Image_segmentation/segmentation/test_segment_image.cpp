@@ -1,4 +1,10 @@
 // Segmentation of images whose phases are known.
+#include "test.h"
+
+#if __has_include(<CGAL/Image_segmentation/compiled_3.h>) // if the component Compiled is used
+#include <CGAL/Image_segmentation/compiled_2.h>
+#include <CGAL/Image_segmentation/compiled_3.h>
+#endif
 #include <CGAL/Complex_construction/sample_labels.h>
 #include <CGAL/Deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
@@ -7,18 +13,7 @@
 
 #include <CGAL/number_utils.h>
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <chrono>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <random>
-#include <vector>
-
 namespace test_segment_image {
-namespace {
 
 namespace dsc = CGAL::Deformable_simplicial_complexes;
 using Complex_2 = CGAL::Deformable_simplicial_complex_2<>;
@@ -74,8 +69,6 @@ double greatest_distance(const Complex& complex, int a, int b, double x, double 
     }
   return result;
 }
-
-} // namespace
 
 TEST(Segment_image, finds_a_disk_in_a_ring) {
   const auto image = image_of<2>({64, 60}, target, .1);

@@ -1,7 +1,7 @@
 // Rigid bodies that liquids move, solids that move as a function of time, and sources with a flux.
 #include "planar_regions.h"
+#include "test.h"
 
-#include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Incompressible_fluid_2.h>
 #if __has_include(<CGAL/Incompressible_fluids_3/compiled_2.h>) // if the component Compiled is used
 #include <CGAL/Incompressible_fluids_3/compiled_2.h>
@@ -11,17 +11,7 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/generators.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <string>
-#include <vector>
-
 namespace test_bodies {
-namespace {
 
 namespace dsc = CGAL::Deformable_simplicial_complexes;
 namespace parameters = dsc::parameters;
@@ -75,8 +65,6 @@ public:
   Complex complex;
   Fluid fluid;
 };
-
-} // namespace
 
 TEST(Rigid_body, inertia) {
   const dsc::Rigid_body_3 box = dsc::rigid_box(Point(1, 2, 3), Point(2, 4, 6), 2);
@@ -205,8 +193,6 @@ TEST(Rigid_body, momenta_are_preserved) {
   }
 }
 
-namespace {
-
 // The outline of two disks around (-x, 0) and (x, 0), with edges of about a given length.
 Polygon outline_of_disks(double x, double radius, double edge) {
   const double angle = std::acos(-x / radius); // of the upper vertex on both disks
@@ -219,8 +205,6 @@ Polygon outline_of_disks(double x, double radius, double edge) {
     }
   return result;
 }
-
-} // namespace
 
 // At two vertices, the surface of a drop touches two overlapping disks that move past each other.
 // The liquid there moves with both disks, so the vertices follow the points where the circles
@@ -532,14 +516,10 @@ TEST(Moving_solid, must_not_jump) {
                       dsc::Tank_solid_3(CGAL::Bbox_2(0, 0, 1, 1)), Point(0, 0, 0), motion),
                   attached(false));
   fluid.advance(.05);
-  try {
-    fluid.advance(.05);
-    FAIL();
-  } catch (const dsc::Fluid_step_error& error) {
-    EXPECT_EQ(error.last_attempt().cause, dsc::Fluid_failure::walls);
-    EXPECT_GE(error.last_attempt().amount, jump / edge / 2);
-    EXPECT_NE(std::string(error.what()).find("without jumps"), std::string::npos);
-  }
+  const auto error = thrown_by<dsc::Fluid_step_error>([&] { fluid.advance(.05); });
+  EXPECT_EQ(error.last_attempt().cause, dsc::Fluid_failure::walls);
+  EXPECT_GE(error.last_attempt().amount, jump / edge / 2);
+  EXPECT_PRED2(contains, std::string(error.what()), "without jumps");
   EXPECT_EQ(fluid.time(), .05);
 }
 

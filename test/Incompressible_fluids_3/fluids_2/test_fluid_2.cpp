@@ -1,23 +1,13 @@
 // Incompressible flow in the plane.
 #include "planar_regions.h"
+#include "test.h"
 
-#include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Incompressible_fluid_2.h>
 #if __has_include(<CGAL/Incompressible_fluids_3/compiled_2.h>) // if the component Compiled is used
 #include <CGAL/Incompressible_fluids_3/compiled_2.h>
 #endif
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <vector>
-
 namespace test_fluid_2 {
-namespace {
 
 namespace dsc = CGAL::Deformable_simplicial_complexes;
 namespace parameters = dsc::parameters;
@@ -74,8 +64,6 @@ double greatest_velocity(const Fluid& fluid, int label) {
       result = (std::max)(result, fluid.velocity(c->vertex(i), label).squared_length());
   return std::sqrt(result);
 }
-
-} // namespace
 
 // Lord Rayleigh, "On the capillary phenomena of jets", 1879: the square of the frequency of mode n
 // is n (n^2 - 1) for unit density, tension and radius.

@@ -1,26 +1,16 @@
 // Liquid that passes through sides of the domain against a pressure.
 #include "planar_regions.h"
+#include "test.h"
 
 #include <CGAL/Incompressible_fluid_2.h>
 #if __has_include(<CGAL/Incompressible_fluids_3/compiled_2.h>) // if the component Compiled is used
 #include <CGAL/Incompressible_fluids_3/compiled_2.h>
 #endif
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <limits>
 #include <memory>
-#include <numeric>
 #include <optional>
-#include <vector>
 
 namespace test_open_sides {
-namespace {
 
 namespace dsc = CGAL::Deformable_simplicial_complexes;
 using Complex = CGAL::Deformable_simplicial_complex_2<>;
@@ -78,8 +68,6 @@ double height_at_right(const Complex& complex) {
       result = complex.position(v).y();
   return result;
 }
-
-} // namespace
 
 // A plug flow carries a field through a channel. Where the liquid leaves, vertices do not move, but
 // the field does.

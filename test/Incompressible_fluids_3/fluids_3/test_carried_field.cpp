@@ -1,7 +1,7 @@
 // The field that liquids carry, and surface tensions that depend on it.
 #include "planar_regions.h"
+#include "test.h"
 
-#include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Incompressible_fluid_2.h>
 #include <CGAL/Incompressible_fluid_3.h>
@@ -10,19 +10,9 @@
 #include <CGAL/Incompressible_fluids_3/compiled_3.h>
 #endif
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <limits>
 #include <optional>
-#include <utility>
-#include <vector>
 
 namespace test_carried_field {
-namespace {
 
 namespace dsc = CGAL::Deformable_simplicial_complexes;
 namespace parameters = dsc::parameters;
@@ -101,8 +91,6 @@ void check_decay(Complex_of_dimension& complex) {
   EXPECT_LT(end.greatest_field, begin.greatest_field);
   EXPECT_GT(end.least_field, begin.least_field);
 }
-
-} // namespace
 
 TEST(Carried_field, decays_by_diffusion) {
   Complex plane = grid(16, 8, 1, .5, [](const Point& p) { return p.y() < .3 ? 1 : 0; });

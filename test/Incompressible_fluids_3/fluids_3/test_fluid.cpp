@@ -1,30 +1,17 @@
 // Incompressible flow: exact solutions, conserved quantities, contacts, and solvers.
 #include "mesh_helpers.h"
+#include "test.h"
 
 #include <CGAL/Incompressible_fluid_3.h>
 #if __has_include(<CGAL/Incompressible_fluids_3/compiled_3.h>) // if the component Compiled is used
 #include <CGAL/Incompressible_fluids_3/compiled_3.h>
 #endif
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Dense>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <limits>
-#include <map>
 #include <memory>
-#include <utility>
-#include <vector>
 
 namespace test_fluid {
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
-
-namespace {
 
 namespace dsc = CGAL::Deformable_simplicial_complexes;
 namespace parameters = dsc::parameters;
@@ -66,8 +53,6 @@ double greatest_velocity(const Fluid& fluid) {
     result = (std::max)(result, length(fluid.velocity(v)));
   return result;
 }
-
-} // namespace
 
 TEST(Fluid, falls_freely) {
   Complex complex = block();

@@ -1,29 +1,17 @@
 // Time steps of fluids that fail: they are undone and repeated, or they end with an exception.
 #include "mesh_helpers.h"
+#include "test.h"
 
 #include <CGAL/Incompressible_fluid_3.h>
 #if __has_include(<CGAL/Incompressible_fluids_3/compiled_3.h>) // if the component Compiled is used
 #include <CGAL/Incompressible_fluids_3/compiled_3.h>
 #endif
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Dense>
 
-#include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <string>
 #include <type_traits>
-#include <utility>
 
 namespace test_fluid_steps {
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
-
-namespace {
 
 namespace dsc = CGAL::Deformable_simplicial_complexes;
 namespace parameters = dsc::parameters;
@@ -87,8 +75,6 @@ struct Fluid_steps : testing::Test
   Fluid fluid{complex, liquid(1, .1, .5, 1)};
 };
 
-} // namespace
-
 TEST_F(Fluid_steps, that_fail_are_repeated_in_parts) {
   fluid.advance(.02);
   Faulty_solver::failures = 2;
@@ -140,17 +126,13 @@ TEST_F(Fluid_steps, that_fail_for_ever_leave_the_state_before) {
   const auto motion = fluid.state().motion;
   const auto volumes = fluid.state().volumes;
   Faulty_solver::failures = std::numeric_limits<unsigned>::max();
-  try {
-    fluid.advance(.02);
-    ADD_FAILURE();
-  } catch (const dsc::Fluid_step_error& error) {
-    EXPECT_EQ(error.step(), 2u);
-    EXPECT_EQ(error.last_attempt().cause, Fluid_failure::equations);
-    EXPECT_EQ(error.last_attempt().time, .02);
-    EXPECT_EQ(error.last_attempt().dt, .02 / 32);
-    EXPECT_NE(std::string(error.what()).find("step 2"), std::string::npos);
-    EXPECT_LE((error.last_attempt().place - CGAL::ORIGIN).squared_length(), .5 * .5);
-  }
+  const auto error = thrown_by<dsc::Fluid_step_error>([&] { fluid.advance(.02); });
+  EXPECT_EQ(error.step(), 2u);
+  EXPECT_EQ(error.last_attempt().cause, Fluid_failure::equations);
+  EXPECT_EQ(error.last_attempt().time, .02);
+  EXPECT_EQ(error.last_attempt().dt, .02 / 32);
+  EXPECT_PRED2(contains, std::string(error.what()), "step 2");
+  EXPECT_LE((error.last_attempt().place - CGAL::ORIGIN).squared_length(), .5 * .5);
   EXPECT_TRUE(complex.state() == before);
   EXPECT_EQ(fluid.state().motion, motion);
   EXPECT_EQ(fluid.state().volumes, volumes);
@@ -278,13 +260,10 @@ TEST(Minimal_residuals, tell_that_they_stagnate) {
     out = diagonal.cast<Scalar>().cwiseProduct(in);
   };
   const auto precondition = [](const Eigen::VectorXf& in, Eigen::VectorXf& out) { out = in; };
-  try {
-    dsc::internal::minimal_residuals(for_each, multiply, precondition, right, 1e-12, x);
-    ADD_FAILURE();
-  } catch (const dsc::Convergence_error& error) {
-    EXPECT_GT(error.residual(), .4); // one of four equations cannot be satisfied
-    EXPECT_LT(error.bound(), 1e-8);
-  }
+  const auto error = thrown_by<dsc::Convergence_error>(
+      [&] { dsc::internal::minimal_residuals(for_each, multiply, precondition, right, 1e-12, x); });
+  EXPECT_GT(error.residual(), .4); // one of four equations cannot be satisfied
+  EXPECT_LT(error.bound(), 1e-8);
 }
 
 // Cells without volume, also at the beginning, give finite equations.

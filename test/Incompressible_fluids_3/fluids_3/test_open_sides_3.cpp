@@ -1,4 +1,6 @@
 // Liquid that passes through sides of the domain against a pressure, in space.
+#include "test.h"
+
 #include <CGAL/Incompressible_fluid_3.h>
 #if __has_include(<CGAL/Incompressible_fluids_3/compiled_3.h>) // if the component Compiled is used
 #include <CGAL/Incompressible_fluids_3/compiled_3.h>
@@ -6,13 +8,7 @@
 
 #include "small_meshes.h"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <numeric>
-
 namespace test_open_sides_3 {
-namespace {
 
 namespace dsc = CGAL::Deformable_simplicial_complexes;
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
@@ -30,8 +26,6 @@ dsc::Fluid_properties liquid() {
   result.set_gravity({0, 0, -1});
   return result;
 }
-
-} // namespace
 
 TEST(Open_sides_3, tank_drains) {
   Complex complex = tank();

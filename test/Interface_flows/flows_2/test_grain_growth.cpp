@@ -1,8 +1,8 @@
 // Grains: Voronoi labels, orientations, statistics, and their growth.
+#include "grain_rates.h"
 #include "planar_regions.h"
-#include "torus.h"
+#include "test.h"
 
-#include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Interface_flows/Grain_growth.h>
 #include <CGAL/Interface_flows/Grain_orientations.h>
 #include <CGAL/Interface_flows/Voronoi_labels.h>
@@ -10,40 +10,17 @@
 #include <CGAL/Interface_remeshing/remove_components.h>
 
 #include <CGAL/Bbox_2.h>
-#include <CGAL/number_utils.h>
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <map>
-#include <random>
-#include <vector>
 
 namespace test_grain_growth {
-namespace {
 
 namespace dsc = CGAL::Deformable_simplicial_complexes;
-using Torus = CGAL::Deformable_simplicial_complex_2<CGAL::Deformable_simplicial_complex_traits_2<>,
-                                                    CGAL::Default, dsc::Torus_domain<2>>;
 using planar_regions::Complex;
-
-Torus grains(std::size_t number, double edges) {
-  const dsc::Torus_domain<2> domain({1, 1});
-  return dsc::make_deformable_simplicial_complex_2<Torus>(
-      domain, 1 / (std::sqrt(double(number)) * edges),
-      dsc::Voronoi_labels<Torus>(number, {1, 1}, true));
-}
 
 Complex grains_in_box(std::size_t number, double edges) {
   return dsc::make_deformable_simplicial_complex_2<Complex>(
       CGAL::Bbox_2(0, 0, 1, 1), 1 / (std::sqrt(double(number)) * edges),
       dsc::Voronoi_labels<Complex>(number, {1, 1}, false));
 }
-
-} // namespace
 
 TEST(Voronoi_labels, are_those_of_the_nearest_seeds) {
   static constexpr std::size_t number = 40, samples = 200;
@@ -197,40 +174,10 @@ TEST(Grain_growth, circle_vanishes_at_its_time) {
   EXPECT_NEAR(growth.time(), r * r / 2, .02 * r * r);
 }
 
-// von Neumann and Mullins: the area of a grain with n sides grows by pi / 3 (n - 6). In a box, the
-// law also holds for the grains at its sides and corners, which their mirror images complete.
+// The law also holds for the grains at the sides and corners of a box, which their mirror images
+// complete.
 TEST(Grain_growth, has_the_rates_of_von_neumann_and_mullins) {
-  static constexpr std::size_t number = 20;
-  const auto slope = [](auto complex) {
-    using C = decltype(complex);
-    dsc::keep_largest_components(complex);
-    EXPECT_EQ(complex.labels().size(), number);
-    dsc::Grain_growth<C> growth(complex, {}, {8, .2});
-    const auto by_label = [&complex] {
-      std::map<int, dsc::Grain_statistics> result;
-      for (const auto& grain : dsc::grain_statistics(complex))
-        result[grain.label] = grain;
-      return result;
-    };
-    double xx = 0, xy = 0;
-    for (int k = 0; k < 60; ++k) {
-      const auto before = by_label();
-      const double dt = growth.advance().dt;
-      const auto after = by_label();
-      for (const auto& [label, grain] : before)
-        if (const auto found = after.find(label);
-            k > 5 && found != after.end() && found->second.corners == grain.corners &&
-            found->second.right_angles == grain.right_angles) {
-          const double rate = (found->second.measure - grain.measure) / dt;
-          xx += grain.growth(2) * grain.growth(2);
-          xy += grain.growth(2) * rate;
-        }
-    }
-    EXPECT_TRUE(complex.is_valid());
-    return xy / xx;
-  };
-  EXPECT_NEAR(slope(grains(number, 8)), 1, .04);
-  EXPECT_NEAR(slope(grains_in_box(number, 8)), 1, .04);
+  EXPECT_NEAR(grain_rates::slope(grains_in_box(20, 8), 20), 1, .04);
 }
 
 // All grains of a box vanish but one, at the sides and in the corners, too.

@@ -1,5 +1,6 @@
 // Tensions, mobilities and energy densities that depend on labels, and the flow of their energy.
 #include "planar_regions.h"
+#include "test.h"
 
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
@@ -16,19 +17,7 @@
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/named_parameters.h>
 
-#include <CGAL/number_utils.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <utility>
-#include <vector>
-
 namespace test_interface_energy {
-namespace {
 
 namespace dsc = CGAL::Deformable_simplicial_complexes;
 using dsc::Interface_energy;
@@ -63,8 +52,6 @@ Interface_energy with_tension_of_1_and_2(double other) {
   result.set_tension([other](int a, int b) { return a == 1 && b == 2 ? other : 1; });
   return result;
 }
-
-} // namespace
 
 TEST(Interface_energy, checks_its_values) {
   Interface_energy energy;

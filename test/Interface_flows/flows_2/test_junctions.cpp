@@ -1,5 +1,7 @@
 // Junctions of more than three phases, and curvature flow that remeshes its interface.
 
+#include "test.h"
+
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complex_2.h>
 #include <CGAL/Interface_flows/Mean_curvature_flow.h>
@@ -9,22 +11,10 @@
 #include <CGAL/determinant.h>
 #include <CGAL/number_utils.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
-
 namespace test_junctions {
 
 using Complex = CGAL::Deformable_simplicial_complex_2<>;
 using Vertex_handle = Complex::Vertex_handle;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 // Returns a square of n times n pixels with labels of a function.
 template <class LabelAt> Complex square(std::size_t n, const LabelAt& label_at) {

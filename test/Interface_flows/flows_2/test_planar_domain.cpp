@@ -1,5 +1,7 @@
 // Interfaces at the domain boundary, and growing domains, in the plane.
 
+#include "test.h"
+
 #include <CGAL/Complex_construction/grow_domain.h>
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complex_2.h>
@@ -10,16 +12,6 @@
 
 #include <CGAL/Bbox_2.h>
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstddef>
-#include <set>
-#include <utility>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
-
 namespace test_planar_domain {
 
 using Complex = CGAL::Deformable_simplicial_complex_2<>;
@@ -27,7 +19,6 @@ using Point = Complex::Point_2;
 using Curve = DSC::Labeled_curve_2<Point>;
 using CGAL::Deformable_simplicial_complexes::Domain_rule;
 using CGAL::Deformable_simplicial_complexes::Error;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 const double pi = std::acos(-1.);
 

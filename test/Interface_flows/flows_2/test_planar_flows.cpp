@@ -1,5 +1,7 @@
 // Curves, complexes of curves, and their flows.
 
+#include "test.h"
+
 #include <CGAL/Complex_construction/Construction_options.h>
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complex_2.h>
@@ -12,17 +14,6 @@
 
 #include <CGAL/Bbox_2.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <random>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
-
 namespace test_planar_flows {
 
 using Complex = CGAL::Deformable_simplicial_complex_2<>;
@@ -34,7 +25,6 @@ using Curves = std::vector<Curve>;
 using Report = DSC::Deformation_report<Complex>;
 using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
 using Reason = Invalid_surface_error::Reason;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 constexpr double pi = 3.14159265358979323846;
 

@@ -1,24 +1,12 @@
 #include "mesh_helpers.h"
+#include "test.h"
 
-#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Interface_flows/advect_adaptively.h>
 #include <CGAL/Mesh_support/Error.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
-
 namespace test_adaptive_advection {
 
-using small_meshes::Complex;
-using Position = Complex::Approximate_point_3;
-using Vector = Complex::Approximate_vector_3;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+using namespace small_meshes;
 
 const double pi = std::acos(-1.);
 constexpr double radius = .3;
@@ -90,7 +78,7 @@ double largest_distance(const std::vector<Position>& a, const std::vector<Positi
 
 constexpr double mild = -.05, strong = -.9;
 
-TEST(Adaptive_advection, changes_nothing_where_it_need_not) {
+TEST(Adaptive_advection, changes_nothing_without_need) {
   Complex dsc = ball(16);
   const double volume = dsc.volume(1);
   const auto vertices = dsc.interface_vertices();

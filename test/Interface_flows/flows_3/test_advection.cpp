@@ -1,6 +1,6 @@
 #include "mesh_helpers.h"
+#include "test.h"
 
-#include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/quality_measures.h>
@@ -9,28 +9,10 @@
 #include <CGAL/Interface_flows/interface_flows_3.h>
 #include <CGAL/Mesh_support/Error.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <set>
-#include <stdexcept>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
-
 namespace test_advection {
 
 using CGAL::Deformable_simplicial_complexes::Integration_scheme;
-using small_meshes::Complex;
-using small_meshes::grid;
-using small_meshes::make_complex;
-using Position = Complex::Approximate_point_3;
-using Vector = Complex::Approximate_vector_3;
-using Vertex_handle = Complex::Vertex_handle;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+using namespace small_meshes;
 
 // Rotates about the z axis with the angular velocity 1 + t and shrinks with the rate 1/2.
 Vector spiral(const Position& p, double t) {

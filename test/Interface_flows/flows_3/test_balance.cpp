@@ -1,33 +1,16 @@
 // The balance of volumes in reports: thin phases of few facets, long steps, and corners.
 #include "mesh_helpers.h"
+#include "test.h"
 
-#include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Interface_flows/Mean_curvature_flow.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_flows/interface_flows_3.h>
 #include <CGAL/number_utils.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <utility>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
-
 namespace test_balance {
 
-using small_meshes::Complex;
-using small_meshes::grid;
-using small_meshes::make_complex;
-using small_meshes::Point;
-using Position = Complex::Approximate_point_3;
-using Vector = Complex::Approximate_vector_3;
+using namespace small_meshes;
 using Report = DSC::Deformation_report<Complex>;
-using Vertex_handle = Complex::Vertex_handle;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 const Report::Label_change& of_label(const Report& report, int label) {
   return *std::find_if(report.labels.begin(), report.labels.end(),

@@ -1,24 +1,16 @@
 // Interfaces at the domain boundary, and growing domains, in space.
 #include "mesh_helpers.h"
+#include "test.h"
 
 #include <CGAL/Complex_construction/grow_domain.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_flows/interface_flows_3.h>
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cstddef>
-#include <set>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_domain_boundary {
 
 using CGAL::Deformable_simplicial_complexes::Domain_rule;
 using CGAL::Deformable_simplicial_complexes::Invalid_destination_error;
 using small_meshes::Complex;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 Complex ball() {
   const auto mesh = small_meshes::grid(8, small_meshes::ball);
@@ -50,17 +42,15 @@ TEST(Domain_boundary_3, is_an_error_for_an_interface_that_would_leave) {
                                      parameters::largest_displacement(0.)),
                Invalid_destination_error);
   EXPECT_TRUE(dsc.state() == before);
-  try {
+  const auto error = thrown_by<Invalid_destination_error>([&] {
     DSC::deform_interface(
         dsc,
         [&](Complex::Vertex_handle v) {
           return dsc.exact(dsc.position(v) + Complex::Approximate_vector_3(.6, 0, 0));
         },
         parameters::domain_rule(Domain_rule::refuse));
-    ADD_FAILURE() << "the interface left the domain";
-  } catch (const Invalid_destination_error& error) {
-    EXPECT_FALSE(error.vertices().empty());
-  }
+  });
+  EXPECT_FALSE(error.vertices().empty());
   EXPECT_TRUE(dsc.state() == before);
 }
 

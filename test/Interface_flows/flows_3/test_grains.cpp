@@ -1,5 +1,6 @@
 // Measures of grains in space, and their growth.
 #include "mesh_helpers.h"
+#include "test.h"
 
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
@@ -10,18 +11,9 @@
 #include <CGAL/Bbox_3.h>
 #include <CGAL/number_utils.h>
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <vector>
-
 namespace test_grains {
 
-namespace DSC = CGAL::Deformable_simplicial_complexes;
-using small_meshes::Complex;
-using small_meshes::grid;
-using small_meshes::make_complex;
-using small_meshes::Point;
+using namespace small_meshes;
 
 // Expects that the last label grows by the law, after the mesh is adapted. Returns its mean rate.
 double expect_rate_of_law(const Complex& complex, DSC::Grain_growth<Complex>& growth) {

@@ -1,4 +1,5 @@
 #include "mesh_helpers.h"
+#include "test.h"
 
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Interface_flows/Mean_curvature_flow.h>
@@ -8,24 +9,9 @@
 #include <CGAL/Interface_remeshing/improve_interface.h>
 #include <CGAL/Mesh_support/Error.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <map>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
-
 namespace test_interface_flows {
 
-using small_meshes::Complex;
-using small_meshes::grid;
-using small_meshes::make_complex;
-using Position = Complex::Approximate_point_3;
-using Vector = Complex::Approximate_vector_3;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+using namespace small_meshes;
 using Snapshot = DSC::Interface_snapshot<Complex>;
 
 double length(const Vector& v) { return std::sqrt(v.squared_length()); }
@@ -92,7 +78,7 @@ TEST(Mean_curvature, velocities_are_the_gradient_of_the_area) {
   }
 }
 
-TEST(Mean_curvature, spheres_shrink_as_they_should) {
+TEST(Mean_curvature, spheres_shrink_at_the_exact_rate) {
   static constexpr double r = .6, dt = .005;
   Complex dsc = mesh_helpers::sphere(8, r);
   for (int i = 1; i <= 6; ++i) {

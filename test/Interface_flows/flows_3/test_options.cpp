@@ -1,7 +1,7 @@
 #include "mesh_helpers.h"
+#include "test.h"
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
-#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/topology_control.h>
 #include <CGAL/Interface_flows/Mean_curvature_flow.h>
 #include <CGAL/Interface_flows/Normal_offset.h>
@@ -15,22 +15,9 @@
 #include <CGAL/Interface_remeshing/restore_volumes.h>
 #include <CGAL/Mesh_support/Error.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <functional>
-#include <limits>
-#include <map>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
-
 namespace test_options {
 
-using small_meshes::Complex;
-using Position = Complex::Approximate_point_3;
-namespace parameters = DSC::parameters;
+using namespace small_meshes;
 
 // Counts the replaced cavities, and ends a deformation after its first pass.
 struct Counter : DSC::Deformation_visitor

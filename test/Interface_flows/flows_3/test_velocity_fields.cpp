@@ -1,12 +1,7 @@
 #include "mesh_helpers.h"
+#include "test.h"
 
 #include <CGAL/Interface_flows/velocity_fields_3.h>
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_velocity_fields {
 

@@ -1,9 +1,8 @@
 #include "mesh_helpers.h"
 #include "stamped_values.h"
+#include "test.h"
 
-#include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
-#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/cell_corners.h>
 #include <CGAL/Interface_remeshing/Carried_cell_averages.h>
 #include <CGAL/Interface_remeshing/Carried_vertex_values.h>
@@ -14,35 +13,13 @@
 #include <CGAL/Interface_remeshing/internal/values/overlap_measure.h>
 #include <CGAL/Interface_remeshing/remove_degeneracies.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <map>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
-
 // Values on vertices and averages on cells that follow changes of the mesh.
 
 namespace test_carried_values {
 
 using mesh_helpers::jittered_grid;
 using mesh_helpers::Random;
-using small_meshes::Complex;
-using small_meshes::grid;
-using small_meshes::make_complex;
-using small_meshes::Point;
-using Position = Complex::Approximate_point_3;
-using Vector = Complex::Approximate_vector_3;
-using Vertex_handle = Complex::Vertex_handle;
-using Cell_handle = Complex::Cell_handle;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+using namespace small_meshes;
 
 constexpr double tolerance = 1e-12;
 

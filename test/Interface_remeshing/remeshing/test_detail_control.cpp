@@ -1,19 +1,8 @@
-#include "operation_helpers.h"
 #include "short_edge.h"
+#include "test.h"
 
-#include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Interface_remeshing/control_detail.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <limits>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 // Splits of long edges and collapses of short edges, by thresholds and by sizing fields.
 
@@ -25,7 +14,6 @@ using mesh_helpers::minimum_quality;
 using small_meshes::grid;
 using small_meshes::make_complex;
 using namespace short_edge;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 

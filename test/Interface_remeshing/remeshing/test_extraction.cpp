@@ -1,6 +1,6 @@
-#include "small_meshes.h"
 #include "surface_measures.h"
 #include "temporary_folder.h"
+#include "test.h"
 
 #include <CGAL/Interface_remeshing/extract_interface_3.h>
 #include <CGAL/Mesh_files/File_error.h>
@@ -9,17 +9,6 @@
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Surface_mesh.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <string>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 // Extraction of interfaces as surfaces in memory and in files.
 

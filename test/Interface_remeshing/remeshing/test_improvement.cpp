@@ -1,35 +1,15 @@
 #include "mesh_helpers.h"
+#include "test.h"
 
-#include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Interface_remeshing/improve_mesh.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <set>
-#include <stdexcept>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_improvement {
 
 using mesh_helpers::interface_triangles;
 using mesh_helpers::jittered_grid;
 using mesh_helpers::minimum_quality;
-using small_meshes::Complex;
-using small_meshes::grid;
-using small_meshes::Labeled_mesh;
-using small_meshes::make_complex;
-using small_meshes::Point;
-using Vertex_handle = Complex::Vertex_handle;
-using Cell_handle = Complex::Cell_handle;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+using namespace small_meshes;
 
 // Improves a complex and checks the invariants.
 template <class NamedParameters>
@@ -231,7 +211,7 @@ double deficit(const Complex& dsc, double threshold) {
   return result;
 }
 
-TEST(Improve_mesh, aggressively_leaves_less_to_be_desired) {
+TEST(Improve_mesh, aggressively_reaches_a_better_quality) {
   static constexpr double threshold = .7;
   Complex once = jittered_grid(3, small_meshes::uniform, .45, 1), again = once;
   improve(once, parameters::quality_threshold(threshold));

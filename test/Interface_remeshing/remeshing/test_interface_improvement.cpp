@@ -1,5 +1,6 @@
 #include "betti_numbers.h"
 #include "mesh_helpers.h"
+#include "test.h"
 
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/triangle_quality.h>
 #include <CGAL/Interface_remeshing/Curvature_sizing_field.h>
@@ -7,29 +8,10 @@
 #include <CGAL/Interface_remeshing/null_space_smoothing_3.h>
 #include <CGAL/Mesh_support/Error.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <limits>
-#include <utility>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
-
 namespace test_interface_improvement {
 
 using mesh_helpers::coordinates;
-using small_meshes::Complex;
-using small_meshes::grid;
-using small_meshes::make_complex;
-using Position = Complex::Approximate_point_3;
-using Vertex_handle = Complex::Vertex_handle;
-using Cell_handle = Complex::Cell_handle;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+using namespace small_meshes;
 namespace internal = CGAL::Deformable_simplicial_complexes::internal;
 
 std::array<Position, 3> corners(const Complex& dsc, const Complex::Facet& f) {

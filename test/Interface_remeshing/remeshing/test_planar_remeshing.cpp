@@ -1,3 +1,4 @@
+#include "test.h"
 #include "torus.h"
 
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
@@ -8,23 +9,11 @@
 #include <CGAL/Interface_remeshing/control_detail.h>
 #include <CGAL/Interface_remeshing/improve_interface.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <limits>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
-
 namespace test_planar_remeshing {
 
 using Complex = CGAL::Deformable_simplicial_complex_2<>;
 using Point = Complex::Point_2;
 using Curve = DSC::Labeled_curve_2<Point>;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 constexpr double pi = 3.14159265358979323846;
 

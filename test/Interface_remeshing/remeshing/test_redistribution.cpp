@@ -1,24 +1,17 @@
 // Overlap volumes of tetrahedra, and redistribution of contents by overlap.
 #include "mesh_helpers.h"
+#include "test.h"
 
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/cell_corners.h>
 #include <CGAL/Interface_remeshing/Carried_cell_averages.h>
 #include <CGAL/Interface_remeshing/internal/values/overlap_measure.h>
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cstddef>
-#include <utility>
-#include <vector>
 
 namespace test_redistribution {
 
 namespace internal = CGAL::Deformable_simplicial_complexes::internal;
 using mesh_helpers::jittered_grid;
 using mesh_helpers::Random;
-using small_meshes::Complex;
-using Position = Complex::Approximate_point_3;
+using namespace small_meshes;
 using Corners = std::array<Position, 4>;
 using Tetrahedron = internal::Clipping_simplex<Complex::Space>;
 using Filled = internal::Filled_simplex<Complex::Space, double>;

@@ -1,21 +1,12 @@
 #include "mesh_helpers.h"
+#include "test.h"
 
 #include <CGAL/Interface_remeshing/restore_volumes.h>
 #include <CGAL/Mesh_support/Error.h>
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <map>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
-
 namespace test_restore_volumes {
 
-using small_meshes::Complex;
-using small_meshes::grid;
-using small_meshes::make_complex;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+using namespace small_meshes;
 
 void expect_restored(Complex dsc, const std::map<int, double>& factors) {
   std::map<int, double> volumes;

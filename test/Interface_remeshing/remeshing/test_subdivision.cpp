@@ -1,6 +1,7 @@
 #include "mesh_helpers.h"
 #include "surface_measures.h"
 #include "temporary_folder.h"
+#include "test.h"
 
 #include <CGAL/Interface_remeshing/subdivide_interface_3.h>
 #include <CGAL/Mesh_files/File_error.h>
@@ -9,21 +10,6 @@
 
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/subdivision_method_3.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <map>
-#include <set>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 // Loop subdivision of manifold and non-manifold interfaces.
 
@@ -352,9 +338,8 @@ TEST(Subdivide_interface, is_written_with_values) {
   std::string line, header;
   while (std::getline(file, line) && line != "end_header")
     header += line + '\n';
-  EXPECT_NE(header.find("property double z\nproperty float height\nproperty float number\n"),
-            std::string::npos)
-      << header;
+  EXPECT_PRED2(contains, header,
+               "property double z\nproperty float height\nproperty float number\n");
   for (std::size_t i = 0; i < surface.points.size(); ++i) {
     double x, y, z, height_at, number_at;
     ASSERT_TRUE(file >> x >> y >> z >> height_at >> number_at);

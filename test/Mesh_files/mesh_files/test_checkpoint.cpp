@@ -1,5 +1,6 @@
 #include "small_meshes.h"
 #include "temporary_folder.h"
+#include "test.h"
 #include "whole_files.h"
 
 #include <CGAL/Deformable_simplicial_complexes/State.h>
@@ -7,16 +8,7 @@
 #include <CGAL/Mesh_files/checkpoint.h>
 #include <CGAL/Mesh_files/internal/text/little_endian.h>
 
-#include <gtest/gtest.h>
-
-#include <cstddef>
-#include <cstdint>
 #include <cstring>
-#include <limits>
-#include <string>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_checkpoint {
 

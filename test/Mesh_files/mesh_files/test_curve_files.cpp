@@ -1,4 +1,5 @@
 #include "temporary_folder.h"
+#include "test.h"
 
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Mesh_files/File_error.h>
@@ -7,17 +8,6 @@
 #include <CGAL/Mesh_files/labeled_image_2.h>
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstddef>
-#include <map>
-#include <sstream>
-#include <string>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 // Interpretation of curve files, and content that is rejected or reported as unused.
 
@@ -63,7 +53,7 @@ template <class Function> std::string message_of(Function&& f) {
 }
 
 void expect_part(const std::string& text, const std::string& part) {
-  EXPECT_NE(text.find(part), std::string::npos) << text;
+  EXPECT_PRED2(contains, text, part);
 }
 
 // A square of side length 4 with a square of side length 2 inside.

@@ -1,6 +1,6 @@
-#include "small_meshes.h"
 #include "surface_measures.h"
 #include "temporary_folder.h"
+#include "test.h"
 
 #include <CGAL/Interface_remeshing/extract_interface_3.h>
 #include <CGAL/Mesh_files/File_error.h>
@@ -15,22 +15,7 @@
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <iomanip>
-#include <limits>
-#include <map>
-#include <sstream>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_io {
 
@@ -285,7 +270,7 @@ TEST(Medit, triangles_refer_to_pairs_of_labels) {
   for (const char* pair : {"reference 1 have normals from label 1 to label 0",
                            "reference 2 have normals from label 2 to label 0",
                            "reference 3 have normals from label 2 to label 1"})
-    EXPECT_NE(text.find(pair), std::string::npos) << pair;
+    EXPECT_PRED2(contains, text, pair) << pair;
 
   const auto surface = DSC::extract_interface(dsc);
   std::istringstream triangles(text.substr(text.find("Triangles\n") + 10));
@@ -348,7 +333,7 @@ TEST(Medit, bad_text_is_refused_with_its_line) {
       CGAL::IO::read_MEDIT(in, points, tetrahedra, labels);
       ADD_FAILURE() << text;
     } catch (const File_error& error) {
-      EXPECT_NE(std::string(error.what()).find(message), std::string::npos) << error.what();
+      EXPECT_PRED2(contains, std::string(error.what()), message) << error.what();
     }
     EXPECT_EQ(points.size(), 7u);
     EXPECT_EQ(tetrahedra.size(), 7u);

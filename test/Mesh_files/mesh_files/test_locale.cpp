@@ -1,15 +1,13 @@
 #include "mesh_helpers.h"
 #include "temporary_folder.h"
+#include "test.h"
 
 #include <CGAL/Mesh_files/MEDIT_3.h>
 #include <CGAL/Mesh_files/VTU_3.h>
 #include <CGAL/Mesh_files/checkpoint.h>
 #include <CGAL/Mesh_files/labeled_surface_3.h>
 
-#include <gtest/gtest.h>
-
 #include <locale>
-#include <string>
 
 // Files do not depend on the number format of the locale.
 

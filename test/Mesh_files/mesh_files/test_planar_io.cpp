@@ -1,4 +1,5 @@
 #include "temporary_folder.h"
+#include "test.h"
 #include "torus.h"
 
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
@@ -17,20 +18,7 @@
 #include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <chrono>
-#include <cmath>
-#include <cstddef>
 #include <exception>
-#include <map>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_planar_io {
 
@@ -351,7 +339,7 @@ TEST(Well_known_text, is_refused_with_its_line) {
       read_wkt("\n" + text);
       ADD_FAILURE() << text;
     } catch (const File_error& error) {
-      EXPECT_NE(std::string(error.what()).find("line 2"), std::string::npos) << error.what();
+      EXPECT_PRED2(contains, std::string(error.what()), "line 2") << error.what();
     }
   }
   EXPECT_THROW(CGAL::IO::read_labeled_curves("nowhere.wkt"), File_error);

@@ -1,4 +1,5 @@
 #include "temporary_folder.h"
+#include "test.h"
 #include "whole_files.h"
 
 #include <CGAL/Mesh_files/File_error.h>
@@ -6,12 +7,6 @@
 #include <CGAL/Mesh_files/internal/text/files.h>
 #include <CGAL/Mesh_files/labeled_surface_3.h>
 #include <CGAL/Mesh_files/point_set_3.h>
-
-#include <gtest/gtest.h>
-
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace test_unused_content {
 

@@ -1,5 +1,6 @@
 #include "small_meshes.h"
 #include "temporary_folder.h"
+#include "test.h"
 #include "vtu_grid.h"
 
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
@@ -12,30 +13,12 @@
 #include <CGAL/Mesh_files/VTU_3.h>
 #include <CGAL/Mesh_files/internal/text/base64.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
-
 namespace test_volume_io {
 
 using CGAL::Deformable_simplicial_complexes::File_error;
 using CGAL::Deformable_simplicial_complexes::Invalid_cells_error;
-using small_meshes::Complex;
-using small_meshes::grid;
-using small_meshes::Labeled_mesh;
-using small_meshes::make_complex;
-using small_meshes::Point;
+using namespace small_meshes;
 namespace internal = CGAL::Deformable_simplicial_complexes::internal;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 using vtu_grid::base64;
 using vtu_grid::Encoding;
 using vtu_grid::Grid;
@@ -93,7 +76,7 @@ void expect_refusal(const std::string& text, const std::string& message) {
     ADD_FAILURE() << text;
   } catch (const File_error& error) {
     const std::string what = error.what();
-    EXPECT_NE(what.find(message), std::string::npos) << what;
+    EXPECT_PRED2(contains, what, message);
     EXPECT_EQ(what.find(folder / "a.vtu"), 0u) << what;
     EXPECT_EQ(what.find('\n'), std::string::npos) << what;
     EXPECT_EQ(error.path(), folder / "a.vtu");
@@ -351,7 +334,7 @@ TEST(Read_vtu, a_second_array_of_labels_is_told) {
   write_bytes(folder / "a.vtu", grid.text(sizes));
   CGAL::Deformable_simplicial_complexes::Unused_content unused;
   expect_equal(read_with(folder / "a.vtu", "", nullptr, &unused), two_tetrahedra({3, -7}));
-  EXPECT_NE(unused.text().find("'MaterialIDs'"), std::string::npos) << unused.text();
+  EXPECT_PRED2(contains, unused.text(), "'MaterialIDs'");
 }
 
 TEST(Read_vtu, other_arrays_are_read_and_written) {
@@ -445,7 +428,7 @@ TEST(Read_medit, what_changes_the_result_is_refused) {
       CGAL::IO::read_MEDIT(in, mesh.points, mesh.tetrahedra, mesh.labels);
       ADD_FAILURE() << message;
     } catch (const File_error& error) {
-      EXPECT_NE(std::string(error.what()).find(message), std::string::npos) << error.what();
+      EXPECT_PRED2(contains, std::string(error.what()), message) << error.what();
     }
   };
   expect_message(medit_head + "Hexahedra 1\n1 2 3 4 5 1 2 3 0\nEnd\n",

@@ -1,34 +1,19 @@
 // Reconstruction of solids: point clouds of known solids, and point clouds that do not bound a
 // solid.
 
+#include "reconstruction.h"
 #include "temporary_folder.h"
+#include "test.h"
 
-#include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Interface_remeshing/extract_interface_3.h>
 #include <CGAL/Interface_remeshing/manifold_interface.h>
 #include <CGAL/Mesh_files/point_set_3.h>
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Random.h>
-#include <CGAL/Solid_reconstruction_3/reconstruct_point_set_3.h>
 #include <CGAL/point_generators_3.h>
 #include <CGAL/property_map.h>
 
-#include <gtest/gtest.h>
-
 #include <boost/property_map/property_map.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <fstream>
-#include <functional>
-#include <limits>
-#include <string>
-#include <utility>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_reconstruction {
 
@@ -40,7 +25,6 @@ using Report = CGAL::Deformable_simplicial_complexes::Reconstruction_report_3<Co
 using CGAL::Deformable_simplicial_complexes::Error;
 using CGAL::Deformable_simplicial_complexes::File_error;
 using CGAL::Deformable_simplicial_complexes::Invalid_points_error;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 void append_sphere(std::vector<Point>& points, std::size_t n, const Point& center, double radius) {
   CGAL::Random random(7);
@@ -290,13 +274,10 @@ TEST(Reconstruction, refuses_what_bounds_no_solid) {
   using Reason = Invalid_points_error::Reason;
   const auto expect = [](const std::vector<Point>& points, Reason reason,
                          const std::vector<std::size_t>& wrong = {}) {
-    try {
-      DSC::reconstruct_point_set_3<Complex>(points);
-      ADD_FAILURE() << "not refused";
-    } catch (const Invalid_points_error& error) {
-      EXPECT_EQ(error.reason(), reason) << error.what();
-      EXPECT_EQ(error.points(), wrong);
-    }
+    const auto error =
+        thrown_by<Invalid_points_error>([&] { DSC::reconstruct_point_set_3<Complex>(points); });
+    EXPECT_EQ(error.reason(), reason) << error.what();
+    EXPECT_EQ(error.points(), wrong);
   };
   expect({}, Reason::too_few);
   expect({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, Reason::too_few);

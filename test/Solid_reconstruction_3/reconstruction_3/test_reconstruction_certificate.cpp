@@ -1,17 +1,12 @@
 // Certificates of a reconstruction: empty balls whose sides are known, and handles that are too
 // small to be real.
 
+#include "test.h"
+
 #include <CGAL/Solid_reconstruction_3/internal/clouds/Sampled_surface_3.h>
 #include <CGAL/Solid_reconstruction_3/internal/reconstruction/Misplaced_balls_3.h>
 #include <CGAL/Solid_reconstruction_3/internal/reconstruction/Small_handles_3.h>
 #include <CGAL/number_utils.h>
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <vector>
 
 namespace test_reconstruction_certificate {
 

@@ -1,23 +1,13 @@
 // Reconstruction of solids with sharp edges, without notches and without cut corners.
 
 #include "../../../benchmark/gear.h"
+#include "reconstruction.h"
+#include "test.h"
 
-#include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Interface_remeshing/extract_interface_3.h>
 #include <CGAL/Random.h>
 #include <CGAL/Solid_reconstruction_3/internal/reconstruction/Crease_planes_3.h>
-#include <CGAL/Solid_reconstruction_3/reconstruct_point_set_3.h>
 #include <CGAL/squared_distance_3.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_reconstruction_of_creases {
 
@@ -27,7 +17,6 @@ using Point = Kernel::Point_3;
 using Report = CGAL::Deformable_simplicial_complexes::Reconstruction_report_3<Complex>;
 using dsc_benchmark::clouds::Gear;
 namespace internal = CGAL::Deformable_simplicial_complexes::internal;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 std::vector<Kernel::Triangle_3> triangles_of(const Complex& complex) {
   std::vector<Kernel::Triangle_3> result;

@@ -1,21 +1,10 @@
 // Reconstruction of scans: open scans, any unit of length, and interruption at any moment.
 
-#include <CGAL/Deformable_simplicial_complex_3.h>
+#include "reconstruction.h"
+#include "test.h"
+
 #include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Random.h>
-#include <CGAL/Solid_reconstruction_3/Invalid_points_error.h>
-#include <CGAL/Solid_reconstruction_3/reconstruct_point_set_3.h>
-
-#include <gtest/gtest.h>
-
-#include <chrono>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <string>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace test_reconstruction_of_scans {
 
@@ -26,7 +15,6 @@ using Report = CGAL::Deformable_simplicial_complexes::Reconstruction_report_3<Co
 using CGAL::Deformable_simplicial_complexes::Interrupted_error;
 using CGAL::Deformable_simplicial_complexes::Invalid_points_error;
 using CGAL::Deformable_simplicial_complexes::Progress_scope;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 // The walls of a house without a roof, and the ground around and below it. The points of the ground
 // are denser.
@@ -100,13 +88,10 @@ TEST(Reconstruction_of_scans, refuses_open_sheets_or_keeps_them_on_request) {
     const double x = random.get_double(), y = random.get_double();
     hills.emplace_back(x, y, .1 * std::sin(6 * x) * std::cos(6 * y));
   }
-  try {
-    DSC::reconstruct_point_set_3<Complex>(hills);
-    ADD_FAILURE() << "accepted";
-  } catch (const Invalid_points_error& error) {
-    EXPECT_EQ(error.reason(), Invalid_points_error::Reason::sheet);
-    EXPECT_NE(std::string(error.what()).find("open sheet"), std::string::npos) << error.what();
-  }
+  const auto error =
+      thrown_by<Invalid_points_error>([&] { DSC::reconstruct_point_set_3<Complex>(hills); });
+  EXPECT_EQ(error.reason(), Invalid_points_error::Reason::sheet);
+  EXPECT_PRED2(contains, std::string(error.what()), "open sheet") << error.what();
   Report report;
   const Complex complex = DSC::reconstruct_point_set_3<Complex>(
       hills, parameters::keep_open(true).report(std::ref(report)));

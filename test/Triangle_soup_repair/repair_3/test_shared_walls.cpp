@@ -1,25 +1,15 @@
 // Surfaces with shared walls.
 
-#include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3.h>
+#include "small_surfaces.h"
+#include "test.h"
+
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 #include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
 #include <CGAL/Triangle_soup_repair/make_patches_3.h>
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cstddef>
-#include <utility>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
-
 namespace test_shared_walls {
 
-using Complex = CGAL::Deformable_simplicial_complex_3<>;
-using Point = Complex::Point_3;
-using Surface = DSC::Labeled_surface_3<Point>;
+using namespace small_surfaces;
 using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
 using Reason = Invalid_surface_error::Reason;
 
@@ -50,16 +40,10 @@ Complex complex_of(const std::vector<Surface>& surfaces) {
 }
 
 // Concatenates surfaces into one; their points are not shared.
-Surface join(const std::vector<Surface>& surfaces) {
+Surface join(const Surfaces& surfaces) {
   Surface result;
-  for (const Surface& surface : surfaces) {
-    for (auto t : surface.triangles) {
-      for (std::size_t& v : t)
-        v += result.points.size();
-      result.triangles.push_back(t);
-    }
-    result.points.insert(result.points.end(), surface.points.begin(), surface.points.end());
-  }
+  for (const Surface& surface : surfaces)
+    append(result, surface);
   return result;
 }
 
@@ -113,12 +97,8 @@ TEST(Shared_walls, of_one_surface_divide_it_into_labels) {
 }
 
 void expect_refusal(const std::vector<Surface>& surfaces, Reason reason) {
-  try {
-    DSC::make_patches_3(surfaces);
-    FAIL() << "not refused";
-  } catch (const Invalid_surface_error& error) {
-    EXPECT_EQ(error.reason(), reason) << error.what();
-  }
+  const auto error = thrown_by<Invalid_surface_error>([&] { DSC::make_patches_3(surfaces); });
+  EXPECT_EQ(error.reason(), reason) << error.what();
 }
 
 TEST(Shared_walls, are_refused_where_surfaces_overlap_or_are_open) {

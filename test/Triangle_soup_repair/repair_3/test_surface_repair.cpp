@@ -1,7 +1,8 @@
 // Repair of surfaces that almost bound a solid.
 
-#include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_3.h>
+#include "small_surfaces.h"
+#include "test.h"
+
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
@@ -10,27 +11,13 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-#include <gtest/gtest.h>
-
-#include <chrono>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <utility>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
-
 namespace test_surface_repair {
 
-using Complex = CGAL::Deformable_simplicial_complex_3<>;
-using Point = Complex::Point_3;
+using namespace small_surfaces;
 using Vector = CGAL::Exact_predicates_inexact_constructions_kernel::Vector_3;
-using Surface = DSC::Labeled_surface_3<Point>;
 using CGAL::Deformable_simplicial_complexes::Error;
 using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
 using Reason = Invalid_surface_error::Reason;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 constexpr int n = 4; // parts of an edge of a cube
 
@@ -71,12 +58,8 @@ double volume(const Surface& surface) {
 template <class NP = parameters::Default_named_parameters>
 void expect_refusal(const Surface& surface, Reason reason, const NP& np = NP()) {
   Surface repaired = surface;
-  try {
-    DSC::repair_surface_3(repaired, np);
-    FAIL() << "not refused";
-  } catch (const Invalid_surface_error& error) {
-    EXPECT_EQ(error.reason(), reason) << error.what();
-  }
+  const auto error = thrown_by<Invalid_surface_error>([&] { DSC::repair_surface_3(repaired, np); });
+  EXPECT_EQ(error.reason(), reason) << error.what();
   EXPECT_EQ(repaired.points.size(), surface.points.size()); // there may be NaN
   EXPECT_EQ(repaired.triangles, surface.triangles);
 }

@@ -2,9 +2,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Tests of the communicator and the partitioner that need MPI, on any number of processes.
+// Tests of the communicator and the partitioner that need MPI, on any number of processes. They run
+// with mpirun only.
 
 #include "small_meshes.h"
+#include "test.h"
 
 #include <CGAL/Distributed_complexes/Distributed_complex.h>
 #include <CGAL/Distributed_complexes/Mpi_communicator.h>
@@ -14,19 +16,19 @@
 #include <CGAL/Distributed_complexes/Scotch_partitioner.h>
 #endif
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <mpi.h>
-#include <vector>
 
-namespace {
+namespace test_mpi {
 
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 using small_meshes::Complex;
 using Distributed = DSC::Distributed_complex<Complex>;
+
+class Mpi : public testing::Test
+{
+protected:
+  static void SetUpTestSuite() { MPI_Init(nullptr, nullptr); }
+  static void TearDownTestSuite() { MPI_Finalize(); }
+};
 
 // A step in a field with strong shear, which makes many bad cells.
 void move(Distributed& dsc, int step) {
@@ -73,33 +75,23 @@ template <class Partitioner> void test_partitioner(const Partitioner& partitione
   }
 }
 
-TEST(Mpi, Divides_the_work_along_a_curve) { test_partitioner(DSC::Curve_partitioner()); }
+TEST_F(Mpi, Divides_the_work_along_a_curve) { test_partitioner(DSC::Curve_partitioner()); }
 
 #ifdef DSC_WITH_SCOTCH
-TEST(Mpi, Divides_the_work_with_Scotch) { test_partitioner(DSC::Scotch_partitioner()); }
+TEST_F(Mpi, Divides_the_work_with_Scotch) { test_partitioner(DSC::Scotch_partitioner()); }
 #endif
 
 // All processes get the message of the process that failed.
-TEST(Mpi, Throws_the_error_of_one_process_on_all) {
+TEST_F(Mpi, Throws_the_error_of_one_process_on_all) {
   DSC::Mpi_communicator communicator;
   const int last = communicator.size() - 1;
-  try {
+  const auto error = thrown_by<DSC::Error>([&] {
     communicator.call_together([&] {
       if (communicator.rank() == last)
         throw DSC::Error("the last process fails");
     });
-    FAIL();
-  } catch (const DSC::Error& error) {
-    EXPECT_STREQ(error.what(), "the last process fails");
-  }
+  });
+  EXPECT_STREQ(error.what(), "the last process fails");
 }
 
-} // namespace
-
-int main(int argc, char** argv) {
-  MPI_Init(&argc, &argv);
-  testing::InitGoogleTest(&argc, argv);
-  const int result = RUN_ALL_TESTS();
-  MPI_Finalize();
-  return result;
-}
+} // namespace test_mpi
