@@ -6,8 +6,7 @@
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
-#include <CGAL/Deformable_simplicial_complex_2.h>
-#include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
+#include <CGAL/Interface_flows/compiled_torus_2.h>
 
 namespace dsc {
 

@@ -7,7 +7,7 @@
 #include "options_of_construction.h"
 
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
-#include <CGAL/Deformable_simplicial_complexes/compiled_2.h>
+#include <CGAL/Interface_flows/compiled_2.h>
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include "module.h"
 #include "options_of_construction.h"
 
-#include <CGAL/Deformable_simplicial_complexes/compiled_3.h>
+#include <CGAL/Interface_flows/compiled_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 
 namespace dsc_python {

@@ -5,7 +5,7 @@
 #include "bind_complex.h"
 #include "module.h"
 
-#include <CGAL/Deformable_simplicial_complex_2.h>
+#include <CGAL/Interface_flows/compiled_torus_2.h>
 
 namespace dsc_python {
 

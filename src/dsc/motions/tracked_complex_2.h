@@ -7,7 +7,7 @@
 
 #include "motions/tracked_whole.h"
 
-#include <CGAL/Deformable_simplicial_complex_2.h>
+#include <CGAL/Interface_flows/compiled_2.h>
 
 #include <string>
 

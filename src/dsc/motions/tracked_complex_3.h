@@ -10,7 +10,7 @@
 #include "programs/threads_option.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/compiled_3.h>
+#include <CGAL/Interface_flows/compiled_3.h>
 
 #include <memory>
 #include <optional>
