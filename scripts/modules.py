@@ -18,6 +18,7 @@ The rules:
 - A facade is a public header that reads named parameters, except headers of options. An internal header of
   the kernel includes no facade.
 - Each internal header belongs to a module. A module has at most MAXIMUM_LINES lines.
+- All packages share the namespace internal, so a class has its name in one package only.
 - Each path in backquotes in CONTRIBUTING.md exists, unless it has a placeholder.
 """
 
@@ -271,6 +272,19 @@ def broken_rules(headers):
                     yield f"{path.relative_to(ROOT)} includes {name}, which is internal to its package"
 
 
+def shared_names():
+    """Yields a line for each class that two packages define: programs with both would be undefined."""
+    owners = {}
+    for path in sorted(INCLUDE.rglob("*.h")):
+        package = path.relative_to(INCLUDE).parts[0]
+        for name in re.findall(r"^(?:template <[^{;]*?>\s*)?(?:class|struct|enum class) (\w+)[^;{]*\{",
+                               path.read_text(), re.M):
+            owners.setdefault(name, set()).add(package)
+    for name, packages in sorted(owners.items()):
+        if len(packages) > 1:
+            yield f"{name} is a class of the packages {', '.join(sorted(packages))}"
+
+
 def missing_paths():
     """Yields a line for each path in CONTRIBUTING.md that does not exist."""
     for path in sorted(set(re.findall(r"`([\w.]+/[\w./-]*)[ `]", CONTRIBUTING.read_text()))):
@@ -392,7 +406,7 @@ def main():
     headers = read_headers()
     command = sys.argv[1] if len(sys.argv) > 1 else ""
     if command == "check":
-        broken = [*broken_rules(headers), *missing_paths()]
+        broken = [*broken_rules(headers), *shared_names(), *missing_paths()]
         print("\n".join(broken), end="\n" if broken else "")
         sys.exit(bool(broken))
     elif command == "table":

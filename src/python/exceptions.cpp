@@ -57,6 +57,7 @@ void translate(std::exception_ptr exception) {
     raise("InvalidPointsError", error, py::dict("points"_a = indices(error.points())));
   } catch (const DSC::Invalid_destination_error& error) {
     raise("InvalidDestinationError", error, py::dict("vertices"_a = indices(error.vertices())));
+  } catch (const DSC::Tetrahedralization_error& error) {
     raise("TetrahedralizationError", error, py::dict("code"_a = error.code()));
   } catch (const DSC::File_error& error) {
     raise("FileError", error, py::dict("path"_a = error.path()));
