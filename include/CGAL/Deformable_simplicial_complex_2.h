@@ -37,7 +37,7 @@ the disk is a rectangle whose sides are known to the complex.
 Everything that holds in any dimension is inherited from `Labeled_complex`. The cells are
 triangles, and the facets are edges.
 
-\tparam Traits_ `Deformable_simplicial_complex_traits_2`, or a class with the same members
+\tparam Traits_ a model of `DeformableSimplicialComplexTraits_2`
 \tparam Tds_ a `Triangulation_data_structure_2` with the vertices and faces of this package
 \tparam Domain_ `Ball_domain`, or `Torus_domain<2>`
 */

@@ -23,8 +23,10 @@ namespace CGAL {
 Triangle of a deformable simplicial complex in the plane. The triangles are the cells of the
 complex.
 
-\tparam Traits `Deformable_simplicial_complex_traits_2`, or a class with the same members
+\tparam Traits a model of `DeformableSimplicialComplexTraits_2`
 \tparam Fb a face base class of 2D triangulations
+
+\cgalModels `DeformableSimplicialComplexFaceBase_2`
 */
 template <class Traits, class Fb = Triangulation_face_base_2<Traits>>
 class Deformable_simplicial_complex_face_base_2

@@ -24,6 +24,8 @@ Exact predicates and floating-point measures of a deformable simplicial complex 
 class `Deformable_simplicial_complex_traits_3` is the counterpart in space.
 
 \tparam Kernel_ a CGAL kernel with exact predicates.
+
+\cgalModels `DeformableSimplicialComplexTraits_2`
 */
 template <class Kernel_ = Exact_predicates_inexact_constructions_kernel>
 class Deformable_simplicial_complex_traits_2 : public Kernel_

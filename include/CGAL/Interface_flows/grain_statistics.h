@@ -27,6 +27,8 @@
 
 namespace CGAL::Deformable_simplicial_complexes {
 
+namespace internal {
+
 // A junction: an edge where three labels or more meet, in the plane a vertex.
 //
 // \tparam Complex a deformable simplicial complex
@@ -38,8 +40,6 @@ template <class Complex> struct Junction
   // in the plane of their angles at the vertex. Inside the domain, the sum is \f$2\pi\f$.
   std::map<typename Complex::Label, double> angles;
 };
-
-namespace internal {
 
 // Returns the angle between the parts of two vectors that are perpendicular to an edge.
 template <class Vector> double angle_at_edge(const Vector& edge, const Vector& a, const Vector& b) {
@@ -78,8 +78,6 @@ void visit_angles(const Complex& complex, typename Complex::Cell_handle c, const
   }
 }
 
-} // namespace internal
-
 // Visits the edges whose ends are on the interface, in the plane the vertices of the interface,
 // with the angle of each label, see `Junction::angles`. n log n in the number of cells at the
 // interface, plus linear in the number of cells.
@@ -105,7 +103,7 @@ void visit_interface_edges(const Complex& complex, const Visit& visit) {
   std::vector<Angle> angles;
   for (auto c : complex.cells()) {
     Progress_scope::check();
-    internal::visit_angles(complex, c, [&](const Vertices& vertices, double angle) {
+    visit_angles(complex, c, [&](const Vertices& vertices, double angle) {
       std::array<std::size_t, n> time_stamps;
       for (int i = 0; i < n; ++i)
         time_stamps[i] = vertices[i]->time_stamp();
@@ -144,6 +142,8 @@ template <class Complex> std::vector<Junction<Complex>> junctions(const Complex&
   });
   return result;
 }
+
+} // namespace internal
 
 /*!
 \ingroup PkgInterfaceFlowsRef
@@ -208,7 +208,7 @@ void add_corners(const Complex& complex, std::map<int, Grain_statistics>& grains
 // Adds the mean width and the triple lines of each label. Edges with one label are skipped.
 template <class Complex>
 void add_edges(const Complex& complex, std::map<int, Grain_statistics>& grains) {
-  visit_interface_edges(complex, [&](const auto& ends, const auto& angles) {
+  internal::visit_interface_edges(complex, [&](const auto& ends, const auto& angles) {
     if (angles.size() == 1)
       return;
     static constexpr std::size_t junction = 3;

@@ -89,7 +89,7 @@ TEST(Junctions, have_the_angles_of_labels) {
       [](std::size_t i, std::size_t j) {
         return i > 1 && i < 4 && j > 1 && j < 4 ? 5 : j < 3 ? (i < 3 ? 1 : 2) : 3;
       });
-  const auto found = dsc::junctions(complex);
+  const auto found = dsc::internal::junctions(complex);
   ASSERT_EQ(found.size(), 3u);
   for (const auto& junction : found) {
     const auto p = complex.position(junction.vertices[0]);
@@ -128,7 +128,7 @@ TEST(Junctions, are_edges_in_space) {
   }
   const auto complex = dsc::make_deformable_simplicial_complex_3<Complex_3>(
       points, cells, labels, dsc::parameters::improve(false));
-  const auto found = dsc::junctions(complex);
+  const auto found = dsc::internal::junctions(complex);
   ASSERT_EQ(found.size(), 1u);
   double sum = 0;
   for (const auto& [label, angle] : found[0].angles)

@@ -102,11 +102,11 @@ void append_infinite_cells(std::vector<std::array<std::size_t, corners>>& cells)
     while (j < facets.size() && facets[j].vertices == facets[i].vertices)
       ++j;
     if (j - i > 2)
-      throw Invalid_cells_error("more than two tetrahedra share a facet; give a mesh in which each "
-                                "facet has one or two tetrahedra",
+      throw Invalid_cells_error("more than two cells share a facet; give a mesh in which each "
+                                "facet has one or two cells",
                                 {facets[i].cell, facets[i + 1].cell, facets[i + 2].cell}, {});
     if (j - i == 2 && !facets[i].fits(facets[i + 1]))
-      throw Invalid_cells_error("two tetrahedra overlap: remesh near these tetrahedra",
+      throw Invalid_cells_error("two cells overlap: remesh near these cells",
                                 {facets[i].cell, facets[i + 1].cell});
     if (j - i == 1) {
       // Replacing the opposite vertex inverts the orientation; swapping two vertices restores it.
@@ -157,8 +157,8 @@ void sew_facets(typename Space::Triangulation_data_structure& tds,
     Progress_scope::check();
     if (i + 1 == facets.size() || !facets[i].fits(facets[i + 1]) ||
         (i + 2 < facets.size() && facets[i].vertices == facets[i + 2].vertices))
-      throw Invalid_cells_error("the boundary of the tetrahedra is not a closed 2-manifold; give a "
-                                "mesh whose domain is a ball",
+      throw Invalid_cells_error("the boundary of the cells is not a closed manifold; give a "
+                                "mesh whose domain is a ball, in the plane a disk",
                                 {facets[i].cell},
                                 {facets[i].vertices.begin(), facets[i].vertices.end()});
     tds.set_adjacency(handles[facets[i].cell], facets[i].index, handles[facets[i + 1].cell],

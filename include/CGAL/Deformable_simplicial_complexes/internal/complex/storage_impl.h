@@ -115,8 +115,8 @@ auto CGAL_DSC_CLASS::checked_barycenters(const std::vector<Approximate_point>& p
     Approximate_vector sum(CGAL::NULL_VECTOR);
     for (size_type i : v) {
       if (i >= positions.size())
-        throw Invalid_cells_error(
-            "a tetrahedron refers to a point that does not exist: correct the index", {t}, {i});
+        throw Invalid_cells_error("a cell refers to a point that does not exist: correct the index",
+                                  {t}, {i});
       is_used[i] = true;
       sum = sum + (m_domain.near(positions[v[0]], positions[i]) - CGAL::ORIGIN);
     }
@@ -131,9 +131,8 @@ auto CGAL_DSC_CLASS::checked_barycenters(const std::vector<Approximate_point>& p
   }
   const auto unused = std::find(is_used.begin(), is_used.end(), false);
   if (unused != is_used.end())
-    throw Invalid_cells_error(dimension == 2 ? "a point belongs to no triangle; remove it"
-                                             : "a point belongs to no tetrahedron; remove it",
-                              {}, {size_type(unused - is_used.begin())});
+    throw Invalid_cells_error("a point belongs to no cell; remove it", {},
+                              {size_type(unused - is_used.begin())});
   return barycenters;
 }
 
@@ -142,14 +141,14 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point>& points,
                             const std::vector<std::array<size_type, corners>>& tetrahedra,
                             const std::vector<Label>& labels) -> std::vector<Vertex_handle> {
   if (tetrahedra.empty())
-    throw Invalid_cells_error("there are no tetrahedra; give at least one");
+    throw Invalid_cells_error("there are no cells; give at least one");
   if (labels.size() != tetrahedra.size())
-    throw Invalid_cells_error("the number of labels differs from the number of tetrahedra: give "
-                              "one label for each tetrahedron");
+    throw Invalid_cells_error("the number of labels differs from the number of cells: give "
+                              "one label for each cell");
   static constexpr size_type maximum =
       std::uint32_t(-1) / 8; // numbers of cells and facets have 32 bits
   if (tetrahedra.size() > maximum)
-    throw Invalid_cells_error("there are 2^29 or more tetrahedra: use a coarser mesh");
+    throw Invalid_cells_error("there are 2^29 or more cells: use a coarser mesh");
 
   Labeled_complex result(geom_traits(), m_quality_measure, m_domain);
   std::vector<Approximate_point> positions;
@@ -373,7 +372,7 @@ void CGAL_DSC_CLASS::create_items(const State& state) {
     cells[i]->set_noted_quality(state.noted_qualities[i]);
   if (!m_components.renumber(*this, cells, state.cell_components))
     throw Invalid_cells_error(
-        "the component numbers of the state do not match its tetrahedra: use an unmodified state");
+        "the component numbers of the state do not match its cells: use an unmodified state");
 }
 
 // Throws `Invalid_cells_error` if the cells around a vertex are not connected through facets. The
@@ -394,13 +393,13 @@ void CGAL_DSC_CLASS::check_stars(const std::vector<Vertex_handle>& vertices) con
     Progress_scope::check();
     if (degrees[i] == 0 || !is_connected(i))
       throw Invalid_cells_error(
-          "the tetrahedra around a vertex are not connected through facets; give a mesh whose "
-          "domain is a ball",
+          "the cells around a vertex are not connected through facets; give a mesh whose "
+          "domain is a ball or a disk",
           {}, {i});
   }
   if (Domain::has_outside && !is_connected(0))
     throw Invalid_cells_error(
-        "the boundary of the tetrahedra is not connected; give a mesh whose domain is a ball");
+        "the boundary of the cells is not connected; give a mesh whose domain is a ball or a disk");
 }
 
 // Throws `Invalid_cells_error` if the cells do not fill the domain. If the domain has a boundary,
@@ -426,8 +425,8 @@ void CGAL_DSC_CLASS::check_boundary() const {
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   if (!Space::is_sphere(vertices.size(), outside.size()))
-    throw Invalid_cells_error(
-        "the boundary of the tetrahedra is not a sphere: give a mesh whose domain is a ball");
+    throw Invalid_cells_error("the boundary of the cells is not a sphere, in the plane a circle: "
+                              "give a mesh whose domain is a ball or a disk");
 }
 
 // Computes all data that follows from points, cells and labels.
