@@ -23,7 +23,7 @@ function may change the complex. If a function throws, the exception reaches the
 function throws before a change, the change does not happen. With several visitors, another visitor can then receive
 a call before the change without the call after the change.
 
-`Complex` is the type of the complex. A visitor need not define it, and its functions can be templates. A visitor
+The concept is the same in the plane and in space. `Complex` is the type of the complex. A visitor need not define it, and its functions can be templates. A visitor
 that is passed by `std::ref()` need not be copyable. A visitor can derive from
 `CGAL::Deformable_simplicial_complexes::Deformation_visitor`, whose functions do nothing.
 

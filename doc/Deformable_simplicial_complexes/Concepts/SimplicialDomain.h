@@ -5,7 +5,7 @@
 The global shape of the space that a complex fills. A domain defines the outside, the positions of
 the vertices of a cell as seen from the cell, and the motion along the boundary. All functions that
 move or measure use the domain and do not compare raw coordinates. So they also work if space is
-periodic.
+periodic. The concept is the same in the plane and in space.
 
 All functions are `const` and are called often. `Complex` is an instance of
 `CGAL::Deformable_simplicial_complexes::Labeled_complex`.

@@ -8,7 +8,7 @@ A function object that permits or rejects changes of the topology of the interfa
 `CGAL::Deformable_simplicial_complexes::relabeling_keeps_topology()`. If it throws, the exception reaches the caller, and
 the complex is valid.
 
-`Complex` is the type of the complex. The operator can be a template.
+The concept is the same in the plane and in space. `Complex` is the type of the complex. The operator can be a template.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Deformable_simplicial_complexes::Allow_topology_changes}
