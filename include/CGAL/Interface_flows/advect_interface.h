@@ -307,9 +307,9 @@ Deformation_report<Complex> advect(Complex& dsc, const Step_velocity<Complex>& v
 \ingroup PkgInterfaceFlowsRef
 
 Moves the interface with a velocity for one time step. The function integrates the path of each
-vertex, then calls `deform_interface()` with the end points of the paths. The interface does not
-follow the paths within the step. If the velocity is a field or an invertible flow map, free
-vertices near the interface also move with it, unless the parameter `flow` is given.
+vertex, then moves the interface to the end points of the paths, as `deform_interface()` does. The
+interface does not follow the paths within the step. If the velocity is a field or an invertible
+flow map, free vertices near the interface also move with it, unless the parameter `flow` is given.
 
 \param dsc the complex
 \param velocity one of the following forms. If a type has several of these operators, the order is:
