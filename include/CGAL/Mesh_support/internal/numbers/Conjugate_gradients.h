@@ -106,7 +106,8 @@ std::vector<Vector> conjugate_gradients(const System& system, std::vector<Vector
     return (b.array() > 0).select(a.cwiseQuotient(b), 0);
   };
   const std::size_t n = residuals.size();
-  std::vector<Vector> solution(n, Vector::Zero()), directions(n), products(n);
+  // The directions of entries that are no rows, such as fixed vertices, stay 0.
+  std::vector<Vector> solution(n, Vector::Zero()), directions(solution), products(n);
   Vector energy = system.sum([&](std::size_t i) -> Vector {
     directions[i] = system.preconditioned(i, residuals[i]);
     return system.product(directions[i], residuals[i]);
