@@ -1,4 +1,7 @@
 // Instantiates the part of the component Compiled that works on a torus of dimension 2.
-#define CGAL_DSC_TORUS_INSTANTIATION
+#include <CGAL/Interface_flows/compiled_2.h>
+
+#undef CGAL_DSC_INSTANTIATION
+#define CGAL_DSC_INSTANTIATION
 
 #include <CGAL/Interface_flows/compiled_torus_2.h>

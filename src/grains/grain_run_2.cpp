@@ -13,16 +13,14 @@ namespace dsc {
 Grain_result grow_grains_2(const Grain_run& run,
                            const std::function<void(const Grain_state&)>& on) {
   using namespace CGAL::Deformable_simplicial_complexes;
-  using Domain = Torus_domain<2>;
   using Box_complex = CGAL::Deformable_simplicial_complex_2<>;
-  using Torus_complex =
-      CGAL::Deformable_simplicial_complex_2<CGAL::Deformable_simplicial_complex_traits_2<>,
-                                            CGAL::Default, Domain>;
+  using Torus_complex = internal::Torus_complex_2;
   if (run.is_periodic)
     return grow_grains<Torus_complex>(
         run,
         [](double edge, const auto& labels) {
-          return make_deformable_simplicial_complex_2<Torus_complex>(Domain(), edge, labels);
+          return make_deformable_simplicial_complex_2<Torus_complex>(Torus_domain<2>(), edge,
+                                                                     labels);
         },
         on);
   return grow_grains<Box_complex>(

@@ -10,10 +10,7 @@
 namespace dsc_python {
 
 void bind_torus_2(py::module_& module) {
-  using Complex =
-      CGAL::Deformable_simplicial_complex_2<CGAL::Deformable_simplicial_complex_traits_2<>,
-                                            CGAL::Default, DSC::Torus_domain<2>>;
-  bind_torus<Complex>(module, "Torus2");
+  bind_torus<DSC::internal::Torus_complex_2>(module, "Torus2");
 }
 
 } // namespace dsc_python

@@ -10,11 +10,7 @@
 namespace dsc_python {
 
 void bind_torus_3(py::module_& module) {
-  using Complex =
-      CGAL::Deformable_simplicial_complex_3<CGAL::Deformable_simplicial_complex_traits_3<>,
-                                            CGAL::Default, DSC::Volume_length_ratio_3,
-                                            DSC::Torus_domain<3>>;
-  bind_torus<Complex>(module, "Torus3");
+  bind_torus<DSC::internal::Torus_complex_3>(module, "Torus3");
 }
 
 } // namespace dsc_python

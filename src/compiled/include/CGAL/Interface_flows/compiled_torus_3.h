@@ -15,13 +15,6 @@
 #include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
 #include <CGAL/Interface_flows/compiled_3.h>
 
-#ifndef CGAL_DSC_TORUS_INSTANTIATION // defined where the component instantiates the templates
-#define CGAL_DSC_TORUS_INSTANTIATION extern
-#endif
-#pragma push_macro("CGAL_DSC_INSTANTIATION")
-#undef CGAL_DSC_INSTANTIATION
-#define CGAL_DSC_INSTANTIATION CGAL_DSC_TORUS_INSTANTIATION
-
 namespace CGAL {
 namespace Deformable_simplicial_complexes::internal {
 using Torus_complex_3 =
@@ -46,7 +39,5 @@ namespace internal {
 } // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
-
-#pragma pop_macro("CGAL_DSC_INSTANTIATION")
 
 #endif // CGAL_INTERFACE_FLOWS_COMPILED_TORUS_3_H
