@@ -83,8 +83,9 @@ MODULES = {
         "values": "redistribution of values on cells",
     },
     "Triangle_soup_repair": {
-        "soups": "triangle soups: intersections, splits, regions",
+        "soups": "triangle soups: intersections, bisection, regions",
         "checks": "checks of input surfaces, with the errors that they throw",
+        "arrangement": "solids that touch or overlap: welds, splits, the solids around each region",
         "repair": "repair of surfaces that do not bound solids",
     },
     "Complex_construction": {

@@ -688,6 +688,9 @@ class Complex3(Complex):
     ) -> Complex3:
         """Fills a box around closed surfaces with tetrahedra.
 
+        Surfaces may share walls, be nested, touch and overlap; where they overlap, the innermost one
+        determines the label and, if neither contains the other, the later one.
+
         surfaces: points (n, 3) and triangles (m, 3) of each surface
         labels: labels of the solids; by default 1, 2, ... Label 0 is the outside.
         box: two opposite corners, shape (2, 3); by default a cube around the surfaces
@@ -697,7 +700,7 @@ class Complex3(Complex):
             longer ones are split. 0 splits none. Default 3
         most_new_facets: largest number of facets that are added in this way, default 10 000
 
-        Raises `InvalidSurfaceError` if a surface is open or intersects itself or another one, and
+        Raises `InvalidSurfaceError` if a surface is open or intersects itself, and
         `TetrahedralizationError` if TetGen fails.
         """
         options = _given(locals(), "surfaces", "labels", box=None if box is None else _box(box, 3))

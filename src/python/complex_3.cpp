@@ -6,8 +6,11 @@
 #include "module.h"
 #include "options_of_construction.h"
 
+#include <CGAL/Complex_construction/fill_solids_3.h>
 #include <CGAL/Interface_flows/compiled_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
+
+#include <optional>
 
 namespace dsc_python {
 namespace {
@@ -24,8 +27,9 @@ auto from_surfaces(const std::vector<std::tuple<Array<double>, py::array, int>>&
         {input_points<Complex>(points, "points"), index_rows_of<3>(triangles, "triangles"), label});
   const auto construction = construction_options<3>(options);
   return guarded(progress, [&] {
-    return DSC::make_deformable_simplicial_complex_3<Complex>(
-        input, CGAL::Tetgen_tetrahedralizer_3(), construction);
+    std::optional<DSC::Patches_of_surfaces_3<Point>> patches;
+    return DSC::fill_solids_3<Complex>(input, CGAL::Tetgen_tetrahedralizer_3(), patches,
+                                       construction);
   });
 }
 

@@ -4,6 +4,9 @@
 
 #include "input/surface.h"
 
+#include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
+#include <CGAL/Triangle_soup_repair/make_patches_3.h>
+
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/generators.h>
@@ -84,6 +87,17 @@ void fit(std::vector<Surface>& surfaces, const Ball& ball) {
       p = center(ball) + ball.radius * ((p - middle) / farthest);
 }
 
+/// Returns whether surfaces are closed and do not touch. The others are divided when they are
+/// filled, and their interface is resampled then.
+bool are_separate(const std::vector<Surface>& surfaces) {
+  try {
+    DSC::internal::check_surfaces(DSC::internal::soups_of(surfaces));
+  } catch (const DSC::Invalid_surface_error&) {
+    return false;
+  }
+  return !DSC::have_contacts_3(surfaces);
+}
+
 } // namespace
 
 std::vector<Surface> start_surfaces(const Run_start& start, std::size_t most_triangles) {
@@ -99,7 +113,7 @@ std::vector<Surface> start_surfaces(const Run_start& start, std::vector<Surface>
     for (const Surface& surface : surfaces)
       present += surface.triangles.size();
     const std::size_t target = std::min(start.triangles, std::max(present, most_triangles));
-    if (target != present)
+    if (target != present && are_separate(surfaces))
       resample(surfaces, start.inputs, target);
   }
   if (start.ball)

@@ -8,7 +8,7 @@
 #include "motions/tracked_complex_3.h"
 #include "programs/errors.h"
 
-#include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Complex_construction/fill_solids_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Interface_remeshing/control_detail.h>
 #include <CGAL/Interface_remeshing/improve_mesh.h>
@@ -40,25 +40,11 @@ using Patches = DSC::Patches_of_surfaces_3<Surface_point>;
 using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
 using Reason = Invalid_surface_error::Reason;
 
-/// Returns the complex of the space inside and around surfaces.
-/// \param boundaries surfaces or patches
-template <class Boundaries>
-std::unique_ptr<Tracked_complex_3> fill(const Boundaries& boundaries, const Run_options& options) {
-  return std::make_unique<Tracked_complex_3>(DSC::make_deformable_simplicial_complex_3<Complex>(
-      boundaries, CGAL::Tetgen_tetrahedralizer_3(),
-      normalized(options.domain, options.start.thin_parts)));
-}
-
-bool may_have_walls(Reason reason) {
-  return reason == Reason::non_manifold_edge || reason == Reason::self_intersection ||
-         reason == Reason::crossing_surfaces;
-}
+constexpr double tolerance = .05; // of the number of triangles
 
 const char* hint(Reason reason) {
   switch (reason) {
-  case Reason::degenerate_facet:
   case Reason::open:
-  case Reason::non_manifold_edge:
   case Reason::self_intersection:
     return "; or use --repair";
   case Reason::outside_enclosing_box:
@@ -68,30 +54,34 @@ const char* hint(Reason reason) {
   }
 }
 
+/// Throws an error that calls surfaces by their names instead of their numbers.
 [[noreturn]] void refuse(const Invalid_surface_error& error,
                          const std::vector<std::string>& names) {
   std::string message = names[error.surface()];
   if (error.other_surface() != error.surface())
     message += " and " + names[error.other_surface()];
-  if (error.reason() == Reason::crossing_surfaces)
-    throw Input_error(message +
-                      ": the surfaces intersect; separate them (surfaces may be nested or "
-                      "share walls)");
-  throw Input_error(message + ": " + error.what() + hint(error.reason()));
+  const std::string what = error.what(); // surface NUMBER ...
+  throw Input_error(message + what.substr(what.find(' ', what.find(' ') + 1)) +
+                    hint(error.reason()));
 }
 
-std::optional<Patches> patches_of(const std::vector<Surface>& surfaces) {
-  try {
-    return DSC::make_patches_3(surfaces);
-  } catch (const Invalid_surface_error&) {
-    return std::nullopt;
+/// Returns the names of the surfaces at each patch.
+std::vector<std::string> names_of(const Patches& patches, const std::vector<std::string>& names) {
+  std::vector<std::string> result;
+  for (const auto& patch : patches.patches) {
+    std::string& name = result.emplace_back();
+    for (std::size_t i = 0; i < names.size(); ++i)
+      for (const int label : patches.labels[i])
+        if (label == patch.label_behind || label == patch.label_in_front)
+          name += (name.empty() ? "" : " and ") + names[i];
   }
+  return result;
 }
 
 void tell_labels(const Patches& patches, const std::vector<std::string>& names) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::vector<int>& labels = patches.labels[i];
-    if (labels.size() == 1)
+    if (labels.size() < 2)
       continue;
     std::cout << "dsc: " << names[i] << ": internal walls divide the solid into " << labels.size()
               << " regions with the labels " << labels.front();
@@ -99,21 +89,27 @@ void tell_labels(const Patches& patches, const std::vector<std::string>& names) 
       std::cout << ", " << *label;
     std::cout << '\n';
   }
+  for (const auto& [earlier, later] : patches.overlaps)
+    std::cout << "dsc: " << names[later] << " covers " << names[earlier] << " where they overlap\n";
+  for (const std::size_t i : patches.covered)
+    std::cout << "dsc: nothing is left of " << names[i] << '\n';
 }
 
-/// Returns the complex of the space inside and around surfaces, which may share walls.
+/// Returns the complex of the space inside and around surfaces, which may share walls and overlap.
+/// \param patches receives the patches if the surfaces were divided
 std::unique_ptr<Tracked_complex_3> fill(const std::vector<Surface>& surfaces,
                                         const std::vector<std::string>& names,
-                                        const Run_options& options) {
+                                        const Run_options& options,
+                                        std::optional<Patches>& patches) {
   try {
-    return fill(surfaces, options);
-  } catch (const Invalid_surface_error& error) {
-    const auto patches = may_have_walls(error.reason()) ? patches_of(surfaces) : std::nullopt;
-    if (!patches)
-      refuse(error, names);
-    if (!options.output.quiet)
+    auto result = std::make_unique<Tracked_complex_3>(
+        DSC::fill_solids_3<Complex>(surfaces, CGAL::Tetgen_tetrahedralizer_3(), patches,
+                                    normalized(options.domain, options.start.thin_parts)));
+    if (patches && !options.output.quiet)
       tell_labels(*patches, names);
-    return fill(patches->patches, options);
+    return result;
+  } catch (const Invalid_surface_error& error) {
+    refuse(error, patches ? names_of(*patches, names) : names);
   }
 }
 
@@ -130,22 +126,26 @@ std::vector<double> edge_lengths(const Complex& complex) {
   return result;
 }
 
+/// Returns options to change edges of the interface with a target length for all edges. No edges
+/// are changed unless lengths are set.
+DSC::Detail_options<Complex> interface_options(double length) {
+  DSC::Detail_options<Complex> result;
+  result.sizing_field = [length](const Complex::Approximate_point_3&) { return length; };
+  result.change_interface = true;
+  result.interface_split_length = std::numeric_limits<double>::infinity();
+  result.interface_collapse_length = 0;
+  result.split_length = std::numeric_limits<double>::infinity();
+  result.collapse_length = 0;
+  result.number_of_iterations = 1;
+  return result;
+}
+
 /// Splits the longest edges of the interface until it has about the given number of triangles, and
 /// improves the tetrahedra. The shape of the interface does not change.
-void refine(Complex& complex, std::size_t triangles, unsigned threads) {
+void refine(Complex& complex, std::size_t triangles) {
   const CGAL::Deformable_simplicial_complexes::Progress_phase phase("refining the interface");
-  const double enough = .95 * static_cast<double>(triangles);
-  if (static_cast<double>(complex.interface_facets().size()) >= enough)
-    return; // the surface was decimated
-
+  const double enough = (1 - tolerance) * static_cast<double>(triangles);
   static constexpr double shortest = .667; // edge that a round splits, relative to the longest edge
-  DSC::Detail_options<Complex> options;
-  options.change_interface = true;
-  options.interface_split_length = 1;
-  options.interface_collapse_length = 0;
-  options.split_length = std::numeric_limits<double>::infinity();
-  options.collapse_length = 0;
-  options.number_of_iterations = 1;
   for (;;) {
     const std::vector<double> lengths = edge_lengths(complex);
     const std::size_t present = lengths.size() / 3;
@@ -154,10 +154,44 @@ void refine(Complex& complex, std::size_t triangles, unsigned threads) {
     // The split of an edge with two facets, which is listed twice, makes two triangles.
     const std::size_t number = std::min(triangles - present, lengths.size() - 1);
     const double length = std::max(lengths[number], shortest * lengths.front());
-    options.sizing_field = [length](const Complex::Approximate_point_3&) { return length; };
+    auto options = interface_options(length);
+    options.interface_split_length = 1;
     if (DSC::control_detail(complex, options).split == 0)
       break;
   }
+}
+
+/// Collapses edges of the interface, the short ones first, until it has about the given number of
+/// triangles, or edges are twice as long as those of so many equal triangles would be.
+void coarsen(Complex& complex, std::size_t triangles) {
+  const CGAL::Deformable_simplicial_complexes::Progress_phase phase("coarsening the interface");
+  static constexpr double first = .25, last = 2, factor = 1.1; // lengths
+  double area = 0;
+  for (const auto& facet : complex.interface_facets()) {
+    const auto v = complex.facet_vertices(facet);
+    area += std::sqrt(CGAL::cross_product(complex.displacement(v[0], v[1]),
+                                          complex.displacement(v[0], v[2]))
+                          .squared_length()) /
+            2;
+  }
+  const double length = std::sqrt(4 / std::sqrt(3.) * area / static_cast<double>(triangles));
+  for (double collapsed = first; collapsed < last; collapsed *= factor) {
+    if (static_cast<double>(complex.interface_facets().size()) <=
+        (1 + tolerance) * static_cast<double>(triangles))
+      break;
+    auto options = interface_options(length);
+    options.interface_collapse_length = collapsed;
+    DSC::control_detail(complex, options);
+  }
+}
+
+/// Refines or coarsens the interface to about the given number of triangles, and improves the
+/// tetrahedra.
+void resample(Complex& complex, std::size_t triangles, unsigned threads) {
+  if (complex.interface_facets().size() < triangles)
+    refine(complex, triangles);
+  else
+    coarsen(complex, triangles);
   DSC::Mesh_improvement_options<Complex> improvement;
   improvement.number_of_threads = threads;
   DSC::improve_mesh(complex, improvement);
@@ -169,10 +203,16 @@ void refine(Complex& complex, std::size_t triangles, unsigned threads) {
 std::unique_ptr<Tracked_complex> track_surfaces(const std::vector<Surface>& surfaces,
                                                 const std::vector<std::string>& names,
                                                 const Run_options& options) {
-  auto result = fill(surfaces, names, options);
+  std::optional<Patches> patches;
+  auto result = fill(surfaces, names, options, patches);
   const std::size_t triangles = options.start.triangles;
-  if (!options.start.inputs.empty() && triangles > most_triangles_to_fill)
-    refine(result->complex, triangles, options.threads);
+  // Separate surfaces were decimated, or refined up to the number of triangles that may be filled.
+  const auto present = static_cast<double>(result->complex.interface_facets().size()),
+             target = static_cast<double>(triangles);
+  if (!options.start.inputs.empty() && triangles > 0 &&
+      ((present < (1 - tolerance) * target && (patches || triangles > most_triangles_to_fill)) ||
+       (present > (1 + tolerance) * target && patches)))
+    resample(result->complex, triangles, options.threads);
   return result;
 }
 

@@ -63,24 +63,6 @@ public:
     return numbers;
   }
 
-  // Returns which regions the given triangles enclose: a path from the unbounded region crosses
-  // them an odd number of times. Returns `nullopt` if different paths give different parities.
-  std::optional<std::vector<char>> enclosed_by(const std::vector<char>& is_given) const {
-    std::vector<char> result(m_size, 0);
-    visit_regions([&](std::size_t t, bool to_back) {
-      result[to_back ? behind(t) : in_front_of(t)] =
-          result[to_back ? in_front_of(t) : behind(t)] != is_given[t];
-    });
-    for (std::size_t t = 0; t < is_given.size(); ++t)
-      if ((result[behind(t)] != result[in_front_of(t)]) != bool(is_given[t]))
-        return std::nullopt;
-    return result;
-  }
-
-  // Returns the number of connected components of the triangles that enclose each region.
-  const std::vector<int>& depths() const { return m_depths; }
-
-private:
   // Calls `visit` once for each bounded region, with a triangle between this region and a region
   // visited before, and whether the region is behind the triangle.
   template <class Visit> void visit_regions(const Visit& visit) const {
@@ -104,6 +86,10 @@ private:
       }
   }
 
+  // Returns the number of connected components of the triangles that enclose each region.
+  const std::vector<int>& depths() const { return m_depths; }
+
+private:
   std::size_t front_side(std::size_t t) const { return 2 * t; }
   std::size_t back_side(std::size_t t) const { return 2 * t + 1; }
   std::size_t infinity() const { return m_regions.size(); } // also a side

@@ -21,7 +21,7 @@
 #include <CGAL/Mesh_files/internal/surfaces/triangulated_polygon.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/soup_intersections_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/soup_rays_3.h>
-#include <CGAL/Triangle_soup_repair/internal/soups/split_at_crossings_3.h>
+#include <CGAL/Triangle_soup_repair/internal/arrangement/split_at_crossings_3.h>
 
 #include <cstddef>
 #include <functional>
@@ -54,7 +54,7 @@ CGAL_DSC_INSTANTIATION template std::vector<Soup_ray_3>
 shoot_rays<Exact_predicates_exact_constructions_kernel>(const Triangle_soup_3&,
                                                         const std::vector<std::size_t>&);
 CGAL_DSC_INSTANTIATION template std::optional<Split_soup_3>
-split_at_crossings<Exact_predicates_exact_constructions_kernel>(const Triangle_soup_3&);
+split_at_crossings<Exact_predicates_exact_constructions_kernel>(const Triangle_soup_3&, double);
 CGAL_DSC_INSTANTIATION template Places_of_triangles
 triangulated_simple_polygon<Polygon_kernel>(const std::vector<Polygon_kernel::Point_2>&);
 #define CGAL_DSC_COMPILED_COMPLEX Default_complex_3

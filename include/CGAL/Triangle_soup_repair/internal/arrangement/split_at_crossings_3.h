@@ -5,11 +5,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_TRIANGLE_SOUP_REPAIR_INTERNAL_SOUPS_SPLIT_AT_CROSSINGS_3_H
-#define CGAL_TRIANGLE_SOUP_REPAIR_INTERNAL_SOUPS_SPLIT_AT_CROSSINGS_3_H
+#ifndef CGAL_TRIANGLE_SOUP_REPAIR_INTERNAL_ARRANGEMENT_SPLIT_AT_CROSSINGS_3_H
+#define CGAL_TRIANGLE_SOUP_REPAIR_INTERNAL_ARRANGEMENT_SPLIT_AT_CROSSINGS_3_H
 
 #include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Mesh_support/internal/cgal/cgal_compat.h>
+#include <CGAL/Triangle_soup_repair/internal/arrangement/weld_soup_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/soup_intersections_3.h>
 
@@ -29,13 +30,6 @@
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
-
-// A soup of split triangles. Triangle i lies in triangle `origins[i]` of the input and has its
-// orientation.
-struct Split_soup_3 : Triangle_soup_3
-{
-  std::vector<std::size_t> origins;
-};
 
 // A triangle to be triangulated again, with points and segments inserted into it. All computations
 // are exact, in the projection along an axis that is not parallel to the triangle.
@@ -194,14 +188,10 @@ inline bool have_same_corners(Triangle_indices a, Triangle_indices b) {
 // Merges equal points and removes degenerate triangles.
 template <class Kernel> void tidy_up(Split_soup_3& soup) {
   static_cast<Triangle_soup_3&>(soup) = merge_points(soup);
-  std::size_t kept = 0;
+  std::vector<char> has_area;
   for (std::size_t t = 0; t < soup.triangles.size(); ++t)
-    if (!exact_triangle(soup, t).is_degenerate()) {
-      soup.triangles[kept] = soup.triangles[t];
-      soup.origins[kept++] = soup.origins[t];
-    }
-  soup.triangles.resize(kept);
-  soup.origins.resize(kept);
+    has_area.push_back(!exact_triangle(soup, t).is_degenerate());
+  keep(soup, has_area);
 }
 
 // Splits the triangles of the pairs.
@@ -249,14 +239,20 @@ Split_soup_3 split_pairs(const Split_soup_3& soup,
 // Rounding may create new intersections, so the splitting is repeated. Degenerate triangles are
 // removed. A soup without intersections is returned bitwise unchanged.
 //
-// Returns `nullopt` if triangles still intersect after the maximum number of repetitions.
+// If a distance is given, features nearer than this are welded, see `weld()`, at the start and
+// whenever triangles were split.
+//
+// Returns `nullopt` if triangles still intersect after the maximum number of repetitions, or cannot
+// be welded.
 template <class Kernel = Exact_predicates_exact_constructions_kernel>
-std::optional<Split_soup_3> split_at_crossings(const Triangle_soup_3& input) {
+std::optional<Split_soup_3> split_at_crossings(const Triangle_soup_3& input, double distance = 0) {
   static constexpr int most_rounds = 30; // two or three are usual
   Split_soup_3 soup{input, {}};
   for (std::size_t t = 0; t < input.triangles.size(); ++t)
     soup.origins.push_back(t);
   for (int round = 0; round < most_rounds; ++round) {
+    if (distance > 0 && !weld(soup, distance))
+      return std::nullopt;
     tidy_up<Kernel>(soup);
     auto pairs = crossing_triangles(soup);
     pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
@@ -274,4 +270,4 @@ std::optional<Split_soup_3> split_at_crossings(const Triangle_soup_3& input) {
 
 } // namespace CGAL::Deformable_simplicial_complexes::internal
 
-#endif // CGAL_TRIANGLE_SOUP_REPAIR_INTERNAL_SOUPS_SPLIT_AT_CROSSINGS_3_H
+#endif // CGAL_TRIANGLE_SOUP_REPAIR_INTERNAL_ARRANGEMENT_SPLIT_AT_CROSSINGS_3_H

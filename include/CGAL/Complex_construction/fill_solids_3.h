@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Complex_construction, written for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_COMPLEX_CONSTRUCTION_FILL_SOLIDS_3_H
+#define CGAL_COMPLEX_CONSTRUCTION_FILL_SOLIDS_3_H
+
+#include <CGAL/license/Complex_construction.h>
+
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Mesh_support/named_parameters.h>
+#include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
+#include <CGAL/Triangle_soup_repair/make_patches_3.h>
+
+#include <optional>
+#include <vector>
+
+namespace CGAL::Deformable_simplicial_complexes {
+namespace internal {
+
+// Returns whether surfaces that are refused for a reason may bound solids nevertheless: they may
+// have walls, overlap, or have vertices on edges.
+inline bool may_have_walls(Invalid_surface_error::Reason reason) {
+  using Reason = Invalid_surface_error::Reason;
+  return reason != Reason::empty && reason != Reason::not_finite && reason != Reason::bad_index &&
+         reason != Reason::outside_enclosing_box;
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgComplexConstructionRef
+
+Makes a complex from solids bounded by any closed surfaces: they may share walls, be nested, touch
+and overlap. Where surfaces nearly meet or `make_deformable_simplicial_complex_3()` refuses them,
+`make_patches_3()` divides them first; otherwise, the result is that of
+`make_deformable_simplicial_complex_3()`. The same time, plus that of `make_patches_3()`.
+
+\tparam Complex an instance of `Deformable_simplicial_complex_3`
+\tparam Tetrahedralizer model of `ConstrainedTetrahedralizer_3`, such as `Tetgen_tetrahedralizer_3`
+\tparam NP a sequence of named parameters
+
+\param surfaces surfaces with the labels of the solids that they bound; coordinates are rounded to
+       `double`
+\param tetrahedralizer tetrahedralizer that fills the box
+\param patches receives the patches if the surfaces were divided, also if an exception is thrown then
+\param np named parameters of `make_deformable_simplicial_complex_3()`
+\param patch_options options of `make_patches_3()`
+
+\throws Invalid_surface_error if surfaces are not closed or intersect themselves, or reach the box. If
+        `patches` has a value, numbers of surfaces in the error are those of patches.
+\throws Tetrahedralization_error if the tetrahedralizer fails
+\throws Error if the box is not finite, or an option is out of range
+*/
+template <class Complex, class Tetrahedralizer, class NP = parameters::Default_named_parameters>
+Complex fill_solids_3(const std::vector<Labeled_surface_3<typename Complex::Point_3>>& surfaces,
+                      const Tetrahedralizer& tetrahedralizer,
+                      std::optional<Patches_of_surfaces_3<typename Complex::Point_3>>& patches,
+                      const NP& np = parameters::default_values(),
+                      const Patch_options_3& patch_options = {}) {
+  patches.reset();
+  if (!have_contacts_3(surfaces, patch_options))
+    try {
+      return make_deformable_simplicial_complex_3<Complex>(surfaces, tetrahedralizer, np);
+    } catch (const Invalid_surface_error& error) {
+      if (!internal::may_have_walls(error.reason()))
+        throw;
+    }
+  patches = make_patches_3(surfaces, patch_options);
+  return make_deformable_simplicial_complex_3<Complex>(patches->patches, tetrahedralizer, np);
+}
+
+} // namespace CGAL::Deformable_simplicial_complexes
+
+#endif // CGAL_COMPLEX_CONSTRUCTION_FILL_SOLIDS_3_H

@@ -1,0 +1,201 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Triangle_soup_repair, written for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TRIANGLE_SOUP_REPAIR_INTERNAL_ARRANGEMENT_DIVIDE_SPACE_3_H
+#define CGAL_TRIANGLE_SOUP_REPAIR_INTERNAL_ARRANGEMENT_DIVIDE_SPACE_3_H
+
+#include <CGAL/license/Triangle_soup_repair.h>
+
+#include <CGAL/Mesh_support/Error.h>
+#include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
+#include <CGAL/Triangle_soup_repair/internal/arrangement/Solid_cells_3.h>
+#include <CGAL/Triangle_soup_repair/internal/arrangement/coordinate_rounding_3.h>
+#include <CGAL/Triangle_soup_repair/internal/arrangement/split_at_crossings_3.h>
+#include <CGAL/Triangle_soup_repair/internal/arrangement/weld_soup_3.h>
+#include <CGAL/Triangle_soup_repair/internal/checks/check_surfaces_3.h>
+#include <CGAL/Triangle_soup_repair/internal/checks/refuse_surface.h>
+#include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
+#include <CGAL/Triangle_soup_repair/internal/soups/soup_intersections_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Deformable_simplicial_complexes::internal {
+
+// Space, divided into the cells that closed surfaces enclose.
+struct Divided_space_3
+{
+  // The cell on each side of a triangle, or `Covering_cells_3::none`.
+  struct Sides
+  {
+    std::size_t behind, in_front;
+  };
+
+  Triangle_soup_3 soup;              // triangles meet in common vertices and edges only
+  std::vector<Sides> sides;          // of each triangle
+  std::vector<std::size_t> surfaces; // surface of each cell
+  std::vector<std::array<std::size_t, 2>> overlaps; // pairs of surfaces
+  std::vector<std::size_t> covered;                 // surfaces of which nothing is left
+};
+
+// Returns the triangles of surfaces. Throws `Invalid_surface_error` if there are none, or if
+// coordinates or indices are wrong.
+inline Joined_soup_3 join_surfaces(const std::vector<Triangle_soup_3>& surfaces) {
+  if (surfaces.empty())
+    refuse_surface(Invalid_surface_error::Reason::empty, 0);
+  std::vector<Merged_soup_3> merged;
+  for (std::size_t s = 0; s < surfaces.size(); ++s) {
+    check_numbers(surfaces[s], s);
+    merged.push_back(merge_points(surfaces[s]));
+  }
+  return join(merged);
+}
+
+inline Split_soup_3 undivided(const Triangle_soup_3& soup) {
+  Split_soup_3 result{soup, std::vector<std::size_t>(soup.triangles.size())};
+  std::iota(result.origins.begin(), result.origins.end(), std::size_t(0));
+  return result;
+}
+
+// Returns whether features of surfaces are nearer to each other than the weld distance.
+inline bool have_contacts(const std::vector<Triangle_soup_3>& surfaces,
+                          const std::optional<double>& weld_distance) {
+  const Joined_soup_3 joined = join_surfaces(surfaces);
+  const double distance = weld_distance.value_or(rounding_distance(joined.points));
+  Split_soup_3 soup = undivided(joined);
+  merge_near_points(soup, distance);
+  return soup.points != joined.points || Soup_contacts_3(soup, distance).size() > 0;
+}
+
+// Throws `Invalid_surface_error` if a surface has a single triangle in an edge.
+inline void check_boundaries(const Split_soup_3& soup, const Joined_soup_3& input) {
+  const auto sides = sorted_sides(soup.triangles);
+  std::map<std::size_t, std::vector<std::size_t>> triangles_of; // by surfaces
+  std::map<std::size_t, std::vector<std::size_t>> open;
+  for (auto side = sides.begin(); side != sides.end();) {
+    const auto end = end_of_edge(side, sides.end());
+    triangles_of.clear();
+    for (; side != end; ++side) {
+      const auto& origin = input.triangle_origins[soup.origins[side->triangle]];
+      triangles_of[origin.surface].push_back(origin.index);
+    }
+    for (const auto& [surface, triangles] : triangles_of)
+      if (triangles.size() == 1)
+        open[surface].push_back(triangles.front());
+  }
+  if (open.empty())
+    return;
+  auto& [surface, facets] = *open.begin();
+  std::sort(facets.begin(), facets.end());
+  facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
+  refuse_surface(Invalid_surface_error::Reason::open, surface, facets);
+}
+
+// Returns whether corners of a triangle are on both sides of the plane of another one, farther from
+// it than a distance.
+inline bool crosses_plane(const Triangle_soup_3& soup, std::size_t triangle, std::size_t of_plane,
+                          double distance) {
+  const auto plane = exact_triangle(soup, of_plane), crossing = exact_triangle(soup, triangle);
+  const auto normal = cross_product(plane[1] - plane[0], plane[2] - plane[0]);
+  const double farthest = distance * std::sqrt(normal.squared_length());
+  bool is_in_front = false, is_behind = false;
+  for (int i = 0; i < 3; ++i) {
+    const double height = normal * (crossing[i] - plane[0]);
+    is_in_front |= height > farthest;
+    is_behind |= height < -farthest;
+  }
+  return is_in_front && is_behind;
+}
+
+// Throws `Invalid_surface_error` if triangles of the same surface cross. Parts of a surface that
+// touch are permitted, although rounding may make triangles cross there.
+// \param origins triangle of the input that contains each triangle
+inline void check_self_intersections(const Triangle_soup_3& soup,
+                                     const std::vector<std::size_t>& origins,
+                                     const Joined_soup_3& input, double distance) {
+  std::vector<std::pair<std::size_t, std::size_t>> own;
+  for (const auto& [s, t] : crossing_triangles(soup)) {
+    const std::size_t a = origins[s], b = origins[t];
+    if (input.triangle_origins[a].surface == input.triangle_origins[b].surface &&
+        !have_same_corners(soup.triangles[s], soup.triangles[t]) &&
+        crosses_plane(soup, s, t, distance) && crosses_plane(soup, t, s, distance))
+      own.push_back(std::minmax(a, b));
+  }
+  refuse_crossings(input, own);
+}
+
+// Splits surfaces where they meet. Throws `Invalid_surface_error` if a surface is open or
+// intersects itself. Returns `nullopt` if the distance is too large beside the features.
+inline std::optional<Split_soup_3> split_surfaces(const Joined_soup_3& input, double distance) {
+  Split_soup_3 welded = undivided(input);
+  if (!weld(welded, distance))
+    return std::nullopt;
+  check_boundaries(welded, input);
+  check_self_intersections(welded, welded.origins, input, 0);
+  std::optional<Split_soup_3> result = split_at_crossings(welded, distance);
+  if (result)
+    for (std::size_t& origin : result->origins)
+      origin = welded.origins[origin];
+  return result;
+}
+
+// The same. If no distance is given, that of the rounding and, if this fails, others are tried.
+inline Split_soup_3 split_surfaces(const Joined_soup_3& input,
+                                   const std::optional<double>& weld_distance) {
+  const double distance = weld_distance.value_or(rounding_distance(input.points));
+  check_self_intersections(input, undivided(input).origins, input, distance);
+  for (const double factor : {1., .25, 4., .0625, 16.}) {
+    if (auto result = split_surfaces(input, factor * distance))
+      return std::move(*result);
+    if (weld_distance)
+      break;
+  }
+  throw Error("the weld distance is too large beside the features of the surfaces, or less than "
+              "the rounding of their coordinates: give another weld distance");
+}
+
+// Divides space by closed surfaces. Throws `Invalid_surface_error` if surfaces are open or
+// intersect themselves.
+inline Divided_space_3 divide_space(const std::vector<Triangle_soup_3>& surfaces,
+                                    const std::optional<double>& weld_distance) {
+  const Joined_soup_3 joined = join_surfaces(surfaces);
+  const Split_soup_3 split = split_surfaces(joined, weld_distance);
+  std::vector<std::size_t> surface_of;
+  for (std::size_t origin : split.origins)
+    surface_of.push_back(joined.triangle_origins[origin].surface);
+  const Shared_soup_3 shared = share_triangles(split, surface_of);
+  const Solid_cells_3 cells(shared, surfaces.size());
+  const Covering_cells_3 covering(cells);
+
+  Divided_space_3 result;
+  result.soup = shared;
+  result.surfaces = cells.surfaces();
+  for (std::size_t t = 0; t < shared.triangles.size(); ++t)
+    result.sides.push_back({covering.in_region(cells.regions().behind(t)),
+                            covering.in_region(cells.regions().in_front_of(t))});
+  for (const auto& [a, b] : covering.overlaps())
+    result.overlaps.push_back({cells.surfaces()[a], cells.surfaces()[b]});
+  std::vector<char> is_left(surfaces.size(), 0);
+  for (std::size_t r = 0; r < cells.regions().size(); ++r)
+    if (const std::size_t cell = covering.in_region(r); cell != Covering_cells_3::none)
+      is_left[cells.surfaces()[cell]] = 1;
+  for (std::size_t s = 0; s < surfaces.size(); ++s)
+    if (!is_left[s])
+      result.covered.push_back(s);
+  return result;
+}
+
+} // namespace CGAL::Deformable_simplicial_complexes::internal
+
+#endif // CGAL_TRIANGLE_SOUP_REPAIR_INTERNAL_ARRANGEMENT_DIVIDE_SPACE_3_H
