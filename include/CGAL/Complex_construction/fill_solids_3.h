@@ -11,10 +11,14 @@
 #include <CGAL/license/Complex_construction.h>
 
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Mesh_support/named_parameters.h>
 #include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
 #include <CGAL/Triangle_soup_repair/make_patches_3.h>
 
+#include <CGAL/Bbox_3.h>
+
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -29,6 +33,18 @@ inline bool may_have_walls(Invalid_surface_error::Reason reason) {
          reason != Reason::outside_enclosing_box;
 }
 
+// Returns the largest distance of features that may be welded because a tetrahedralizer fails.
+template <class Point>
+double largest_weld_distance(const std::vector<Labeled_surface_3<Point>>& surfaces) {
+  static constexpr double of_extent = 1e-6;
+  Bbox_3 box;
+  for (const auto& surface : surfaces)
+    for (const Point& p : surface.points)
+      box += p.bbox();
+  return of_extent *
+         (std::max)({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
+}
+
 } // namespace internal
 
 /*!
@@ -38,6 +54,10 @@ Makes a complex from solids bounded by any closed surfaces: they may share walls
 and overlap. Where surfaces nearly meet or `make_deformable_simplicial_complex_3()` refuses them,
 `make_patches_3()` divides them first; otherwise, the result is that of
 `make_deformable_simplicial_complex_3()`. The same time, plus that of `make_patches_3()`.
+
+Surfaces that cross at random have features of any size. If the tetrahedralizer fails for the
+patches, they are made again with a hundredfold weld distance, up to a millionth of the largest
+extent, unless the weld distance is given.
 
 \tparam Complex an instance of `Deformable_simplicial_complex_3`
 \tparam Tetrahedralizer model of `ConstrainedTetrahedralizer_3`, such as `Tetgen_tetrahedralizer_3`
@@ -69,8 +89,18 @@ Complex fill_solids_3(const std::vector<Labeled_surface_3<typename Complex::Poin
       if (!internal::may_have_walls(error.reason()))
         throw;
     }
-  patches = make_patches_3(surfaces, patch_options);
-  return make_deformable_simplicial_complex_3<Complex>(patches->patches, tetrahedralizer, np);
+  static constexpr double factor = 100;
+  const double largest = internal::largest_weld_distance(surfaces);
+  for (Patch_options_3 options = patch_options;;
+       options.weld_distance = factor * patches->weld_distance) {
+    patches = make_patches_3(surfaces, options);
+    try {
+      return make_deformable_simplicial_complex_3<Complex>(patches->patches, tetrahedralizer, np);
+    } catch (const Tetrahedralization_error&) {
+      if (patch_options.weld_distance || factor * patches->weld_distance > largest)
+        throw;
+    }
+  }
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes

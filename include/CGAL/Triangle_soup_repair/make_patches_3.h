@@ -68,6 +68,7 @@ template <class Point> struct Patches_of_surfaces_3
   /// surfaces of which nothing is left, since others cover them or they are thinner than the weld
   /// distance
   std::vector<std::size_t> covered;
+  double weld_distance = 0; ///< the weld distance, in the unit of the coordinates
 };
 
 namespace internal {
@@ -189,6 +190,7 @@ Patches_of_surfaces_3<Point> make_patches_3(const std::vector<Labeled_surface_3<
     result.labels[space.surfaces[c]].push_back(labels[c]);
   result.overlaps = space.overlaps;
   result.covered = space.covered;
+  result.weld_distance = space.weld_distance;
   return result;
 }
 

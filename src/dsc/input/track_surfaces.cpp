@@ -165,7 +165,8 @@ void refine(Complex& complex, std::size_t triangles) {
 /// triangles, or edges are twice as long as those of so many equal triangles would be.
 void coarsen(Complex& complex, std::size_t triangles) {
   const CGAL::Deformable_simplicial_complexes::Progress_phase phase("coarsening the interface");
-  static constexpr double first = .25, last = 2, factor = 1.1; // lengths
+  static constexpr double first = .25, last = 2, factor = 1.05; // lengths
+  static constexpr double least_quality = .05; // of cells, which are improved later
   double area = 0;
   for (const auto& facet : complex.interface_facets()) {
     const auto v = complex.facet_vertices(facet);
@@ -181,6 +182,8 @@ void coarsen(Complex& complex, std::size_t triangles) {
       break;
     auto options = interface_options(length);
     options.interface_collapse_length = collapsed;
+    options.collapse_quality = least_quality;
+    options.number_of_iterations = 2;
     DSC::control_detail(complex, options);
   }
 }
@@ -213,6 +216,10 @@ std::unique_ptr<Tracked_complex> track_surfaces(const std::vector<Surface>& surf
       ((present < (1 - tolerance) * target && (patches || triangles > most_triangles_to_fill)) ||
        (present > (1 + tolerance) * target && patches)))
     resample(result->complex, triangles, options.threads);
+  if (const std::size_t number = result->complex.interface_facets().size();
+      patches && triangles > 0 && number > (1 + tolerance) * target && !options.output.quiet)
+    std::cout << "dsc: the interface has " << number
+              << " triangles: with fewer ones, its shape would change\n";
   return result;
 }
 

@@ -47,6 +47,7 @@ struct Divided_space_3
   std::vector<std::size_t> surfaces; // surface of each cell
   std::vector<std::array<std::size_t, 2>> overlaps; // pairs of surfaces
   std::vector<std::size_t> covered;                 // surfaces of which nothing is left
+  double weld_distance;
 };
 
 // Returns the triangles of surfaces. Throws `Invalid_surface_error` if there are none, or if
@@ -151,12 +152,14 @@ inline std::optional<Split_soup_3> split_surfaces(const Joined_soup_3& input, do
 }
 
 // The same. If no distance is given, that of the rounding and, if this fails, others are tried.
+// \param distance receives the distance
 inline Split_soup_3 split_surfaces(const Joined_soup_3& input,
-                                   const std::optional<double>& weld_distance) {
-  const double distance = weld_distance.value_or(rounding_distance(input.points));
-  check_self_intersections(input, undivided(input).origins, input, distance);
+                                   const std::optional<double>& weld_distance, double& distance) {
+  const double first = weld_distance.value_or(rounding_distance(input.points));
+  check_self_intersections(input, undivided(input).origins, input, first);
   for (const double factor : {1., .25, 4., .0625, 16.}) {
-    if (auto result = split_surfaces(input, factor * distance))
+    distance = factor * first;
+    if (auto result = split_surfaces(input, distance))
       return std::move(*result);
     if (weld_distance)
       break;
@@ -170,7 +173,8 @@ inline Split_soup_3 split_surfaces(const Joined_soup_3& input,
 inline Divided_space_3 divide_space(const std::vector<Triangle_soup_3>& surfaces,
                                     const std::optional<double>& weld_distance) {
   const Joined_soup_3 joined = join_surfaces(surfaces);
-  const Split_soup_3 split = split_surfaces(joined, weld_distance);
+  Divided_space_3 result;
+  const Split_soup_3 split = split_surfaces(joined, weld_distance, result.weld_distance);
   std::vector<std::size_t> surface_of;
   for (std::size_t origin : split.origins)
     surface_of.push_back(joined.triangle_origins[origin].surface);
@@ -178,7 +182,6 @@ inline Divided_space_3 divide_space(const std::vector<Triangle_soup_3>& surfaces
   const Solid_cells_3 cells(shared, surfaces.size());
   const Covering_cells_3 covering(cells);
 
-  Divided_space_3 result;
   result.soup = shared;
   result.surfaces = cells.surfaces();
   for (std::size_t t = 0; t < shared.triangles.size(); ++t)
