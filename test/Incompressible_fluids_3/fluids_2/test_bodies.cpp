@@ -7,13 +7,11 @@
 
 namespace test_bodies {
 
-using fluids_2::Complex;
-using fluids_2::Fluid;
-using fluids_2::liquid;
 using planar_regions::circle;
 using planar_regions::divided;
 using planar_regions::Polygon;
 using planar_regions::region;
+using namespace fluids_2;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Vector = CGAL::Simple_cartesian<double>::Vector_3;
 

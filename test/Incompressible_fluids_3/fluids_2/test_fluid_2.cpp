@@ -3,9 +3,7 @@
 
 namespace test_fluid_2 {
 
-using fluids_2::Complex;
-using fluids_2::Fluid;
-using fluids_2::Vertex_handle;
+using namespace fluids_2;
 using Point = Fluid::Point;
 using Vector = Fluid::Vector;
 

@@ -6,10 +6,7 @@
 
 namespace test_open_sides {
 
-using fluids_2::Complex;
-using fluids_2::Fluid;
-using fluids_2::liquid;
-using fluids_2::Vertex_handle;
+using namespace fluids_2;
 using Coordinates = std::array<double, 3>;
 
 // Returns the liquid with label 1 in [0, 1] x [0, surface(x)] of the domain [0, 1] x [0, 2], with n

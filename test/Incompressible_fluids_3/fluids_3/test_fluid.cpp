@@ -8,10 +8,8 @@
 
 namespace test_fluid {
 
-using fluids_3::Complex;
-using fluids_3::Fluid;
-using fluids_3::liquid;
 using mesh_helpers::sphere;
+using namespace fluids_3;
 using Vector = Fluid::Vector;
 using Point = Fluid::Point;
 

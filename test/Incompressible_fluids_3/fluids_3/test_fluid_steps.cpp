@@ -11,9 +11,8 @@ namespace test_fluid_steps {
 using DSC::Fluid_failure;
 using DSC::internal::Mesh_treatment;
 using DSC::internal::Step_plan;
-using fluids_3::Complex;
-using fluids_3::liquid;
 using mesh_helpers::sphere;
+using namespace fluids_3;
 using Vector = CGAL::Simple_cartesian<double>::Vector_3;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 

@@ -3,9 +3,7 @@
 
 namespace test_open_sides_3 {
 
-using fluids_3::Complex;
-using fluids_3::Fluid;
-using fluids_3::liquid;
+using namespace fluids_3;
 
 // Returns the liquid with label 1 below z = 0 in the cube [-1, 1]^3.
 Complex tank() {
