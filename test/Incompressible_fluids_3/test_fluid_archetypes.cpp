@@ -3,14 +3,7 @@
 #include "archetypes.h"
 #include "fluids_3.h"
 
-#include <CGAL/Triangulation_data_structure_3.h>
-
 namespace test_fluid_archetypes {
-
-using Tds =
-    CGAL::Triangulation_data_structure_3<archetypes::Vertex_base<>, archetypes::Cell_base<>>;
-using Archetype =
-    CGAL::Deformable_simplicial_complex_3<archetypes::Traits, Tds, archetypes::Quality_measure>;
 
 // Solid_3: a floor. It is copyable, but neither default-constructible nor assignable.
 class Floor
@@ -52,24 +45,12 @@ private:
 
 small_meshes::Labeled_mesh cube() { return small_meshes::grid(4, small_meshes::cube); }
 
-DSC::Fluid_properties properties() {
-  DSC::Fluid_properties result;
-  result.set_liquid(1, {1, .1});
-  result.set_surface_tension(0, 1, .1);
-  result.set_gravity({0, 0, -1});
-  return result;
-}
-
 constexpr double height = -.5; // for the floor: the cube stands on it
 
 TEST(Fluid_archetypes, step) {
-  Archetype archetype;
-  std::vector<Archetype::Point_3> points;
-  for (const auto& p : cube().points)
-    points.push_back(archetype.geom_traits().construct_exact_point_3_object()(
-        Archetype::Approximate_point_3(p.x(), p.y(), p.z())));
-  archetype.assign(points, cube().tetrahedra, cube().labels);
-  CGAL::Incompressible_fluid_3<Archetype, Solver> fluid(archetype, properties());
+  const DSC::Fluid_properties properties = fluids_3::liquid(1, .1, .1, 1);
+  archetypes::Complex archetype = archetypes::make_complex(cube());
+  CGAL::Incompressible_fluid_3<archetypes::Complex, Solver> fluid(archetype, properties);
   fluid.add_solid(Floor(height));
   fluid.add_solid(DSC::Moving_solid_3<Floor>(Floor(height - 1), DSC::Wall_3::Vector(0, 0, .1)));
   const auto report = fluid.advance(.02, parameters::adaptation_interval(0u));
@@ -78,7 +59,7 @@ TEST(Fluid_archetypes, step) {
 
   small_meshes::Complex reference = small_meshes::make_complex(cube());
   // The default solver is direct for so few vertices.
-  CGAL::Incompressible_fluid_3<small_meshes::Complex> expected(reference, properties());
+  fluids_3::Fluid expected(reference, properties);
   using Plane = DSC::Plane_solid_3;
   const auto floor = [](double z) { return Plane(Plane::Point(0, 0, z), Plane::Vector(0, 0, 1)); };
   expected.add_solid(floor(height));
