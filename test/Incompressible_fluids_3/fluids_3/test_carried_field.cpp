@@ -8,8 +8,7 @@
 
 namespace test_carried_field {
 
-using fluids_2::Complex;
-using fluids_2::Fluid;
+using namespace fluids_2;
 using Complex_3 = fluids_3::Complex;
 using Fluid_3 = fluids_3::Fluid;
 using Point = Fluid::Point;
