@@ -13,6 +13,7 @@
 #include "measures.h"
 #include "random_fields.h"
 #include "small_meshes.h"
+#include "time_limit.h"
 
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
@@ -23,7 +24,6 @@
 #include <CLI/CLI.hpp>
 #include <boost/crc.hpp>
 
-#include <csignal>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -40,9 +40,8 @@
 #include <utility>
 #include <vector>
 
-#include <unistd.h>
-
 namespace DSC = CGAL::Deformable_simplicial_complexes;
+namespace time_limit = dsc_benchmark::time_limit;
 
 namespace {
 
@@ -53,16 +52,6 @@ using dsc_benchmark::Random_fields;
 using Report = DSC::Deformation_report<Complex>;
 using Topology_control = std::function<bool(const Complex&, Complex::Cell_handle, int)>;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
-
-constexpr unsigned seconds_per_field = 120; // time limit
-std::string work;                           // the present operation, for messages
-
-extern "C" void stop_hanging(int) {
-  static constexpr char text[] = " hangs\n";
-  const bool is_told = ::write(STDERR_FILENO, work.data(), work.size()) >= 0 &&
-                       ::write(STDERR_FILENO, text, sizeof text - 1) >= 0;
-  std::_Exit(is_told ? EXIT_FAILURE : 2);
-}
 
 // Options of a deformation.
 struct Policy
@@ -227,8 +216,7 @@ Complex abuse(const std::string& mesh, const Complex& initial, std::size_t numbe
   Victim victim(initial);
   for (std::size_t i = 0; i < number_of_fields; ++i) {
     const Policy policy = Policy::decode(i, threads);
-    work = mesh + ", field " + std::to_string(i) + ", " + policy.name;
-    ::alarm(seconds_per_field);
+    time_limit::begin(mesh + ", field " + std::to_string(i) + ", " + policy.name);
     Counts& c = counts[policy.name];
     ++c.fields;
     Field field = fields(victim.complex());
@@ -244,7 +232,7 @@ Complex abuse(const std::string& mesh, const Complex& initial, std::size_t numbe
       ++c.restarts;
     }
   }
-  ::alarm(0);
+  time_limit::end();
   for (const auto& [policy, c] : counts)
     print(mesh, policy, c, out);
   return victim.complex();
@@ -292,12 +280,11 @@ int main(int argc, char** argv) {
   app.add_option("--threads", threads, "number of threads where a policy uses several");
   app.add_option("--checkpoint", checkpoint, "a file for the last complex and what is printed");
   CLI11_PARSE(app, argc, argv);
-  std::signal(SIGALRM, stop_hanging);
   try {
     run(number_of_fields, seed, threads, checkpoint);
     return EXIT_SUCCESS;
   } catch (const std::exception& error) {
-    std::cerr << "random_abuse: " << work << ": " << error.what() << '\n';
+    std::cerr << "random_abuse: " << time_limit::operation << ": " << error.what() << '\n';
     return EXIT_FAILURE;
   }
 }

@@ -7,6 +7,7 @@
 // that its cells fill the domain, and that forbidden changes of topology did not happen.
 
 #include "Worst_cells.h"
+#include "time_limit.h"
 
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
@@ -15,7 +16,6 @@
 #include <CLI/CLI.hpp>
 
 #include <cmath>
-#include <csignal>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -30,9 +30,8 @@
 #include <utility>
 #include <vector>
 
-#include <unistd.h>
-
 namespace DSC = CGAL::Deformable_simplicial_complexes;
+namespace time_limit = dsc_benchmark::time_limit;
 
 namespace {
 
@@ -44,16 +43,7 @@ using Point = Planar::Approximate_point_2;
 using Vector = Planar::Approximate_vector_2;
 using Field = std::vector<Vector>; // displacements in the order of `interface_vertices()`
 
-constexpr double size = 2;                  // side length of the domains
-constexpr unsigned seconds_per_field = 120; // time limit
-std::string work;                           // the present operation, for messages
-
-extern "C" void stop_hanging(int) {
-  static constexpr char text[] = " hangs\n";
-  const bool is_told = ::write(STDERR_FILENO, work.data(), work.size()) >= 0 &&
-                       ::write(STDERR_FILENO, text, sizeof text - 1) >= 0;
-  std::_Exit(is_told ? EXIT_FAILURE : 2);
-}
+constexpr double size = 2; // side length of the domains
 
 class Random
 {
@@ -206,11 +196,10 @@ void abuse(const std::string& name, const Complex& initial, std::size_t number_o
   Counts c;
   Victim<Complex> victim(initial, random);
   for (std::size_t i = 0; i < number_of_fields; ++i) {
-    work = name + ", field " + std::to_string(i);
-    ::alarm(seconds_per_field);
+    time_limit::begin(name + ", field " + std::to_string(i));
     victim.deform(i, c);
   }
-  ::alarm(0);
+  time_limit::end();
   std::cout << "| " << name;
   for (std::size_t count : {c.fields, c.refused, c.complete, c.incomplete, c.restarts, c.relabeled,
                             c.exchanges, c.merged, c.split, c.vanished})
@@ -263,12 +252,11 @@ int main(int argc, char** argv) {
   app.add_option("--fields", number_of_fields, "number of displacement fields");
   app.add_option("--seed", seed, "of the random numbers");
   CLI11_PARSE(app, argc, argv);
-  std::signal(SIGALRM, stop_hanging);
   try {
     run(number_of_fields, seed);
     return EXIT_SUCCESS;
   } catch (const std::exception& error) {
-    std::cerr << "random_abuse_2: " << work << ": " << error.what() << '\n';
+    std::cerr << "random_abuse_2: " << time_limit::operation << ": " << error.what() << '\n';
     return EXIT_FAILURE;
   }
 }

@@ -2,14 +2,11 @@
 # Draws the picture of files of other programs in the manual: a gray image in the NIfTI format, written by
 # VTK, and its interface after some steps of mean curvature flow.
 # Usage: scripts/draw_formats.sh [BUILD_DIR]
-set -euo pipefail
-source=$(realpath "$(dirname "$0")/..")
-build=$(realpath "${1:-$source/build}")
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work"
+. "$(dirname "$0")/figures.sh"
+require "$build/dsc"
+begin_in_temporary_folder
 
-/usr/bin/python3 - <<'END'
+"$python" - <<'END'
 import numpy as np
 import vtk
 from vtk.util.numpy_support import numpy_to_vtk

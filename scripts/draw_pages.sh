@@ -2,12 +2,9 @@
 # Draws the pictures of pages in the manuals: runs dsc and the first session of the Python manual, and
 # opens their pages in Chromium.
 # Usage: scripts/draw_pages.sh [BUILD_DIR]
-set -euo pipefail
-source=$(realpath "$(dirname "$0")/..")
-build=$(realpath "${1:-$source/build}")
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work"
+. "$(dirname "$0")/figures.sh"
+require "$build/dsc"
+begin_in_temporary_folder
 
 # picture PAGE PICTURE COMMANDS: opens the page, executes commands of `viewer`, and saves a picture.
 picture() {
@@ -19,7 +16,7 @@ picture() {
   [ -s "$2" ]
 }
 
-tar --extract --gzip --file /usr/share/doc/libcgal-dev/data.tar.gz --strip-components=2 \
+tar --extract --gzip --file "$data" --strip-components=2 \
   data/meshes/bunny00.off
 "$build/dsc" offset bunny00.off --triangles 14000 --distance=-.25e --steps 10 --output bunny --quiet
 "$build/dsc" view bunny -o bunny.html --quiet
@@ -36,5 +33,5 @@ picture fluid.html "$source/doc/Dsc_program/fig/view_fluid.png" \
 picture plane.html "$source/doc/Dsc_program/fig/view_plane.png" \
   "await viewer.showFrame(3); viewer.setLabels([0, 1]); viewer.setWireframe(true);"
 
-PYTHONPATH="$build/python" /usr/bin/python3 "$source/test/python/example.py" two_balls.html
+PYTHONPATH="$build/python" "$python" "$source/test/python/example.py" two_balls.html
 picture two_balls.html "$source/doc/Python_module/fig/two_balls.png" "await viewer.showFrame(15);"

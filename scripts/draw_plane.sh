@@ -3,33 +3,21 @@
 # Needs the targets dsc, dsc-fluid, dsc-cut-locus, dsc-grains, example_planar_foam, example_cut_locus and
 # example_rising_bubble_2 in BUILD_DIR. Takes ten minutes.
 # Usage: scripts/draw_plane.sh [BUILD_DIR]
-set -euo pipefail
-source=$(realpath "$(dirname "$0")/..")
-build=$(realpath --canonicalize-missing "${1:-$source/build}")
-work=$build/plane
+. "$(dirname "$0")/figures.sh"
 doc=$source/doc
 foam=$build/examples/planar_foam
 cut_locus=$build/examples/cut_locus
 bubble=$build/examples/rising_bubble_2
 
 "$source/scripts/install_dependencies.sh" librsvg2-bin
-for program in "$build/dsc" "$foam" "$cut_locus" "$bubble"; do
-  [ -x "$program" ] || { echo "draw_plane.sh: $program is missing; build it first" >&2; exit 1; }
-done
-rm -rf "$work"
-mkdir -p "$work"
-cd "$work"
+require "$build/dsc" "$foam" "$cut_locus" "$bubble"
+begin_in "$build/plane"
 
 picture() { # FILE.svg NAME [WIDTH]
   local package=Interface_flows
   [[ $2 != cut_locus* ]] || package=Cut_loci_2
   [[ ! $2 =~ ^(bubble|wheel|u_tube|floating|draining|thermocapillary) ]] || package=Incompressible_fluids_3
   rsvg-convert --width "${3:-480}" --background-color white "$1" --output "$doc/$package/fig/plane_$2.png"
-}
-
-run() { # NAME COMMAND ARGUMENT...
-  echo "dsc ${*:2}"
-  "$build/dsc" "${@:2}" --quiet --output "$1"
 }
 
 # Two stars and a ring

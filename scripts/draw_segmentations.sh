@@ -2,22 +2,12 @@
 # Segments images and draws the pictures of the manual: doc/Image_segmentation/fig/segmentation_NAME.png.
 # Needs the targets dsc, dsc-files and dsc-segment in BUILD_DIR.
 # Usage: scripts/draw_segmentations.sh [BUILD_DIR]
-set -euo pipefail
-source=$(realpath "$(dirname "$0")/..")
-build=$(realpath --canonicalize-missing "${1:-$source/build}")
-work=$build/segmentations
+. "$(dirname "$0")/figures.sh"
 fig=$source/doc/Image_segmentation/fig
-python=/usr/bin/python3
-display=()
-[ -n "${DISPLAY:-}" ] || display=(xvfb-run -a)
 
 "$source/scripts/install_dependencies.sh" libvtk9-dev mricron-data python3-skimage
-for program in dsc dsc-files dsc-segment; do
-  [ -x "$build/$program" ] || { echo "draw_segmentations.sh: $build/$program is missing; build it first" >&2; exit 1; }
-done
-rm -rf "$work"
-mkdir -p "$work"
-cd "$work"
+require "$build"/{dsc,dsc-files,dsc-segment}
+begin_in "$build/segmentations"
 photographs=$("$python" -c 'import os, skimage.data; print(os.path.dirname(skimage.data.__file__))')
 
 shrink() { # PICTURE NAME

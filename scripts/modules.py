@@ -69,7 +69,7 @@ MODULES = {
         "traversal": "work lists, corners of cells, local lengths",
         "operations": "triangulations of rings, optimal positions, qualities of triangles",
         "interface": "edges and fans of the interface, changes of its facets",
-        "balance": "destinations, contacts, bounds on the volumes that operations move",
+        "destinations": "destinations, contacts, bounds on the volumes that operations move",
         "improvement": "mesh operations of each dimension, mesh improvement",
         "motion": "simultaneous motion, extension of the displacement, collisions, swept volumes",
         "topology": "links and their labels, relabeling, the log of topology events",
@@ -136,7 +136,7 @@ MODULES = {
 # The internal headers that other packages, the program, the Python module and the benchmarks may include
 SEAM = {
     KERNEL: """
-        balance/Destinations balance/Interface_tolerance bookkeeping/Failure_memory bookkeeping/Label_totals
+        destinations/Destinations destinations/Interface_tolerance bookkeeping/Failure_memory bookkeeping/Label_totals
         complex/Complex_builder complex/apply_to_corners complex/assemble_triangulation
         complex/hilbert_order complex/sort_by_time_stamp deformation/deform improvement/Mesh_improver
         improvement/Mesh_operations interface/Changed_facets
@@ -159,7 +159,7 @@ SEAM = {
 PARTS = ("complex", "operations", "deformation")
 PART_OF_MODULE = {
     "bookkeeping": "complex", "components": "complex", "complex": "complex", "traversal": "complex",
-    "interface": "operations", "operations": "operations", "balance": "operations", "improvement": "operations",
+    "interface": "operations", "operations": "operations", "destinations": "operations", "improvement": "operations",
     "motion": "deformation", "topology": "deformation", "deformation": "deformation",
 }
 PUBLIC_OF_PART = {

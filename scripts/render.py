@@ -68,6 +68,19 @@ def read_grid(path):
     return reader.GetOutput()
 
 
+def read_labels(path):
+    """Returns a mesh and the array of its labels. Ends the script if they cannot be read."""
+    script = os.path.basename(sys.argv[0])
+    try:
+        grid = read_grid(path)
+    except Failure as error:
+        raise SystemExit(f"{script}: {error}") from None
+    labels = grid.GetCellData().GetArray("label")
+    if labels is None:
+        raise SystemExit(f"{script}: {path} has no labels")
+    return grid, labels
+
+
 def evenly_spread(series, count):
     last = len(series) - 1
     return [series[i] for i in sorted({k * last // (count - 1) for k in range(count)})]

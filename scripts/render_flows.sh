@@ -2,33 +2,16 @@
 # Runs the flows that the manual shows and renders their pictures: doc/PACKAGE/fig/flow_NAME.png.
 # Uses the program BUILD_DIR/dsc and the folder BUILD_DIR/flows. Takes some minutes.
 # Usage: scripts/render_flows.sh [BUILD_DIR]
-set -euo pipefail
-source=$(realpath "$(dirname "$0")/..")
-build=$(realpath --canonicalize-missing "${1:-$source/build}")
-flows=$build/flows
+. "$(dirname "$0")/figures.sh"
 doc=$source/doc
-data=/usr/share/doc/libcgal-dev/data.tar.gz
-python=/usr/bin/python3
-display=()
-[ -n "${DISPLAY:-}" ] || display=(xvfb-run -a)
-
-fail() { # MESSAGE
-  echo "render_flows.sh: $1" >&2
-  exit 1
-}
 
 check_needs() {
-  [ -x "$build/dsc" ] || fail "$build/dsc is missing; build the project, or give its build folder"
-  [ -f "$data" ] || fail "$data is missing; run scripts/install_dependencies.sh"
+  require "$build/dsc"
+  require_data
   "$python" -c 'import vtk' 2>/dev/null ||
     fail "VTK for Python is missing; run scripts/install_dependencies.sh"
   [ ${#display[@]} -eq 0 ] || command -v "${display[0]}" >/dev/null ||
     fail "there is no display and no ${display[0]}; run scripts/install_dependencies.sh"
-}
-
-run() { # NAME COMMAND ARGUMENT...
-  echo "dsc ${*:2}"
-  "$build/dsc" "${@:2}" --quiet --output "$1"
 }
 
 render() { # NAME FRAMES
@@ -47,9 +30,7 @@ flow() { # NAME FRAMES COMMAND ARGUMENT...
 }
 
 check_needs
-rm -rf "$flows"
-mkdir -p "$flows"
-cd "$flows"
+begin_in "$build/flows"
 "$python" "$source/scripts/flow_inputs.py" .
 tar --extract --gzip --file "$data" --strip-components=2 \
   data/meshes/{armadillo,bunny00,refined_elephant}.off data/points_3/kitten.xyz

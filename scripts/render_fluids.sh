@@ -3,21 +3,12 @@
 # doc/Incompressible_fluids_3/fig/fluid_NAME.png. Uses the program BUILD_DIR/dsc and the folder
 # BUILD_DIR/fluids. Takes a quarter of an hour and 1.2 GB of disk space.
 # Usage: scripts/render_fluids.sh [BUILD_DIR]
-set -euo pipefail
-source=$(realpath "$(dirname "$0")/..")
-build=$(realpath --canonicalize-missing "${1:-$source/build}")
+. "$(dirname "$0")/figures.sh"
 figures=$source/doc/Incompressible_fluids_3/fig
-data=/usr/share/doc/libcgal-dev/data.tar.gz
-python=/usr/bin/python3
-
-fail() { # MESSAGE
-  echo "render_fluids.sh: $1" >&2
-  exit 1
-}
 
 check_needs() {
-  [ -x "$build/dsc" ] || fail "$build/dsc is missing; build the project, or give its build folder"
-  [ -f "$data" ] || fail "$data is missing; run scripts/install_dependencies.sh"
+  require "$build/dsc"
+  require_data
   command -v povray >/dev/null ||
     fail "povray is missing; run scripts/install_dependencies.sh povray python3-numpy"
   "$python" -c 'import numpy' 2>/dev/null ||
@@ -31,9 +22,7 @@ fluid() { # NAME END EVERY OPTION_OF_RENDER_SCENE...
 }
 
 check_needs
-rm -rf "$build/fluids"
-mkdir -p "$build/fluids"
-cd "$build/fluids"
+begin_in "$build/fluids"
 tar --extract --gzip --file "$data" --strip-components=2 data/meshes/bunny00.off
 
 fluid bunny 10 10 --up y --times 0,0.05,0.15,10

@@ -47,13 +47,7 @@ def main():
     parser.add_argument("--distance", type=float, default=0.45, help="motion, in distances from the center")
     parser.add_argument("--eye", type=float, nargs=3, default=[0.5, -1, 0.6], help="direction to the camera")
     arguments = parser.parse_args()
-    try:
-        grid = render.read_grid(arguments.mesh)
-    except render.Failure as error:
-        raise SystemExit(f"render_grains.py: {error}") from None
-    array = grid.GetCellData().GetArray("label")
-    if array is None:
-        raise SystemExit(f"render_grains.py: {arguments.mesh} has no labels")
+    grid, array = render.read_labels(arguments.mesh)
     labels = sorted({int(array.GetValue(i)) for i in range(array.GetNumberOfTuples())})
     # A table with gaps would be drawn transparent.
     table = render.colour_table([color(label) for label in range(labels[-1] + 1)])

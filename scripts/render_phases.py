@@ -36,12 +36,8 @@ def main():
     parser.add_argument("--axis", type=int, choices=range(3), default=2, help="0 for x, 1 for y, 2 for z")
     parser.add_argument("--eye", type=float, nargs=3, default=[0.4, -1, 1.2], help="direction to the camera")
     arguments = parser.parse_args()
-    try:
-        grid = render.read_grid(arguments.mesh)
-    except render.Failure as error:
-        raise SystemExit(f"render_phases.py: {error}") from None
-    labels = grid.GetCellData().GetArray("label")
-    if labels is None or labels.GetRange()[1] < 1:
+    grid, labels = render.read_labels(arguments.mesh)
+    if labels.GetRange()[1] < 1:
         raise SystemExit(f"render_phases.py: {arguments.mesh} has no positive labels")
     largest = labels.GetRange()[1]
     table = render.colour_table([COLORS[label % len(COLORS)] for label in range(int(largest))], first=1)

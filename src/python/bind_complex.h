@@ -9,6 +9,7 @@
 #include "Growth_object.h"
 #include "Vertex_images.h"
 #include "callbacks.h"
+#include "motions/flow_names.h"
 #include "options.h"
 #include "reports.h"
 
@@ -52,11 +53,7 @@ template <> struct Names_of<DSC::Domain_rule>
 
 template <> struct Names_of<DSC::Integration_scheme>
 {
-  inline static const std::map<std::string, DSC::Integration_scheme> values = {
-      {"euler", DSC::Integration_scheme::euler},
-      {"rk2", DSC::Integration_scheme::rk2},
-      {"rk4", DSC::Integration_scheme::rk4},
-      {"adaptive", DSC::Integration_scheme::adaptive}};
+  inline static const auto& values = dsc::integration_schemes();
 };
 
 /// Returns a complex for Python. `make()` makes it, as a long function.
@@ -177,9 +174,7 @@ public:
                          const py::object& progress) {
     Options rest(options);
     DSC::Corner_rule corners = DSC::Corner_rule::miter;
-    rest.read_name<DSC::Corner_rule>(
-        "corners", {{"miter", DSC::Corner_rule::miter}, {"round", DSC::Corner_rule::round}},
-        corners);
+    rest.read_name("corners", dsc::corner_rules(), corners);
     return move(object, false, rest, progress, 1., [&](const Space<Complex>& space) {
       return DSC::Normal_offset{distance / space.scale(), corners};
     });

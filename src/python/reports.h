@@ -36,6 +36,15 @@ py::dict event_to_dict(const DSC::Topology_event<Complex>& event, const Space<Co
   return result;
 }
 
+/// Adds the numbers of changes of a mesh to the dictionary of a report.
+template <class Report> void add_changes(const Report& report, py::dict& result) {
+  result["split_edges"] = report.split;
+  result["collapsed_edges"] = report.collapsed;
+  result["flipped"] = report.flipped;
+  result["smoothed_vertices"] = report.smoothed;
+  result["inserted_vertices"] = report.inserted;
+}
+
 /// Returns the report of a deformation, in units of the user.
 template <class Complex>
 py::dict report_to_dict(const DSC::Deformation_report<Complex>& report, const Complex& complex) {
@@ -75,11 +84,7 @@ py::dict report_to_dict(const DSC::Deformation_report<Complex>& report, const Co
   result["stopped_at_boundary"] = report.stopped_at_boundary;
   result["steps"] = report.steps;
   result["passes"] = report.passes;
-  result["split_edges"] = report.split;
-  result["collapsed_edges"] = report.collapsed;
-  result["flipped"] = report.flipped;
-  result["smoothed_vertices"] = report.smoothed;
-  result["inserted_vertices"] = report.inserted;
+  add_changes(report, result);
   result["relocated_vertices"] = report.relocated;
   result["relabeled_cells"] = report.relabeled;
   result["labels"] = labels;
@@ -90,11 +95,7 @@ py::dict report_to_dict(const DSC::Deformation_report<Complex>& report, const Co
 /// Returns the numbers of changes of a mesh.
 inline py::dict report_to_dict(const DSC::Improvement_report& report) {
   py::dict result;
-  result["split_edges"] = report.split;
-  result["collapsed_edges"] = report.collapsed;
-  result["flipped"] = report.flipped;
-  result["smoothed_vertices"] = report.smoothed;
-  result["inserted_vertices"] = report.inserted;
+  add_changes(report, result);
   return result;
 }
 

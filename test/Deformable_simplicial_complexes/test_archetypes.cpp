@@ -15,7 +15,6 @@
 #include <CGAL/Interface_remeshing/improve_mesh.h>
 #include <CGAL/Interface_remeshing/remove_degeneracies.h>
 #include <CGAL/Interface_remeshing/restore_volumes.h>
-#include <CGAL/Triangulation_data_structure_3.h>
 
 #include <type_traits>
 
@@ -23,11 +22,6 @@
 // results as with its own models.
 
 namespace test_archetypes {
-
-using Tds =
-    CGAL::Triangulation_data_structure_3<archetypes::Vertex_base<>, archetypes::Cell_base<>>;
-using Archetype =
-    CGAL::Deformable_simplicial_complex_3<archetypes::Traits, Tds, archetypes::Quality_measure>;
 
 // The default quality measure without its optional gradient.
 struct Ratio
@@ -41,21 +35,11 @@ using Complex =
     CGAL::Deformable_simplicial_complex_3<CGAL::Deformable_simplicial_complex_traits_3<>,
                                           CGAL::Default, Ratio>;
 
-Archetype make_archetype(const small_meshes::Labeled_mesh& mesh) {
-  Archetype dsc;
-  std::vector<Archetype::Point_3> points;
-  for (const auto& p : mesh.points)
-    points.push_back(
-        mesh_helpers::exact_point(dsc, Archetype::Approximate_point_3(p.x(), p.y(), p.z())));
-  dsc.assign(points, mesh.tetrahedra, mesh.labels);
-  return dsc;
-}
-
 small_meshes::Labeled_mesh ball() { return small_meshes::grid(4, small_meshes::ball); }
 
 // Runs the same operations on the archetype and on the default complex.
 template <class Run> void expect_same(const Run& run) {
-  Archetype archetype = make_archetype(ball());
+  archetypes::Complex archetype = archetypes::make_complex(ball());
   Complex reference;
   reference.assign(ball().points, ball().tetrahedra, ball().labels);
   mesh_helpers::jitter(archetype, .15, 1);
@@ -67,11 +51,11 @@ template <class Run> void expect_same(const Run& run) {
 }
 
 TEST(Archetypes, complex) {
-  Archetype dsc = make_archetype(ball());
-  const Archetype copy = dsc;
+  archetypes::Complex dsc = archetypes::make_complex(ball());
+  const archetypes::Complex copy = dsc;
   const auto state = dsc.state();
   EXPECT_TRUE(copy.state() == state);
-  Archetype moved = std::move(dsc);
+  archetypes::Complex moved = std::move(dsc);
   moved.swap(dsc);
   dsc.sort_storage();
   dsc.restore(state);

@@ -1,23 +1,9 @@
 // Fluids run with models that provide only the requirements of the concepts `Solid_3` and
 // `SaddlePointSolver`, with the same results as with models of the package.
 #include "archetypes.h"
-#include "small_meshes.h"
-#include "test.h"
-
-#include <CGAL/Incompressible_fluid_3.h>
-#if __has_include(<CGAL/Incompressible_fluids_3/compiled_3.h>) // if the component Compiled is used
-#include <CGAL/Incompressible_fluids_3/compiled_3.h>
-#endif
-#include <CGAL/Triangulation_data_structure_3.h>
+#include "fluids_3.h"
 
 namespace test_fluid_archetypes {
-
-namespace dsc = CGAL::Deformable_simplicial_complexes;
-namespace parameters = dsc::parameters;
-using Tds =
-    CGAL::Triangulation_data_structure_3<archetypes::Vertex_base<>, archetypes::Cell_base<>>;
-using Archetype =
-    CGAL::Deformable_simplicial_complex_3<archetypes::Traits, Tds, archetypes::Quality_measure>;
 
 // Solid_3: a floor. It is copyable, but neither default-constructible nor assignable.
 class Floor
@@ -28,8 +14,8 @@ public:
   Floor& operator=(const Floor&) = delete;
 
   void walls(const CGAL::Simple_cartesian<double>::Point_3& p, double,
-             std::vector<dsc::Wall_3>& result) const {
-    result.push_back({p.z() - m_height, dsc::Wall_3::Vector(0, 0, 1)});
+             std::vector<DSC::Wall_3>& result) const {
+    result.push_back({p.z() - m_height, DSC::Wall_3::Vector(0, 0, 1)});
   }
 
 private:
@@ -44,52 +30,40 @@ public:
   Solver(const Solver&) = delete;
   Solver& operator=(const Solver&) = delete;
 
-  void factorize(dsc::Saddle_point_system&& system, unsigned number_of_threads) {
+  void factorize(DSC::Saddle_point_system&& system, unsigned number_of_threads) {
     m_solver.factorize(std::move(system), number_of_threads);
   }
-  void update(dsc::Saddle_point_system&& system) { m_solver.update(std::move(system)); }
+  void update(DSC::Saddle_point_system&& system) { m_solver.update(std::move(system)); }
   unsigned solve(const Eigen::VectorXd& f, const Eigen::VectorXd& s, Eigen::VectorXd& v,
                  Eigen::VectorXd& p, double tolerance) {
     return m_solver.solve(f, s, v, p, tolerance);
   }
 
 private:
-  dsc::Direct_saddle_point_solver m_solver;
+  DSC::Direct_saddle_point_solver m_solver;
 };
 
 small_meshes::Labeled_mesh cube() { return small_meshes::grid(4, small_meshes::cube); }
 
-dsc::Fluid_properties properties() {
-  dsc::Fluid_properties result;
-  result.set_liquid(1, {1, .1});
-  result.set_surface_tension(0, 1, .1);
-  result.set_gravity({0, 0, -1});
-  return result;
-}
-
 constexpr double height = -.5; // for the floor: the cube stands on it
 
 TEST(Fluid_archetypes, step) {
-  Archetype archetype;
-  std::vector<Archetype::Point_3> points;
-  for (const auto& p : cube().points)
-    points.push_back(archetype.geom_traits().construct_exact_point_3_object()(
-        Archetype::Approximate_point_3(p.x(), p.y(), p.z())));
-  archetype.assign(points, cube().tetrahedra, cube().labels);
-  CGAL::Incompressible_fluid_3<Archetype, Solver> fluid(archetype, properties());
+  const DSC::Fluid_properties properties = fluids_3::liquid(1, .1, .1, 1);
+  archetypes::Complex archetype = archetypes::make_complex(cube());
+  CGAL::Incompressible_fluid_3<archetypes::Complex, Solver> fluid(archetype, properties);
   fluid.add_solid(Floor(height));
-  fluid.add_solid(dsc::Moving_solid_3<Floor>(Floor(height - 1), dsc::Wall_3::Vector(0, 0, .1)));
+  fluid.add_solid(DSC::Moving_solid_3<Floor>(Floor(height - 1), DSC::Wall_3::Vector(0, 0, .1)));
   const auto report = fluid.advance(.02, parameters::adaptation_interval(0u));
   EXPECT_GT(report.contacts, 0u);
   EXPECT_TRUE(archetype.is_valid());
 
   small_meshes::Complex reference = small_meshes::make_complex(cube());
   // The default solver is direct for so few vertices.
-  CGAL::Incompressible_fluid_3<small_meshes::Complex> expected(reference, properties());
-  using Plane = dsc::Plane_solid_3;
+  fluids_3::Fluid expected(reference, properties);
+  using Plane = DSC::Plane_solid_3;
   const auto floor = [](double z) { return Plane(Plane::Point(0, 0, z), Plane::Vector(0, 0, 1)); };
   expected.add_solid(floor(height));
-  expected.add_solid(dsc::Moving_solid_3<Plane>(floor(height - 1), Plane::Vector(0, 0, .1)));
+  expected.add_solid(DSC::Moving_solid_3<Plane>(floor(height - 1), Plane::Vector(0, 0, .1)));
   expected.advance(.02, parameters::adaptation_interval(0u));
   EXPECT_TRUE(archetype.state() == reference.state());
   EXPECT_EQ(fluid.state().motion, expected.state().motion);

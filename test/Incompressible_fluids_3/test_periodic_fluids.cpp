@@ -10,8 +10,6 @@
 
 namespace {
 
-namespace dsc = CGAL::Deformable_simplicial_complexes;
-namespace parameters = dsc::parameters;
 using torus::Complex;
 using torus::Domain;
 using Fluid = CGAL::Incompressible_fluid_2<Complex>;
@@ -40,20 +38,20 @@ Complex drop(const Point& center, std::size_t corners, const Radius& radius) {
     polygon.emplace_back(center.x() + radius(a) * std::cos(a),
                          center.y() + radius(a) * std::sin(a));
   }
-  dsc::Labeled_curve_2<Complex::Point_2> curve;
+  DSC::Labeled_curve_2<Complex::Point_2> curve;
   curve.add_polyline(polygon);
-  return dsc::make_deformable_simplicial_complex_2<Complex>(Domain(), {curve});
+  return DSC::make_deformable_simplicial_complex_2<Complex>(Domain(), {curve});
 }
 
-dsc::Fluid_properties one_liquid(double viscosity, double tension) {
-  dsc::Fluid_properties result;
+DSC::Fluid_properties one_liquid(double viscosity, double tension) {
+  DSC::Fluid_properties result;
   result.set_liquid(1, {1, viscosity});
   result.set_surface_tension(0, 1, tension);
   return result;
 }
 
-dsc::Fluid_properties two_liquids(double density, double viscosity) {
-  dsc::Fluid_properties result;
+DSC::Fluid_properties two_liquids(double density, double viscosity) {
+  DSC::Fluid_properties result;
   result.set_liquid(0, {1, viscosity});
   result.set_liquid(1, {density, viscosity});
   return result;
@@ -69,7 +67,7 @@ std::map<std::size_t, Point> interface_positions(const Complex& complex) {
 // A planar solid, periodic along y with the period 1: the layers 0.4 < y < 0.6 and its images.
 struct Periodic_slab
 {
-  void walls(const dsc::Ball_solid_3::Point& p, double, std::vector<dsc::Wall_3>& result) const {
+  void walls(const DSC::Ball_solid_3::Point& p, double, std::vector<DSC::Wall_3>& result) const {
     const double y = p.y() - std::floor(p.y());
     if (y > .5)
       result.push_back({y - .6, {0, 1, 0}});
@@ -87,16 +85,16 @@ TEST(Periodic_fluid, vortices_decay_at_their_rate) {
   static constexpr int steps = 20;
   for (const Vector& mean : {Vector(0, 0), Vector(2, 1)}) {
     SCOPED_TRACE(mean);
-    Complex complex = dsc::make_deformable_simplicial_complex_2<Complex>(
+    Complex complex = DSC::make_deformable_simplicial_complex_2<Complex>(
         Domain(), 1. / 24, [](const auto&) { return 1; });
-    dsc::Fluid_properties properties;
+    DSC::Fluid_properties properties;
     properties.set_liquid(1, {1, viscosity});
     Fluid fluid(complex, properties);
     fluid.set_velocities([&](Vertex_handle v) {
       const double x = two_pi * complex.position(v).x(), y = two_pi * complex.position(v).y();
       return mean + Vector(std::sin(x) * std::cos(y), -std::cos(x) * std::sin(y));
     });
-    const auto energy = [&](const dsc::Fluid_balance& balance) {
+    const auto energy = [&](const DSC::Fluid_balance& balance) {
       return balance.kinetic_energy - balance.mass * mean.squared_length() / 2;
     };
     EXPECT_NEAR(energy(fluid.balance()), .25, .01);
@@ -149,7 +147,7 @@ TEST(Periodic_fluid, moves_drops_across_the_seams) {
 TEST(Periodic_fluid, drops_oscillate_across_the_seams_as_elsewhere) {
   auto liquids = two_liquids(2, .001);
   liquids.set_surface_tension(0, 1, 1);
-  dsc::Fluid_properties bubble;
+  DSC::Fluid_properties bubble;
   bubble.set_liquid(0, {1, .001});
   bubble.set_gas(1, {10, 1.4});
   bubble.set_surface_tension(0, 1, 1);
@@ -200,7 +198,7 @@ TEST(Periodic_fluid, has_sources_across_the_seams) {
 // of its waves is k^3 tanh(k h), for unit density and tension and for half of its depth h.
 TEST(Periodic_fluid, capillary_waves_run_across_the_seam) {
   static constexpr double amplitude = .01, depth = .2;
-  Complex complex = dsc::make_deformable_simplicial_complex_2<Complex>(
+  Complex complex = DSC::make_deformable_simplicial_complex_2<Complex>(
       Domain(), 1. / 24, [](const Complex::Approximate_point_2& p) {
         return std::abs(p.y() - .5) < depth + amplitude * std::cos(two_pi * p.x()) ? 1 : 0;
       });
@@ -267,7 +265,7 @@ TEST(Periodic_fluid, rests_on_a_periodic_solid) {
     ASSERT_EQ(report.forces_on_solids.size(), 1u);
     EXPECT_NEAR(report.forces_on_solids[0].y(), -.8, 1e-8);
   }
-  EXPECT_THROW(fluid.relax(.1, 1), dsc::Error);
+  EXPECT_THROW(fluid.relax(.1, 1), DSC::Error);
 }
 
 TEST(Periodic_fluid, becomes_round_across_the_seams) {
@@ -284,12 +282,12 @@ TEST(Periodic_fluid, carries_bodies_across_the_seams) {
   static constexpr double dt = .05, radius = .2;
   static constexpr int steps = 30;
   Complex complex = drop({.5, .5}, 24, [](double) { return radius; });
-  dsc::Fluid_properties properties;
+  DSC::Fluid_properties properties;
   properties.set_liquid(0, {1, 0});
   Fluid fluid(complex, properties);
-  auto body = dsc::rigid_disk({.5, .5, 0}, radius, 2);
+  auto body = DSC::rigid_disk({.5, .5, 0}, radius, 2);
   body.velocity = {1, .4, 0};
-  fluid.add_body(dsc::Ball_solid_3({.5, .5, 0}, radius, dsc::Solid_side::inside), body);
+  fluid.add_body(DSC::Ball_solid_3({.5, .5, 0}, radius, DSC::Solid_side::inside), body);
   fluid.set_velocities([&](Vertex_handle) { return Vector(1, .4); });
   for (int k = 0; k < steps; ++k) {
     const auto report = fluid.advance(dt, parameters::interface_tolerance(0));
@@ -333,15 +331,15 @@ TEST(Periodic_fluid, continues_with_the_same_bits) {
 
 // In space, a liquid that fills the torus has no constrained velocity.
 TEST(Periodic_fluid, vortices_decay_in_space) {
-  using Domain_3 = dsc::Torus_domain<3>;
+  using Domain_3 = DSC::Torus_domain<3>;
   using Complex_3 =
       CGAL::Deformable_simplicial_complex_3<CGAL::Deformable_simplicial_complex_traits_3<>,
-                                            CGAL::Default, dsc::Volume_length_ratio_3, Domain_3>;
+                                            CGAL::Default, DSC::Volume_length_ratio_3, Domain_3>;
   static constexpr double viscosity = .05, dt = .01;
   static constexpr int steps = 6;
-  Complex_3 complex = dsc::make_deformable_simplicial_complex_3<Complex_3>(
+  Complex_3 complex = DSC::make_deformable_simplicial_complex_3<Complex_3>(
       Domain_3(), .14, [](const auto&) { return 1; });
-  dsc::Fluid_properties properties;
+  DSC::Fluid_properties properties;
   properties.set_liquid(1, {1, viscosity});
   CGAL::Incompressible_fluid_3<Complex_3> fluid(complex, properties);
   using Vector_3 = CGAL::Incompressible_fluid_3<Complex_3>::Vector;

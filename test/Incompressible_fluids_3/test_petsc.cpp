@@ -8,8 +8,7 @@
 
 namespace {
 
-namespace dsc = CGAL::Deformable_simplicial_complexes;
-using System = dsc::Saddle_point_system;
+using System = DSC::Saddle_point_system;
 using Vector = System::Vector;
 using Entries = std::vector<Eigen::Triplet<double>>;
 
@@ -107,10 +106,10 @@ void expect_direct_solution(const Parts& parts) {
   const Eigen::Index n = 3 * system.nodal.rows(), m = system.c.rows();
   const Vector f = Vector::LinSpaced(n, -1, 2), s = Vector::LinSpaced(m, -1, 1);
   Vector exact_v = Vector::Zero(n), exact_p = Vector::Zero(m);
-  dsc::Direct_saddle_point_solver direct;
+  DSC::Direct_saddle_point_solver direct;
   direct.factorize(System(system));
   direct.solve(f, s, exact_v, exact_p);
-  dsc::Petsc_saddle_point_solver solver;
+  DSC::Petsc_saddle_point_solver solver;
   Vector v = Vector::Ones(n), p = Vector::Zero(m);
   for (bool is_updated : {false, true}) {
     if (is_updated)
@@ -145,8 +144,8 @@ TEST(Petsc_saddle_point_solver, updates) {
   const Vector f = Vector::LinSpaced(n, -1, 2), s = Vector::LinSpaced(m, 1, 2);
   std::vector<Vector> solutions;
   for (bool is_updated : {false, true}) {
-    dsc::Saddle_point_solver solver;
-    solver.use<dsc::Petsc_saddle_point_solver>();
+    DSC::Saddle_point_solver solver;
+    solver.use<DSC::Petsc_saddle_point_solver>();
     solver.factorize(System(is_updated ? similar : system));
     if (is_updated)
       solver.update(System(system));
@@ -160,13 +159,13 @@ TEST(Petsc_saddle_point_solver, updates) {
 TEST(Petsc_saddle_point_solver, changes_nothing_without_solution) {
   const System system = random_system(6, {});
   const Eigen::Index n = 3 * system.nodal.rows(), m = system.c.rows();
-  dsc::Petsc_saddle_point_solver solver;
+  DSC::Petsc_saddle_point_solver solver;
   solver.factorize(System(system));
   Vector f = Vector::Ones(n), v = Vector::Ones(n), p = Vector::Ones(m);
   f(1) = std::numeric_limits<double>::quiet_NaN();
   for (double bad : {std::numeric_limits<double>::quiet_NaN(), 1.}) {
     f(0) = bad;
-    EXPECT_THROW(solver.solve(f, Vector::Ones(m), v, p, 1e-12), dsc::Convergence_error);
+    EXPECT_THROW(solver.solve(f, Vector::Ones(m), v, p, 1e-12), DSC::Convergence_error);
     EXPECT_TRUE(v == Vector::Ones(n) && p == Vector::Ones(m));
   }
   // Without a closed set, constant pressures are free, and the prescribed volumes contradict this.
@@ -177,7 +176,7 @@ TEST(Petsc_saddle_point_solver, changes_nothing_without_solution) {
     solver.factorize(std::move(singular));
     solver.solve(Vector::Ones(n), Vector::Ones(m), v, p, 1e-12);
     ADD_FAILURE() << "the system has no solution";
-  } catch (const dsc::Convergence_error&) {
+  } catch (const DSC::Convergence_error&) {
   }
   EXPECT_TRUE(v == Vector::Ones(n) && p == Vector::Ones(m));
   v.setOnes();
@@ -192,7 +191,7 @@ TEST(Petsc_saddle_point_solver, reads_options) {
   const Eigen::Index n = 3 * system.nodal.rows(), m = system.c.rows();
   Vector v = Vector::Zero(n), p = Vector::Zero(m);
   const auto solve = [&] {
-    dsc::Petsc_saddle_point_solver solver;
+    DSC::Petsc_saddle_point_solver solver;
     solver.factorize(System(system));
     return solver.solve(Vector::Ones(n), Vector::Ones(m), v, p, 1e-12);
   };
@@ -203,7 +202,7 @@ TEST(Petsc_saddle_point_solver, reads_options) {
   EXPECT_GT(solve(), iterations);
   PetscOptionsClearValue(nullptr, "-pressure_pc_type");
   PetscOptionsSetValue(nullptr, "-ksp_type", "unknown");
-  EXPECT_THROW(solve(), dsc::Error);
+  EXPECT_THROW(solve(), DSC::Error);
   PetscOptionsClearValue(nullptr, "-ksp_type");
 }
 

@@ -1,5 +1,5 @@
 #include "all_cases.h"
-#include "program.h"
+#include "processes.h"
 #include "test.h"
 
 // Runs of several processes that hold a complex together.
@@ -7,24 +7,13 @@ namespace {
 
 using namespace program;
 
-// Returns the number of lines that begin with a text.
-std::size_t lines(const std::string& text, const std::string& begin) {
-  std::istringstream in(text);
-  std::size_t result = 0;
-  for (std::string line; std::getline(in, line);)
-    result += line.rfind(begin, 0) == 0;
-  return result;
-}
-
-class Mpi_runs : public program::Program_test
+class Mpi_runs : public Processes_test
 {
 protected:
   void SetUp() override {
-    Program_test::SetUp();
+    Processes_test::SetUp();
     write("cube.off", program::box(-1, -1, -1, 1, 1, 1));
   }
-
-  static std::string mpirun(int processes) { return DSC_MPIRUN " " + std::to_string(processes); }
 
   // Returns the steps of a report without the times.
   Json steps(const std::string& file) const {
@@ -105,12 +94,8 @@ TEST_F(Mpi_runs, print_errors_once) {
                                "offset cube.off --distance 0.1e --steps 1 --report no/folder.json",
                                "rotate cube.off --axis 0,0,1 --angle 5 --improve-interface",
                                "enright --scheme adaptive"});
-  for (const std::string& arguments : calls) {
-    SCOPED_TRACE(arguments);
-    const Outcome outcome = run(arguments, mpirun(2));
-    EXPECT_NE(outcome.exit_code, 0);
-    EXPECT_EQ(lines(outcome.err, "dsc: "), 1u) << outcome.err;
-  }
+  for (const std::string& arguments : calls)
+    expect_one_error(arguments);
 }
 
 // One process is killed in a step. All processes end, and the run continues from the checkpoint
@@ -133,13 +118,8 @@ TEST_F(Mpi_runs, continue_after_a_process_was_killed) {
   EXPECT_EQ(last, steps("all.json").back());
 }
 
-// One process gets the signal, and all of them stop.
 TEST_F(Mpi_runs, stop_together) {
-  const std::string rest = "offset cube.off --triangles 2000 --distance 0.01e --steps 100000";
-  const Outcome outcome = run(rest + " : -n 1 '" DSC_PROGRAM "' " + rest,
-                              mpirun(1) + " timeout --preserve-status -s INT 3");
-  EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
-  EXPECT_EQ(lines(outcome.err, "dsc: interrupted"), 1u) << outcome.err;
+  expect_stop("offset cube.off --triangles 2000 --distance 0.01e --steps 100000", 3);
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-#include "fluid_program.h"
+#include "processes.h"
 #include "test.h"
 
 // Fluids that PETSc solves in several processes.
@@ -6,17 +6,9 @@ namespace {
 
 using namespace program;
 
-std::size_t occurrences(const std::string& text, const std::string& part) {
-  std::size_t result = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
-    ++result;
-  return result;
-}
-
-class Petsc_fluids : public program::Fluid_program_test
+class Petsc_fluids : public Processes_test
 {
 protected:
-  static std::string mpirun(int processes) { return DSC_MPIRUN " " + std::to_string(processes); }
   std::set<std::string> files(const std::string& folder) const {
     std::set<std::string> result;
     for (const auto& entry : fs::directory_iterator(path(folder)))
@@ -36,7 +28,7 @@ TEST_F(Petsc_fluids, agree_with_built_in_solver) {
     const Outcome outcome = run(
         command + file + " --solver petsc --output " + folder + " -ksp_view", mpirun(processes));
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_EQ(occurrences(outcome.out, "dsc: "), 1u) << outcome.out; // the summary
+    EXPECT_EQ(lines(outcome.out, "dsc: "), 1u) << outcome.out; // the summary
     EXPECT_PRED2(contains, outcome.out, "type: fgmres");
     const Json found = report(file).at("steps");
     ASSERT_EQ(found.size(), expected.size());
@@ -67,37 +59,23 @@ TEST_F(Petsc_fluids, resume) {
 
 TEST_F(Petsc_fluids, print_errors_once) {
   for (const std::string arguments :
-       {"fluid dropelt", "fluid droplet --sterps 3", "fluid droplet --end 0"}) {
-    SCOPED_TRACE(arguments);
-    const Outcome outcome = run(arguments + " --solver petsc", mpirun(2));
-    EXPECT_NE(outcome.exit_code, 0);
-    EXPECT_EQ(occurrences(outcome.err, "dsc: "), 1u) << outcome.err;
-  }
+       {"fluid dropelt", "fluid droplet --sterps 3", "fluid droplet --end 0"})
+    expect_one_error(arguments + " --solver petsc");
 }
 
 TEST_F(Petsc_fluids, name_unused_options_of_petsc) {
   const Outcome outcome =
       run("fluid droplet --steps 1 --solver petsc -ksp_tipe gcr -ksp_type gcr", mpirun(2));
   EXPECT_EQ(outcome.exit_code, 0);
-  EXPECT_EQ(occurrences(outcome.err, "dsc: "), 1u) << outcome.err;
+  EXPECT_EQ(lines(outcome.err, "dsc: "), 1u) << outcome.err;
   EXPECT_PRED2(contains, outcome.err, "-ksp_tipe;");
 }
 
 // The first process alone writes the report, so it alone meets the error.
 TEST_F(Petsc_fluids, end_if_the_first_process_fails) {
-  const Outcome outcome =
-      run("fluid droplet --steps 3 --solver petsc --report no/report.json", mpirun(2));
-  EXPECT_NE(outcome.exit_code, 0);
-  EXPECT_EQ(occurrences(outcome.err, "dsc: "), 1u) << outcome.err;
+  expect_one_error("fluid droplet --steps 3 --solver petsc --report no/report.json");
 }
 
-// One process gets the signal, and all of them stop.
-TEST_F(Petsc_fluids, stop_together) {
-  const std::string rest = "fluid droplet --end 1000 --solver petsc";
-  const Outcome outcome = run(rest + " : -n 1 '" DSC_PROGRAM "' " + rest,
-                              mpirun(1) + " timeout --preserve-status -s INT 4");
-  EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
-  EXPECT_EQ(occurrences(outcome.err, "dsc: interrupted"), 1u) << outcome.err;
-}
+TEST_F(Petsc_fluids, stop_together) { expect_stop("fluid droplet --end 1000 --solver petsc", 4); }
 
 } // namespace

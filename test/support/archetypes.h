@@ -1,11 +1,15 @@
 #ifndef DEFORMABLE_SIMPLICIAL_COMPLEX_3_TEST_ARCHETYPES_H
 #define DEFORMABLE_SIMPLICIAL_COMPLEX_3_TEST_ARCHETYPES_H
 
+#include "small_meshes.h"
+
+#include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_traits_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/quality_measures.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/Triangulation_data_structure_3.h>
 #include <CGAL/Triangulation_ds_cell_base_3.h>
 #include <CGAL/Triangulation_ds_vertex_base_3.h>
 #include <CGAL/enum.h>
@@ -260,6 +264,19 @@ public:
       destinations.push_back(p + dt * small_vector());
   }
 };
+
+using Complex = CGAL::Deformable_simplicial_complex_3<
+    Traits, CGAL::Triangulation_data_structure_3<Vertex_base<>, Cell_base<>>, Quality_measure>;
+
+inline Complex make_complex(const small_meshes::Labeled_mesh& mesh) {
+  Complex dsc;
+  std::vector<Traits::Point_3> points;
+  for (const auto& p : mesh.points)
+    points.push_back(dsc.geom_traits().construct_exact_point_3_object()(
+        Traits::Approximate_point_3(p.x(), p.y(), p.z())));
+  dsc.assign(points, mesh.tetrahedra, mesh.labels);
+  return dsc;
+}
 
 } // namespace archetypes
 

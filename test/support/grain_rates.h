@@ -12,13 +12,12 @@ namespace grain_rates {
 // von Neumann and Mullins: the area of a grain with n sides grows by pi / 3 (n - 6). Lets grains
 // grow, and returns the slope of their rates over those of the law.
 template <class Complex> double slope(Complex complex, std::size_t number) {
-  namespace dsc = CGAL::Deformable_simplicial_complexes;
-  dsc::keep_largest_components(complex);
+  DSC::keep_largest_components(complex);
   EXPECT_EQ(complex.labels().size(), number);
-  dsc::Grain_growth<Complex> growth(complex, {}, {8, .2});
+  DSC::Grain_growth<Complex> growth(complex, {}, {8, .2});
   const auto by_label = [&complex] {
-    std::map<int, dsc::Grain_statistics> result;
-    for (const auto& grain : dsc::grain_statistics(complex))
+    std::map<int, DSC::Grain_statistics> result;
+    for (const auto& grain : DSC::grain_statistics(complex))
       result[grain.label] = grain;
     return result;
   };

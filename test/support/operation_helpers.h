@@ -114,6 +114,15 @@ struct Sandwich
     } while (!is_positive(mesh));
   }
 
+  // Gives the label 1 to the cells of one triangle, or to none. Returns the index of the triangle,
+  // or a larger number.
+  std::size_t relabel_one(Random& random) {
+    const std::size_t t = random.below(3 * triangles.size());
+    if (t < triangles.size())
+      mesh.labels[2 * t] = mesh.labels[2 * t + 1] = 1;
+    return t;
+  }
+
   // Returns the boundary edges of a set of triangles, counterclockwise. Their number shows whether
   // the set is connected.
   std::vector<std::array<std::size_t, 2>> boundary(unsigned set) const {
@@ -202,6 +211,44 @@ template <class Propose> int expect_improvement(Complex& dsc, const Propose& pro
     EXPECT_NEAR(dsc.volume(before.first), before.second, tolerance);
   EXPECT_TRUE(mesh_helpers::interface_triangles(dsc) == interface_before);
   return committed;
+}
+
+// Commits proposals in random meshes of one label and of the labels of `label`. Returns their
+// number.
+template <class Label, class Propose>
+int improvements_of_random_meshes(const Label& label, const Propose& propose) {
+  int committed = 0;
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    Complex dsc = seed % 2 == 0 ? mesh_helpers::jittered_grid(3, small_meshes::uniform, .45, seed)
+                                : mesh_helpers::jittered_grid(4, label, .45, seed);
+    committed += expect_improvement(
+        dsc, [&](Cell_handle c, Cavity& cavity) { return propose(dsc, c, cavity); });
+  }
+  return committed;
+}
+
+// Checks that proposals for the facets of cells leave the interface and the boundary alone. Returns
+// their number.
+template <class Propose> int proposals_within_labels(const Complex& dsc, const Propose& propose) {
+  const auto state = dsc.state();
+  Cavity cavity(dsc);
+  int proposals = 0;
+  for (Cell_handle c : dsc.cells())
+    for (int i = 0; i < 4; ++i) {
+      const bool proposed = propose(dsc, c, i, cavity);
+      const Cell_handle n = c->neighbor(i);
+      if (dsc.is_infinite(n) || n->label() != c->label()) {
+        EXPECT_FALSE(proposed);
+      }
+      if (!proposed)
+        continue;
+      ++proposals;
+      EXPECT_GT(cavity.quality_after(), cavity.quality_before());
+      for (Cell_handle d : cavity.removed())
+        EXPECT_EQ(d->label(), c->label());
+    }
+  EXPECT_TRUE(dsc.state() == state);
+  return proposals;
 }
 
 // Returns the cell of a copy that corresponds to a cell of the original.

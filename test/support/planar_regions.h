@@ -11,7 +11,6 @@
 // Regions of the plane that polygons bound.
 namespace planar_regions {
 
-namespace dsc = CGAL::Deformable_simplicial_complexes;
 using Complex = CGAL::Deformable_simplicial_complex_2<>;
 using Polygon = std::vector<Complex::Point_2>;
 
@@ -46,14 +45,14 @@ inline Polygon divided(const Polygon& corners, double edge) {
 
 // Returns the region inside a polygon, with label 1, and outside of a hole.
 inline Complex region(const Polygon& polygon, const Polygon& hole, const CGAL::Bbox_2& box) {
-  std::vector<dsc::Labeled_curve_2<Complex::Point_2>> curves;
+  std::vector<DSC::Labeled_curve_2<Complex::Point_2>> curves;
   curves.emplace_back().add_polyline(polygon);
   if (!hole.empty()) {
     curves.emplace_back().add_polyline(hole);
     curves.back().label = 0;
   }
-  return dsc::make_deformable_simplicial_complex_2<Complex>(curves,
-                                                            dsc::parameters::enclosing_box(box));
+  return DSC::make_deformable_simplicial_complex_2<Complex>(curves,
+                                                            DSC::parameters::enclosing_box(box));
 }
 
 // Returns a grid of columns and rows of quadrilaterals, each divided into two triangles.
@@ -75,8 +74,8 @@ Complex grid(std::size_t columns, std::size_t rows, const Point_at& point_at,
       labels.insert(labels.end(), 2, label_at(i, j));
     }
   // Thin rows stay as they are.
-  return dsc::make_deformable_simplicial_complex_2<Complex>(
-      points, triangles, labels, dsc::parameters::edge_per_thickness(0.));
+  return DSC::make_deformable_simplicial_complex_2<Complex>(
+      points, triangles, labels, DSC::parameters::edge_per_thickness(0.));
 }
 
 } // namespace planar_regions

@@ -12,7 +12,7 @@
 
 #include <CGAL/Complex_construction/internal/thin_parts/improve_new_mesh.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/balance/Destinations.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/destinations/Destinations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Domain_box.h>
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/coordinates.h>

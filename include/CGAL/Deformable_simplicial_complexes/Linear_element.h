@@ -67,9 +67,11 @@ public:
   }
 
   /// Returns the row of the stiffness matrix for a corner, with a conductivity that is the inverse
-  /// of the measure. Cells of all sizes then have the same weight. For nearly flat cells, the
-  /// measure is replaced by a small fraction of the measure of a round cell, so the entries are
-  /// bounded. All entries are 0 if the cell is inverted, or flat up to rounding.
+  /// of the measure. Cells of all sizes then have the same weight in an extension of a
+  /// displacement: small cells, most of them at the interface, are deformed less, and large cells
+  /// more. For nearly flat cells, the measure is replaced by a small fraction of the measure of a
+  /// round cell, so the entries are bounded. All entries are 0 if the cell is inverted, or flat up
+  /// to rounding.
   std::array<double, d + 1> evened_stiffness(int corner) const {
     static constexpr double flattest = 5e-4, rounding = 1e-15; // of a round cell
     std::array<double, d + 1> result = {};

@@ -14,7 +14,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/balance/Interface_tolerance.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/destinations/Interface_tolerance.h>
 
 #include <CGAL/assertions.h>
 

@@ -71,12 +71,8 @@ public:
       throw Error(
           "the density of label " + std::to_string(label) +
           " is not positive and finite: use more than 0, or leave out the label to make it void");
-    if (!(liquid.viscosity >= 0) || !std::isfinite(liquid.viscosity))
-      throw Error("the viscosity of label " + std::to_string(label) +
-                  " is negative or not finite: use 0 or more");
-    if (!(liquid.diffusivity >= 0) || !std::isfinite(liquid.diffusivity))
-      throw Error("the diffusivity of label " + std::to_string(label) +
-                  " is negative or not finite: use 0 or more");
+    require_not_negative(liquid.viscosity, "the viscosity of label " + std::to_string(label));
+    require_not_negative(liquid.diffusivity, "the diffusivity of label " + std::to_string(label));
     if (m_gases.count(label) > 0)
       throw Error("label " + std::to_string(label) + " is already a gas: choose another label");
     m_liquids[label] = liquid;
@@ -85,12 +81,8 @@ public:
   /// Makes a label a gas.
   /// \throws Error if the pressure or the exponent is out of its range, or if the label is a liquid
   void set_gas(int label, const Gas& gas) {
-    if (!(gas.pressure >= 0) || !std::isfinite(gas.pressure))
-      throw Error("the pressure of label " + std::to_string(label) +
-                  " is negative or not finite: use 0 or more");
-    if (!(gas.exponent >= 0) || !std::isfinite(gas.exponent))
-      throw Error("the exponent of label " + std::to_string(label) +
-                  " is negative or not finite: use 0 or more");
+    require_not_negative(gas.pressure, "the pressure of label " + std::to_string(label));
+    require_not_negative(gas.exponent, "the exponent of label " + std::to_string(label));
     if (m_liquids.count(label) > 0)
       throw Error("label " + std::to_string(label) + " is already a liquid: choose another label");
     m_gases[label] = gas;
@@ -100,8 +92,7 @@ public:
   /// is 0 by default.
   /// \throws Error if the tension is negative or not finite, or if the labels are the same
   void set_surface_tension(int a, int b, double tension) {
-    if (!is_tension(tension))
-      throw Error(name_of_tension(a, b) + " is negative or not finite: use 0 or more");
+    require_not_negative(tension, name_of_tension(a, b));
     set_surface_tension(a, b, [tension](double) { return tension; });
   }
 
@@ -147,7 +138,7 @@ public:
   double surface_tension(int a, int b, double field = 0) const {
     const auto found = m_tensions.find(std::minmax(a, b));
     const double result = found == m_tensions.end() ? 0 : found->second(field);
-    if (!is_tension(result))
+    if (!is_not_negative(result))
       throw Error(name_of_tension(a, b) + " is negative or not finite at a field of " +
                   std::to_string(field) + ": bound the function for small and large values");
     return result;
@@ -156,7 +147,11 @@ public:
   const std::array<double, 3>& gravity() const { return m_gravity; }
 
 private:
-  static bool is_tension(double tension) { return tension >= 0 && std::isfinite(tension); }
+  static bool is_not_negative(double value) { return value >= 0 && std::isfinite(value); }
+  static void require_not_negative(double value, const std::string& name) {
+    if (!is_not_negative(value))
+      throw Error(name + " is negative or not finite: use 0 or more");
+  }
   static std::string name_of_tension(int a, int b) {
     return "the surface tension between labels " + std::to_string(a) + " and " + std::to_string(b);
   }

@@ -374,7 +374,7 @@ public:
 private:
   using Kernel = Simple_cartesian<double>;
   using Primitive = AABB_face_graph_triangle_primitive<Mesh>;
-  using Tree = AABB_tree<Primitive_tree_traits_3<Kernel, Primitive>>;
+  using Tree = AABB_tree<AABB_traits_3<Kernel, Primitive>>;
 
   struct Data
   {

@@ -14,7 +14,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/balance/Destinations.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/destinations/Destinations.h>
 #include <CGAL/Interface_flows/Integration_scheme.h>
 #include <CGAL/Interface_flows/internal/corners/Passed_edges.h>
 #include <CGAL/Interface_flows/internal/paths/Step_velocity.h>
@@ -27,6 +27,7 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
@@ -144,6 +145,13 @@ public:
 private:
   using Interface = std::shared_ptr<const Interface_vertices<Complex>>;
 
+  // Operations before a part.
+  struct Operations
+  {
+    std::vector<typename Report::Label_change> volumes; // before the operations
+    std::size_t collapsed = 0, inserted = 0;
+  };
+
   // Does a part of the time step `dt`, from the time `t` on.
   Report advance(double t, double dt) {
     Interface interface_ = listed();
@@ -157,11 +165,16 @@ private:
         interface_ = listed();
         destinations = destinations_of_part(*interface_, t, dt);
       }
-    if (m_velocity.opens_corners())
-      open_corners(interface_, destinations, t, dt);
+    const auto before = m_velocity.opens_corners() ? open_corners(interface_, destinations, t, dt)
+                                                   : std::optional<Operations>();
     Report report = deform(m_dsc, interface_->vertices, destinations, deformation(t));
     report.estimated_error = m_error;
-    add_operations_before(report);
+    if (before) {
+      begin_with(before->volumes, report);
+      report.split += before->inserted;
+      report.collapsed += before->collapsed;
+      report.complete = report.complete && report.is_balanced();
+    }
     return report;
   }
 
@@ -178,9 +191,12 @@ private:
   }
 
   // Opens corners and edges of polyhedra before a part. In the plane, collapses edges that vanish
-  // before, and may shorten the part.
-  void open_corners(Interface& interface_, Points& destinations, double t, double dt) {
-    m_earlier = volumes_before(m_dsc);
+  // before, and may shorten the part. Returns nothing if neither the interface nor its destinations
+  // change.
+  std::optional<Operations> open_corners(Interface& interface_, Points& destinations, double t,
+                                         double dt) {
+    Operations result;
+    result.volumes = volumes_before(m_dsc);
     Any_visitor<Complex> none;
     auto& visitor = m_options.deformation.visitor ? *m_options.deformation.visitor : none;
     if constexpr (Complex::dimension == 2) {
@@ -191,34 +207,22 @@ private:
                                    static_cast<const Interface_snapshot<Complex>&>(*interface_),
                                    destinations, visitor);
       passed.collapse();
-      m_collapsed = passed.collapsed();
-      if (m_collapsed > 0)
+      result.collapsed = passed.collapsed();
+      if (result.collapsed > 0)
         interface_ = listed();
       shorten(passed.until(), dt);
     }
     const auto corners = m_velocity.open_corners(m_dsc, *interface_, m_step, visitor);
-    m_inserted = corners.inserted;
-    if (m_inserted > 0)
+    result.inserted = corners.inserted;
+    if (result.inserted > 0)
       interface_ = listed();
-    if (!changes_before())
-      return;
+    else if (!moves_segments())
+      return std::nullopt;
     destinations = moves_segments() ? straight_destinations(*interface_, t)
                                     : destinations_of_step(m_dsc, *interface_, m_velocity, t,
                                                            m_step, m_options, &m_error);
     corners.place(*interface_, destinations);
-  }
-
-  // Whether the interface or the destinations changed before this part.
-  bool changes_before() const { return moves_segments() || m_inserted > 0; }
-
-  // Adds the operations before a part to its report.
-  void add_operations_before(Report& report) const {
-    if (!changes_before())
-      return;
-    begin_with(m_earlier, report);
-    report.split += m_inserted;
-    report.collapsed += m_collapsed;
-    report.complete = report.complete && report.is_balanced();
+    return result;
   }
 
   bool may_divide() const {
@@ -285,12 +289,10 @@ private:
   const Velocity& m_velocity;
   Advection_options<Complex> m_options;
   For_each_index m_for_each_index;
-  double m_longest = 0;                        // length of a part
-  double m_step = 0;                           // length of the current part
-  double m_error = 0;                          // that the velocity estimates for this part
-  double m_grown = 0;                          // volume of the domain added after the first part
-  std::size_t m_collapsed = 0, m_inserted = 0; // before this part
-  std::vector<typename Report::Label_change> m_earlier; // volumes before these operations
+  double m_longest = 0; // length of a part
+  double m_step = 0;    // length of the current part
+  double m_error = 0;   // that the velocity estimates for this part
+  double m_grown = 0;   // volume of the domain added after the first part
 };
 
 // Moves the interface for one time step. No template of the velocity, so it is compiled once.

@@ -16,7 +16,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/balance/Interface_tolerance.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/destinations/Interface_tolerance.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_operations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 #include <CGAL/Interface_remeshing/Edge_unit.h>

@@ -4,6 +4,7 @@
 
 #include "motions/motion_list.h"
 
+#include "motions/flow_names.h"
 #include "programs/add_value.h"
 
 #include <CLI/CLI.hpp>
@@ -29,6 +30,15 @@ struct Words
 {
   bool is_option; // false if the command has no such option; files contain it nevertheless
 };
+
+const auto& schemes_without_tolerance() {
+  static const auto schemes = [] {
+    auto result = integration_schemes();
+    result.erase("adaptive");
+    return result;
+  }();
+  return schemes;
+}
 
 // Each function calls another one with the name of each option of a motion, the member that stores
 // it, its form, and its text in the help.
@@ -68,7 +78,7 @@ template <class Visit> void for_each_option(const Advection& flow, const Visit& 
         "Time step (default: the fastest vertex moves by a mean edge at the start; for "
         "enright and vortex 0.01). The report contains the distance to the initial "
         "interface for each step that ends with a period");
-  visit("--scheme", &Advection::scheme, integration_schemes(), "Integration scheme");
+  visit("--scheme", &Advection::scheme, schemes_without_tolerance(), "Integration scheme");
   visit("--tolerance", &Advection::tolerance, not_negative("0.04"), text_of_tolerance);
 }
 

@@ -138,23 +138,6 @@ Cut parse_cut(const std::string& text, const std::string& option) {
   return {axis, parse_numbers<1>(text.substr(2), option, form)[0]};
 }
 
-const std::map<std::string, CGAL::Deformable_simplicial_complexes::Integration_scheme>&
-integration_schemes() {
-  using CGAL::Deformable_simplicial_complexes::Integration_scheme;
-  static const std::map<std::string, Integration_scheme> schemes = {
-      {"euler", Integration_scheme::euler},
-      {"rk2", Integration_scheme::rk2},
-      {"rk4", Integration_scheme::rk4}};
-  return schemes;
-}
-
-const std::map<std::string, CGAL::Deformable_simplicial_complexes::Corner_rule>& corner_rules() {
-  using CGAL::Deformable_simplicial_complexes::Corner_rule;
-  static const std::map<std::string, Corner_rule> rules = {{"miter", Corner_rule::miter},
-                                                           {"round", Corner_rule::round}};
-  return rules;
-}
-
 void require_extension(const std::string& path, const std::initializer_list<const char*>& known) {
   const std::string found = extension(path);
   if (std::find(known.begin(), known.end(), found) != known.end())

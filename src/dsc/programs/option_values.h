@@ -7,9 +7,6 @@
 
 #include "motions/distance.h"
 
-#include <CGAL/Interface_flows/Corner_rule.h>
-#include <CGAL/Interface_flows/Integration_scheme.h>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -85,13 +82,6 @@ const std::string& name_of(const std::map<std::string, Value>& names, const Valu
                       [&](const auto& named) { return named.second == value; })
       ->first;
 }
-
-/// Returns the integration schemes by their names.
-const std::map<std::string, CGAL::Deformable_simplicial_complexes::Integration_scheme>&
-integration_schemes();
-
-/// Returns the rules for corners of an offset by their names.
-const std::map<std::string, CGAL::Deformable_simplicial_complexes::Corner_rule>& corner_rules();
 
 void require_extension(const std::string& path, const std::initializer_list<const char*>& known);
 

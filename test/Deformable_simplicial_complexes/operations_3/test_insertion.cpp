@@ -246,15 +246,9 @@ TEST(Vertex_insertion, leaves_every_vertex_a_cell) {
 }
 
 TEST(Vertex_insertion, improves_random_meshes) {
-  int committed = 0;
-  for (unsigned seed = 0; seed < 6; ++seed) {
-    Complex dsc = seed % 2 == 0 ? jittered_grid(3, small_meshes::uniform, .45, seed)
-                                : jittered_grid(4, small_meshes::four_phases, .45, seed);
-    committed += expect_improvement(dsc, [&](Cell_handle c, Cavity& cavity) {
-      return propose_vertex_insertion(dsc, c, cavity);
-    });
-  }
-  EXPECT_GT(committed, 30);
+  EXPECT_GT(improvements_of_random_meshes(small_meshes::four_phases,
+                                          DSC::propose_vertex_insertion<Complex>),
+            30);
 }
 
 } // namespace test_insertion

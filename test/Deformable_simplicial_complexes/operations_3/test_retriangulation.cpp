@@ -65,9 +65,7 @@ TEST(Multi_face_retriangulation, is_best_of_all_triangulations_of_a_loop) {
     int accepted = 0, refused = 0;
     for (int trial = 0; trial < 40; ++trial) {
       Sandwich s(m, random);
-      const std::size_t other = random.below(3 * m); // possibly a triangle in another phase
-      if (other < m)
-        s.mesh.labels[2 * other] = s.mesh.labels[2 * other + 1] = 1;
+      s.relabel_one(random);
       Complex dsc;
       const auto v = dsc.assign(s.mesh.points, s.mesh.tetrahedra, s.mesh.labels);
       const auto state = dsc.state();
@@ -177,37 +175,18 @@ TEST(Multi_face_retriangulation, refuses_a_set_with_a_hole) {
 }
 
 TEST(Multi_face_retriangulation, leaves_interface_and_boundary_alone) {
-  const Complex dsc = jittered_grid(3, small_meshes::four_phases, .4, 2);
-  const auto state = dsc.state();
-  Cavity cavity(dsc);
-  for (Cell_handle c : dsc.cells())
-    for (int i = 0; i < 4; ++i) {
-      const bool proposed = propose_multi_face_retriangulation(dsc, c, i, cavity);
-      const Cell_handle n = c->neighbor(i);
-      if (dsc.is_infinite(n) || n->label() != c->label()) {
-        EXPECT_FALSE(proposed);
-      }
-      if (!proposed)
-        continue;
-      for (Cell_handle d : cavity.removed())
-        EXPECT_EQ(d->label(), c->label());
-    }
-  EXPECT_TRUE(dsc.state() == state);
+  proposals_within_labels(jittered_grid(3, small_meshes::four_phases, .4, 2),
+                          DSC::propose_multi_face_retriangulation<Complex>);
 }
 
 TEST(Multi_face_retriangulation, improves_random_meshes) {
-  int committed = 0;
-  for (unsigned seed = 0; seed < 6; ++seed) {
-    Complex dsc = seed % 2 == 0 ? jittered_grid(3, small_meshes::uniform, .45, seed)
-                                : jittered_grid(4, small_meshes::two_boxes, .45, seed);
-    committed += expect_improvement(dsc, [&](Cell_handle c, Cavity& cavity) {
-      for (int i = 0; i < 4; ++i)
-        if (propose_multi_face_retriangulation(dsc, c, i, cavity))
-          return true;
-      return false;
-    });
-  }
-  EXPECT_GT(committed, 10);
+  const auto propose = [](const Complex& dsc, Cell_handle c, Cavity& cavity) {
+    for (int i = 0; i < 4; ++i)
+      if (propose_multi_face_retriangulation(dsc, c, i, cavity))
+        return true;
+    return false;
+  };
+  EXPECT_GT(improvements_of_random_meshes(small_meshes::two_boxes, propose), 10);
 }
 
 } // namespace test_retriangulation

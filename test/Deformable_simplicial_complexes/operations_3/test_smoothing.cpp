@@ -55,16 +55,30 @@ double optimum(const Complex& dsc, Vertex_handle v) {
   return best_quality;
 }
 
+struct Proposal
+{
+  bool is_made;
+  std::vector<Cell_handle> star;
+  Point target;
+};
+
+// Returns the proposal of `propose` for a vertex. It must not change the complex.
+template <class Propose>
+Proposal proposal_of(const Propose& propose, const Complex& dsc, Vertex_handle v) {
+  const auto state = dsc.state();
+  Proposal result;
+  dsc.star(v, result.star);
+  result.is_made = propose(dsc, v, result.star, result.target);
+  EXPECT_TRUE(dsc.state() == state);
+  return result;
+}
+
 TEST(Smart_laplacian, goes_all_or_half_the_way_if_that_is_better) {
   Complex dsc = jittered_grid(4, small_meshes::ball, .4, 1);
   int all = 0, half = 0, none = 0;
   for (Vertex_handle v : dsc.vertices()) {
-    const auto state = dsc.state();
-    std::vector<Cell_handle> star;
-    dsc.star(v, star);
-    Point target;
-    const bool proposed = propose_smart_laplacian(dsc, v, star, target);
-    EXPECT_TRUE(dsc.state() == state);
+    const auto [proposed, star, target] =
+        proposal_of(DSC::propose_smart_laplacian<Complex>, dsc, v);
     if (dsc.is_interface(v)) {
       EXPECT_FALSE(proposed);
       continue;
@@ -97,12 +111,8 @@ TEST(Optimal_position, never_lowers_the_worst_quality) {
   Complex dsc = jittered_grid(4, small_meshes::four_phases, .45, 2);
   int moved = 0;
   for (Vertex_handle v : dsc.vertices()) {
-    const auto state = dsc.state();
-    std::vector<Cell_handle> star;
-    dsc.star(v, star);
-    Point target;
-    const bool proposed = propose_optimal_position(dsc, v, star, target);
-    EXPECT_TRUE(dsc.state() == state);
+    const auto [proposed, star, target] =
+        proposal_of(DSC::propose_optimal_position<Complex>, dsc, v);
     if (dsc.is_interface(v) || dsc.is_boundary(v)) {
       EXPECT_FALSE(proposed); // the interface is planar nowhere
     }

@@ -9,7 +9,6 @@
 
 namespace test_energies_of_cells {
 
-namespace dsc = CGAL::Deformable_simplicial_complexes;
 using planar_regions::Complex;
 
 // Returns the square [0, n]^2 of n^2 unit squares, each of two triangles.
@@ -44,10 +43,10 @@ TEST(Relabel_by_energy, ends_in_a_local_minimum) {
   Complex complex = squares(8, [](std::size_t, std::size_t) { return 0; });
   const auto energy = energy_of(
       complex, [](double x, double y) { return x > 2 && x < 6 && y > 2 && y < 6 ? 10. : -10.; });
-  dsc::Relabeling_options<Complex> options;
-  EXPECT_EQ(dsc::relabel_by_energy(complex, energy, options), 0u); // no neighbor has another label
+  DSC::Relabeling_options<Complex> options;
+  EXPECT_EQ(DSC::relabel_by_energy(complex, energy, options), 0u); // no neighbor has another label
   options.labels = {0, 1};
-  EXPECT_EQ(dsc::relabel_by_energy(complex, energy, options), 32u);
+  EXPECT_EQ(DSC::relabel_by_energy(complex, energy, options), 32u);
   EXPECT_DOUBLE_EQ(complex.area(1), 16);
   EXPECT_TRUE(complex.is_valid());
   const double least = total(complex, energy, 1);
@@ -64,10 +63,10 @@ TEST(Relabel_by_energy, weighs_the_interface) {
     Complex complex = squares(8, [](std::size_t, std::size_t) { return 0; });
     const auto energy = energy_of(
         complex, [](double x, double y) { return std::hypot(x - 4, y - 4) < .7 ? 9. : -9.; });
-    dsc::Relabeling_options<Complex> options;
+    DSC::Relabeling_options<Complex> options;
     options.labels = {0, 1};
     options.interface_energy.set_tension(tension);
-    dsc::relabel_by_energy(complex, energy, options);
+    DSC::relabel_by_energy(complex, energy, options);
     EXPECT_EQ(complex.area(1) > 0, tension < 5);
   }
 }
@@ -82,13 +81,13 @@ TEST(Relabel_by_energy, asks_before_the_topology_changes) {
       return x > 3 && x < 4 ? -9. : y > 2 && y < 5 ? 9. : -9.;
     });
     unsigned questions = 0;
-    dsc::Relabeling_options<Complex> options;
+    DSC::Relabeling_options<Complex> options;
     options.topology_control = [&](const Complex&, Complex::Cell_handle, int) {
       ++questions;
       return allows;
     };
     ASSERT_EQ(complex.number_of_components(1), 1u);
-    dsc::relabel_by_energy(complex, energy, options);
+    DSC::relabel_by_energy(complex, energy, options);
     EXPECT_GT(questions, 0u);
     EXPECT_EQ(complex.number_of_components(1), allows ? 2u : 1u);
   }
@@ -104,14 +103,14 @@ TEST(Relabel_by_energy, changes_whole_components) {
   const auto outside = [&](double x, double y) {
     return label_at(std::size_t(x), std::size_t(y)) == 1 ? gain(x, y) : -9;
   };
-  dsc::Relabeling_options<Complex> options;
-  EXPECT_EQ(dsc::relabel_by_energy(complex, energy_of(complex, outside), options), 0u);
-  EXPECT_EQ(dsc::relabel_components_by_energy(complex, energy_of(complex, outside), options), 1u);
+  DSC::Relabeling_options<Complex> options;
+  EXPECT_EQ(DSC::relabel_by_energy(complex, energy_of(complex, outside), options), 0u);
+  EXPECT_EQ(DSC::relabel_components_by_energy(complex, energy_of(complex, outside), options), 1u);
   EXPECT_EQ(complex.labels(), std::vector<int>{0});
   // A control that forbids the change
   complex = squares(6, label_at);
   options.topology_control = [](const Complex&, Complex::Cell_handle, int) { return false; };
-  EXPECT_EQ(dsc::relabel_components_by_energy(complex, energy_of(complex, outside), options), 0u);
+  EXPECT_EQ(DSC::relabel_components_by_energy(complex, energy_of(complex, outside), options), 0u);
 }
 
 // The boundary of two components that become one does not count twice.
@@ -124,9 +123,9 @@ TEST(Relabel_by_energy, counts_neighbors_that_changed_before) {
     const bool is_inside = c->label() > 1 || label > 1 || label == 1;
     return is_inside ? (label == 1 ? -.5 : 0) * complex.measure(c) : 0.;
   };
-  dsc::Relabeling_options<Complex> options;
+  DSC::Relabeling_options<Complex> options;
   options.labels = {1, 2, 3};
-  dsc::relabel_components_by_energy(complex, energy, options);
+  DSC::relabel_components_by_energy(complex, energy, options);
   EXPECT_EQ(complex.labels(), std::vector<int>{1});
   EXPECT_TRUE(complex.interface_facets().empty());
 }
@@ -141,7 +140,7 @@ TEST(Refine_cells, bisects_the_selected_cells_and_keeps_shapes) {
   };
   std::size_t splits = 0;
   for (std::size_t done = 1; done > 0; splits += done)
-    done = dsc::refine_cells(complex, near_corner(.01));
+    done = DSC::refine_cells(complex, near_corner(.01));
   EXPECT_GT(splits, 20u);
   EXPECT_TRUE(complex.is_valid());
   double worst = 1;
@@ -162,16 +161,16 @@ TEST(Refine_cells, bisects_the_selected_cells_and_keeps_shapes) {
 TEST(Refine_cells, does_nothing_if_nothing_is_selected) {
   Complex complex = squares(2, [](std::size_t, std::size_t) { return 0; });
   const auto version = complex.version();
-  EXPECT_EQ(dsc::refine_cells(complex, [](Complex::Cell_handle) { return false; }), 0u);
+  EXPECT_EQ(DSC::refine_cells(complex, [](Complex::Cell_handle) { return false; }), 0u);
   EXPECT_EQ(complex.version(), version);
   Complex empty;
-  EXPECT_EQ(dsc::refine_cells(empty, [](Complex::Cell_handle) { return true; }), 0u);
+  EXPECT_EQ(DSC::refine_cells(empty, [](Complex::Cell_handle) { return true; }), 0u);
 }
 
 // Cells that are new, have another label, or have a corner at another place.
 TEST(Cell_snapshot, finds_changed_cells) {
   Complex complex = squares(8, [](std::size_t i, std::size_t) { return i < 4 ? 1 : 0; });
-  const dsc::Cell_snapshot<Complex> before(complex);
+  const DSC::Cell_snapshot<Complex> before(complex);
   EXPECT_TRUE(before.changed_cells(complex).empty());
   const auto first = complex.cells().front();
   complex.relabel(first, 3);
@@ -184,9 +183,9 @@ TEST(Cell_snapshot, finds_changed_cells) {
   for (auto c : complex.cells())
     areas.emplace(c->time_stamp(), complex.measure(c));
   const auto n = complex.number_of_cells();
-  dsc::refine_cells(complex, [&](Complex::Cell_handle c) { return c == first; });
+  DSC::refine_cells(complex, [&](Complex::Cell_handle c) { return c == first; });
   ASSERT_GT(complex.number_of_cells(), n);
-  dsc::deform_interface(complex, [&](Complex::Vertex_handle v) {
+  DSC::deform_interface(complex, [&](Complex::Vertex_handle v) {
     const auto p = complex.position(v);
     return Complex::Point_2(p.x() + (p.y() > 6 ? .1 : 0), p.y());
   });

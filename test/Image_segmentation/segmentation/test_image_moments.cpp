@@ -9,11 +9,10 @@
 
 namespace test_image_moments {
 
-namespace dsc = CGAL::Deformable_simplicial_complexes;
 using Point = std::array<double, 2>;
 
-template <int d> dsc::Gray_image<d> image_of(const std::array<std::size_t, d>& size) {
-  dsc::Gray_image<d> result;
+template <int d> DSC::Gray_image<d> image_of(const std::array<std::size_t, d>& size) {
+  DSC::Gray_image<d> result;
   result.grid.size = size;
   result.grid.spacing.fill(1);
   result.grid.origin.fill(.5);
@@ -53,11 +52,11 @@ double area(const std::vector<Point>& polygon) {
 // Against the areas of triangles clipped by pixels. Some triangles reach out of the image, some
 // have corners and edges on the lines of the grid.
 TEST(Image_moments, are_exact_in_the_plane) {
-  dsc::Gray_image<2> image = image_of<2>({7, 5});
+  DSC::Gray_image<2> image = image_of<2>({7, 5});
   image.mask.assign(35, 1);
   image.mask[16] = 0;
   image.channels[0][16] = NAN;
-  const dsc::Image_moments<2> moments(image);
+  const DSC::Image_moments<2> moments(image);
   std::mt19937 random(2);
   for (int round = 0; round < 300; ++round) {
     std::array<Point, 3> corners;
@@ -96,13 +95,13 @@ TEST(Image_moments, are_exact_in_the_plane) {
 
 // The moments of the cells of a mesh sum up to those of the image, also with other units.
 TEST(Image_moments, of_a_mesh_sum_up_to_the_image) {
-  dsc::Gray_image<2> image = image_of<2>({12, 9});
+  DSC::Gray_image<2> image = image_of<2>({12, 9});
   image.grid.spacing = {2, .5};
   image.grid.origin = {-3, 4};
   using Complex = CGAL::Deformable_simplicial_complex_2<>;
-  const auto complex = dsc::make_deformable_simplicial_complex_2<Complex>(
+  const auto complex = DSC::make_deformable_simplicial_complex_2<Complex>(
       CGAL::Bbox_2(-4, 3.75, 20, 8.25), .7, [](const auto&) { return 0; });
-  const dsc::Image_moments<2> moments(image);
+  const DSC::Image_moments<2> moments(image);
   double pixels = 0, squares = 0, sum = 0, expected_squares = 0, expected = 0;
   for (auto c : complex.cells()) {
     const auto of_cell = moments(complex, c);
@@ -123,13 +122,13 @@ TEST(Image_moments, of_a_mesh_sum_up_to_the_image) {
 // In space, volumes are exact. Integrals of a field that depends on the first axis only are nearly
 // exact, and the sums over a mesh come near those of the image.
 TEST(Image_moments, in_space) {
-  dsc::Gray_image<3> image = image_of<3>({8, 9, 10});
+  DSC::Gray_image<3> image = image_of<3>({8, 9, 10});
   for (std::size_t i = 0; i < image.channels[0].size(); ++i)
     image.channels[0][i] = 3;
   using Complex = CGAL::Deformable_simplicial_complex_3<>;
-  const auto complex = dsc::make_deformable_simplicial_complex_3<Complex>(
+  const auto complex = DSC::make_deformable_simplicial_complex_3<Complex>(
       CGAL::Bbox_3(0, 0, 0, 8, 9, 10), 2.3, [](const auto&) { return 0; });
-  const dsc::Image_moments<3> moments(image);
+  const DSC::Image_moments<3> moments(image);
   double sum = 0, expected = 0;
   for (auto c : complex.cells()) {
     const auto of_cell = moments(complex, c);
@@ -154,10 +153,10 @@ TEST(Image_moments, in_space) {
 
 // The pieces of a facet cover it, and each is in its pixel.
 TEST(Image_moments, divide_facets) {
-  const dsc::Gray_image<2> planar = image_of<2>({7, 5});
+  const DSC::Gray_image<2> planar = image_of<2>({7, 5});
   double share = 0, middle = 0;
   std::vector<std::size_t> pixels;
-  dsc::Image_moments<2>(planar).for_each_piece(
+  DSC::Image_moments<2>(planar).for_each_piece(
       {{{.5, .5}, {3.5, 1.5}}},
       [&](const std::array<double, 2>& weights, double part, std::size_t pixel) {
         EXPECT_NEAR(weights[0] + weights[1], 1, 1e-15);
@@ -168,10 +167,10 @@ TEST(Image_moments, divide_facets) {
   EXPECT_NEAR(share, 1, 1e-15);
   EXPECT_NEAR(middle, .5, 1e-15);
   EXPECT_EQ(pixels, (std::vector<std::size_t>{0, 1, 9, 10}));
-  const dsc::Gray_image<3> image = image_of<3>({8, 9, 10});
+  const DSC::Gray_image<3> image = image_of<3>({8, 9, 10});
   share = 0;
   std::array<double, 3> sums = {};
-  dsc::Image_moments<3>(image).for_each_piece(
+  DSC::Image_moments<3>(image).for_each_piece(
       {{{1, 1, 1}, {5, 1, 2}, {2, 6, 1}}},
       [&](const std::array<double, 3>& weights, double part, std::size_t) {
         share += part;
@@ -184,27 +183,27 @@ TEST(Image_moments, divide_facets) {
 }
 
 TEST(Image_moments, refuse_bad_images) {
-  const dsc::Gray_image<2> good = image_of<2>({4, 3});
+  const DSC::Gray_image<2> good = image_of<2>({4, 3});
   EXPECT_NO_THROW(good.check());
-  dsc::Gray_image<2> bad = good;
+  DSC::Gray_image<2> bad = good;
   bad.channels.clear();
-  EXPECT_THROW(dsc::Image_moments<2>{bad}, dsc::Error);
+  EXPECT_THROW(DSC::Image_moments<2>{bad}, DSC::Error);
   bad = good;
   bad.channels[1].pop_back();
-  EXPECT_THROW(bad.check(), dsc::Error);
+  EXPECT_THROW(bad.check(), DSC::Error);
   bad = good;
   bad.channels[1][3] = INFINITY;
-  EXPECT_THROW(bad.check(), dsc::Error);
+  EXPECT_THROW(bad.check(), DSC::Error);
   bad.mask.assign(12, 1);
   bad.mask[3] = 0;
   EXPECT_NO_THROW(bad.check());
   bad.mask.assign(12, 0);
-  EXPECT_THROW(bad.check(), dsc::Error);
+  EXPECT_THROW(bad.check(), DSC::Error);
   bad.mask.assign(11, 1);
-  EXPECT_THROW(bad.check(), dsc::Error);
+  EXPECT_THROW(bad.check(), DSC::Error);
   bad = good;
   bad.grid.spacing[0] = 0;
-  EXPECT_THROW(bad.check(), dsc::Error);
+  EXPECT_THROW(bad.check(), DSC::Error);
 }
 
 } // namespace test_image_moments

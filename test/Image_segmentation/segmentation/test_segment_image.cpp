@@ -15,7 +15,6 @@
 
 namespace test_segment_image {
 
-namespace dsc = CGAL::Deformable_simplicial_complexes;
 using Complex_2 = CGAL::Deformable_simplicial_complex_2<>;
 using Complex_3 = CGAL::Deformable_simplicial_complex_3<>;
 template <int d> using Place = std::array<double, d>;
@@ -23,10 +22,10 @@ template <int d> using Place = std::array<double, d>;
 // Returns an image whose values are means over 3^d points of a pixel, with noise. Places are in
 // pixels.
 template <int d>
-dsc::Gray_image<d> image_of(const std::array<std::size_t, d>& size,
+DSC::Gray_image<d> image_of(const std::array<std::size_t, d>& size,
                             const std::function<double(const Place<d>&)>& value, double noise) {
   static constexpr int n = 3;
-  dsc::Gray_image<d> result;
+  DSC::Gray_image<d> result;
   result.grid.size = size;
   result.grid.spacing.fill(1);
   result.grid.origin.fill(.5);
@@ -72,9 +71,9 @@ double greatest_distance(const Complex& complex, int a, int b, double x, double 
 
 TEST(Segment_image, finds_a_disk_in_a_ring) {
   const auto image = image_of<2>({64, 60}, target, .1);
-  dsc::Segmentation_options<2> options;
+  DSC::Segmentation_options<2> options;
   options.phases = 3;
-  const auto [complex, report] = dsc::segment_image<Complex_2>(image, options);
+  const auto [complex, report] = DSC::segment_image<Complex_2>(image, options);
   EXPECT_TRUE(complex.is_valid());
   EXPECT_TRUE(report.has_converged);
   ASSERT_EQ(report.phases.size(), 3u);
@@ -99,7 +98,7 @@ TEST(Segment_image, finds_a_disk_in_a_ring) {
   }
   // The energy of the report is that of its definition.
   double energy = 0;
-  const dsc::Image_moments<2> moments(image);
+  const DSC::Image_moments<2> moments(image);
   for (auto c : complex.cells()) {
     const auto of_cell = moments(complex, c);
     const double intensity = report.phases[std::size_t(c->label())].intensities.front();
@@ -116,13 +115,13 @@ TEST(Segment_image, finds_a_disk_in_a_ring) {
 // The unit, the place and the threads do not change the result; anisotropic pixels are allowed.
 TEST(Segment_image, uses_the_coordinates_of_the_image) {
   auto image = image_of<2>({64, 60}, target, .1);
-  dsc::Segmentation_options<2> options;
+  DSC::Segmentation_options<2> options;
   options.phases = 3;
-  const auto once = dsc::segment_image<Complex_2>(image, options);
+  const auto once = DSC::segment_image<Complex_2>(image, options);
   image.grid.spacing = {.25, .25};
   image.grid.origin = {.125, .125}; // the corner is at 0
   options.number_of_threads = 2;
-  const auto scaled = dsc::segment_image<Complex_2>(image, options);
+  const auto scaled = DSC::segment_image<Complex_2>(image, options);
   EXPECT_EQ(scaled.second.energies, once.second.energies);
   EXPECT_LT(greatest_distance(scaled.first, 1, 0, 30 / 4., 33 / 4., 5), .2);
   auto flat = image_of<2>(
@@ -133,7 +132,7 @@ TEST(Segment_image, uses_the_coordinates_of_the_image) {
       .1);
   flat.grid.spacing = {2, 1};
   flat.grid.origin = {1, .5};
-  const auto [complex, report] = dsc::segment_image<Complex_2>(flat, options);
+  const auto [complex, report] = DSC::segment_image<Complex_2>(flat, options);
   EXPECT_LT(greatest_distance(complex, 1, 0, 30, 33, 20), 1.5);
   EXPECT_NEAR(report.phases[1].measure, CGAL_PI * (400 - 81) / 2, 10); // in pixels
 }
@@ -146,7 +145,7 @@ TEST(Segment_image, finds_a_torus_in_space) {
         return std::hypot(r, p[2] - 10) < 4.5 ? 1. : 0.;
       },
       .3);
-  const auto [complex, report] = dsc::segment_image<Complex_3>(image);
+  const auto [complex, report] = DSC::segment_image<Complex_3>(image);
   EXPECT_TRUE(complex.is_valid());
   EXPECT_EQ(report.phases[1].components, 1u);
   EXPECT_NEAR(report.phases[1].measure, 2 * CGAL_PI * CGAL_PI * 10 * 4.5 * 4.5, 300);
@@ -162,9 +161,9 @@ TEST(Segment_image, uses_channels_and_masks) {
   image.channels.push_back(image_of<2>(
                                {40, 40}, [](const Place<2>& p) { return p[1] < 20 ? 0. : 1.; }, .1)
                                .channels.front());
-  dsc::Segmentation_options<2> options;
+  DSC::Segmentation_options<2> options;
   options.phases = 4;
-  const auto [complex, report] = dsc::segment_image<Complex_2>(image, options);
+  const auto [complex, report] = DSC::segment_image<Complex_2>(image, options);
   for (const auto& phase : report.phases) {
     EXPECT_NEAR(phase.measure, 400, 10);
     EXPECT_EQ(phase.intensities.size(), 2u);
@@ -177,7 +176,7 @@ TEST(Segment_image, uses_channels_and_masks) {
     masked.channels[0][i] = NAN;
   }
   options.phases = 3;
-  const auto with_mask = dsc::segment_image<Complex_2>(masked, options);
+  const auto with_mask = DSC::segment_image<Complex_2>(masked, options);
   EXPECT_NEAR(with_mask.second.phases[2].measure, CGAL_PI * 81, 5);
   EXPECT_NEAR(with_mask.second.residual, 1, .15);
 }
@@ -190,11 +189,11 @@ TEST(Segment_image, keeps_a_given_topology) {
     return r > 14 && r < 20 && !(p[0] > 45 && std::abs(p[1] - 30) < 2) ? 1. : 0.;
   };
   const auto image = image_of<2>({64, 60}, ring, .2);
-  dsc::Segmentation_options<2> options;
+  DSC::Segmentation_options<2> options;
   options.intensities = {{0}, {1}};
-  const auto open = dsc::segment_image<Complex_2>(image, options);
+  const auto open = DSC::segment_image<Complex_2>(image, options);
   EXPECT_EQ(open.first.number_of_components(0), 1u);
-  auto closed = dsc::segment_image<Complex_2>(image_of<2>(
+  auto closed = DSC::segment_image<Complex_2>(image_of<2>(
                                                   {64, 60},
                                                   [](const Place<2>& p) {
                                                     const double r = distance(p, 32, 30);
@@ -205,7 +204,7 @@ TEST(Segment_image, keeps_a_given_topology) {
                     .first;
   ASSERT_EQ(closed.number_of_components(0), 2u);
   options.keeps_topology = true;
-  const auto report = dsc::segment_image(closed, image, options);
+  const auto report = DSC::segment_image(closed, image, options);
   EXPECT_EQ(closed.number_of_components(0), 2u);
   EXPECT_EQ(closed.number_of_components(1), 1u);
   EXPECT_TRUE(closed.is_valid());
@@ -219,37 +218,37 @@ TEST(Segment_image, keeps_the_largest_component_of_connected_labels) {
         return distance(p, 20, 30) < 12 || distance(p, 50, 30) < 6 ? 1. : 0.;
       },
       .1);
-  dsc::Segmentation_options<2> options;
-  EXPECT_EQ(dsc::segment_image<Complex_2>(image, options).second.phases[1].components, 2u);
+  DSC::Segmentation_options<2> options;
+  EXPECT_EQ(DSC::segment_image<Complex_2>(image, options).second.phases[1].components, 2u);
   options.connected = {1};
-  const auto report = dsc::segment_image<Complex_2>(image, options).second;
+  const auto report = DSC::segment_image<Complex_2>(image, options).second;
   EXPECT_EQ(report.phases[1].components, 1u);
   EXPECT_NEAR(report.phases[1].measure, CGAL_PI * 144, 6);
 }
 
 TEST(Segment_image, estimates_intensities_and_noise) {
   const auto image = image_of<2>({90, 90}, target, .2);
-  const auto phases = dsc::estimate_phases(image, 3);
+  const auto phases = DSC::estimate_phases(image, 3);
   ASSERT_EQ(phases.intensities.size(), 3u);
   for (std::size_t k = 0; k < 3; ++k)
     EXPECT_NEAR(phases.intensities[k].front(), double(k) / 2, .12);
   EXPECT_NEAR(phases.noise.front(), .2, .02);
   // Without noise, a tenth of the contrast
-  const auto clean = dsc::estimate_phases(image_of<2>({90, 90}, target, 0), 2);
+  const auto clean = DSC::estimate_phases(image_of<2>({90, 90}, target, 0), 2);
   EXPECT_NEAR(clean.noise.front(), .1 * (clean.intensities[1][0] - clean.intensities[0][0]), 1e-9);
 }
 
 TEST(Segment_image, refuses_what_it_cannot_use) {
   const auto image = image_of<2>(
       {20, 20}, [](const Place<2>& p) { return p[0] < 9 ? 0. : 1.; }, 0);
-  dsc::Segmentation_options<2> options;
+  DSC::Segmentation_options<2> options;
   options.phases = 5;
-  EXPECT_THROW(dsc::segment_image<Complex_2>(image, options), dsc::Error); // three values
+  EXPECT_THROW(DSC::segment_image<Complex_2>(image, options), DSC::Error); // three values
   options = {};
   const auto refused = [&](const auto& change) {
-    dsc::Segmentation_options<2> changed;
+    DSC::Segmentation_options<2> changed;
     change(changed);
-    EXPECT_THROW(dsc::segment_image<Complex_2>(image, changed), dsc::Error);
+    EXPECT_THROW(DSC::segment_image<Complex_2>(image, changed), DSC::Error);
   };
   refused([](auto& o) { o.phases = 1; });
   refused([](auto& o) { o.intensities = {{1}, {1, 2}}; });
@@ -266,17 +265,17 @@ TEST(Segment_image, refuses_what_it_cannot_use) {
   refused([](auto& o) { o.smoothing = 0; });
   refused([](auto& o) { o.shortest_edge = .5; });
   refused([](auto& o) { o.longest_edge = 1; });
-  auto [complex, report] = dsc::segment_image<Complex_2>(image);
+  auto [complex, report] = DSC::segment_image<Complex_2>(image);
   EXPECT_NEAR(report.phases[0].measure, 180, 1);
   complex.relabel(complex.cells().front(), 7); // no index of a phase
   const auto version = complex.version();
-  EXPECT_THROW(dsc::segment_image(complex, image), dsc::Error);
+  EXPECT_THROW(DSC::segment_image(complex, image), DSC::Error);
   EXPECT_EQ(complex.version(), version);
   // Images of a pixel, and of a row
-  EXPECT_THROW(dsc::segment_image<Complex_2>(image_of<2>(
+  EXPECT_THROW(DSC::segment_image<Complex_2>(image_of<2>(
                    {1, 1}, [](const Place<2>&) { return 1.; }, 0)),
-               dsc::Error);
-  const auto row = dsc::segment_image<Complex_2>(image_of<2>(
+               DSC::Error);
+  const auto row = DSC::segment_image<Complex_2>(image_of<2>(
       {40, 1}, [](const Place<2>& p) { return p[0] < 20 ? 0. : 1.; }, 0));
   EXPECT_NEAR(row.second.phases[0].measure, 20, 1);
 }
@@ -284,19 +283,19 @@ TEST(Segment_image, refuses_what_it_cannot_use) {
 // A complex much larger than the image: the parts outside have no cost, and take no time.
 TEST(Segment_image, accepts_complexes_larger_than_the_image) {
   const auto image = image_of<2>({64, 60}, target, .1);
-  dsc::Segmentation_options<2> options;
+  DSC::Segmentation_options<2> options;
   options.phases = 3;
-  auto complex = dsc::segment_image<Complex_2>(image, options).first;
+  auto complex = DSC::segment_image<Complex_2>(image, options).first;
   auto normalization = complex.normalization();
   normalization.scale = 1e6;
   normalization.translation = {-3e7, -3.3e7};
   complex.set_normalization(normalization);
-  EXPECT_NO_THROW(dsc::segment_image(complex, image, options));
+  EXPECT_NO_THROW(DSC::segment_image(complex, image, options));
   EXPECT_TRUE(complex.is_valid());
   normalization.translation = {1e3, 0}; // beside the image
   normalization.scale = 1;
   complex.set_normalization(normalization);
-  EXPECT_THROW(dsc::segment_image(complex, image, options), dsc::Error);
+  EXPECT_THROW(DSC::segment_image(complex, image, options), DSC::Error);
 }
 
 // A large constant does not change the result, up to the precision of the values.
@@ -304,12 +303,12 @@ TEST(Segment_image, subtracts_the_mean) {
   auto image = image_of<2>({64, 60}, target, .1);
   for (float& value : image.channels[0])
     value = std::round(value * 1024);
-  dsc::Segmentation_options<2> options;
+  DSC::Segmentation_options<2> options;
   options.phases = 3;
-  const auto once = dsc::segment_image<Complex_2>(image, options).second;
+  const auto once = DSC::segment_image<Complex_2>(image, options).second;
   for (float& value : image.channels[0])
     value += 8388608; // exact
-  const auto shifted = dsc::segment_image<Complex_2>(image, options).second;
+  const auto shifted = DSC::segment_image<Complex_2>(image, options).second;
   EXPECT_NEAR(shifted.residual, once.residual, .02);
   EXPECT_NEAR(shifted.phases[2].measure, once.phases[2].measure, 3);
 }
@@ -318,7 +317,7 @@ TEST(Segment_image, subtracts_the_mean) {
 TEST(Segment_image, estimates_are_robust) {
   auto image = image_of<2>({90, 90}, target, .1);
   image.channels[0][4000] = 1e6;
-  const auto phases = dsc::estimate_phases(image, 3);
+  const auto phases = DSC::estimate_phases(image, 3);
   for (std::size_t k = 0; k < 3; ++k)
     EXPECT_NEAR(phases.intensities[k].front(), double(k) / 2, .1);
   const auto ball = image_of<3>(
@@ -327,14 +326,14 @@ TEST(Segment_image, estimates_are_robust) {
         return std::hypot(p[0] - 18, std::hypot(p[1] - 18, p[2] - 18)) < 12 ? 1. : 0.;
       },
       1.5);
-  EXPECT_NEAR(dsc::segment_image<Complex_3>(ball).second.phases[1].measure, 4 / 3. * CGAL_PI * 1728,
+  EXPECT_NEAR(DSC::segment_image<Complex_3>(ball).second.phases[1].measure, 4 / 3. * CGAL_PI * 1728,
               900);
 }
 
 // A small region is no outlier. Pixels across its boundary decrease the mean of its intensity.
 TEST(Segment_image, finds_a_small_region_in_a_large_image) {
   const auto report =
-      dsc::segment_image<Complex_2>(
+      DSC::segment_image<Complex_2>(
           image_of<2>(
               {100, 100}, [](const Place<2>& p) { return distance(p, 40, 60) < 4 ? 1. : 0.; }, .05))
           .second;
@@ -351,7 +350,7 @@ TEST(Segment_image, finds_regions_smaller_than_the_first_cells) {
         return std::hypot(p[0] - 12, std::hypot(p[1] - 12, p[2] - 12)) < 7.3 ? 1. : 0.;
       },
       .05);
-  const auto report = dsc::segment_image<Complex_3>(image).second;
+  const auto report = DSC::segment_image<Complex_3>(image).second;
   EXPECT_EQ(report.phases[1].components, 1u);
   EXPECT_NEAR(report.phases[1].measure, 4 / 3. * CGAL_PI * 389, 120);
 }
@@ -359,9 +358,9 @@ TEST(Segment_image, finds_regions_smaller_than_the_first_cells) {
 TEST(Segment_image, stops_when_asked) {
   const auto image = image_of<2>({64, 60}, target, .1);
   unsigned calls = 0;
-  const dsc::Progress_scope scope([&](const char*) { return ++calls < 500; },
+  const DSC::Progress_scope scope([&](const char*) { return ++calls < 500; },
                                   std::chrono::milliseconds(0));
-  EXPECT_THROW(dsc::segment_image<Complex_2>(image), dsc::Interrupted_error);
+  EXPECT_THROW(DSC::segment_image<Complex_2>(image), DSC::Interrupted_error);
 }
 
 } // namespace test_segment_image

@@ -1,11 +1,5 @@
 // Rigid bodies that liquids move, solids that move as a function of time, and sources with a flux.
-#include "planar_regions.h"
-#include "test.h"
-
-#include <CGAL/Incompressible_fluid_2.h>
-#if __has_include(<CGAL/Incompressible_fluids_3/compiled_2.h>) // if the component Compiled is used
-#include <CGAL/Incompressible_fluids_3/compiled_2.h>
-#endif
+#include "fluids_2.h"
 
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -13,26 +7,16 @@
 
 namespace test_bodies {
 
-namespace dsc = CGAL::Deformable_simplicial_complexes;
-namespace parameters = dsc::parameters;
 using planar_regions::circle;
 using planar_regions::divided;
 using planar_regions::Polygon;
 using planar_regions::region;
-using Complex = CGAL::Deformable_simplicial_complex_2<>;
-using Fluid = CGAL::Incompressible_fluid_2<Complex>;
+using namespace fluids_2;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Vector = CGAL::Simple_cartesian<double>::Vector_3;
 
-dsc::Fluid_properties liquid(double viscosity, double gravity) {
-  dsc::Fluid_properties result;
-  result.set_liquid(1, {1, viscosity});
-  result.set_gravity({0, -gravity, 0});
-  return result;
-}
-
-dsc::Wall_behavior attached(bool sticks) {
-  dsc::Wall_behavior result;
+DSC::Wall_behavior attached(bool sticks) {
+  DSC::Wall_behavior result;
   result.sticks = sticks;
   result.separates = false;
   return result;
@@ -57,9 +41,9 @@ public:
                        {}, {-.5, -.5, 2.5, 2})),
         fluid(complex, liquid(0, 1)) {
     const double bottom = 1 - draught, top = bottom + height;
-    fluid.add_solid(dsc::Tank_solid_3(CGAL::Bbox_2(0, 0, 2, 2), true));
-    fluid.add_body(dsc::Box_solid_3(CGAL::Bbox_2(.5, bottom, 1.5, top)),
-                   dsc::rigid_box(Point(.5, bottom, -.5), Point(1.5, top, .5), density));
+    fluid.add_solid(DSC::Tank_solid_3(CGAL::Bbox_2(0, 0, 2, 2), true));
+    fluid.add_body(DSC::Box_solid_3(CGAL::Bbox_2(.5, bottom, 1.5, top)),
+                   DSC::rigid_box(Point(.5, bottom, -.5), Point(1.5, top, .5), density));
   }
 
   Complex complex;
@@ -67,40 +51,40 @@ public:
 };
 
 TEST(Rigid_body, inertia) {
-  const dsc::Rigid_body_3 box = dsc::rigid_box(Point(1, 2, 3), Point(2, 4, 6), 2);
+  const DSC::Rigid_body_3 box = DSC::rigid_box(Point(1, 2, 3), Point(2, 4, 6), 2);
   EXPECT_DOUBLE_EQ(box.mass, 12);
   EXPECT_DOUBLE_EQ(box.inertia[0], 12 * (4 + 9) / 12.);
   CGAL::Surface_mesh<Point> mesh;
   CGAL::make_hexahedron(Point(1, 2, 3), Point(2, 2, 3), Point(2, 4, 3), Point(1, 4, 3),
                         Point(1, 4, 6), Point(1, 2, 6), Point(2, 2, 6), Point(2, 4, 6), mesh);
   CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
-  const dsc::Rigid_body_3 same = dsc::rigid_body_of_mesh(mesh, 2);
+  const DSC::Rigid_body_3 same = DSC::rigid_body_of_mesh(mesh, 2);
   EXPECT_NEAR(same.mass, box.mass, 1e-13);
   EXPECT_NEAR(CGAL::squared_distance(same.center, box.center), 0, 1e-26);
   for (std::size_t i = 0; i < 9; ++i)
     EXPECT_NEAR(same.inertia[i], box.inertia[i], 1e-13);
-  EXPECT_DOUBLE_EQ(dsc::rigid_disk(Point(0, 0, 0), 2, 3).inertia[8], 12 * CGAL_PI * 4 / 2);
-  EXPECT_THROW(dsc::rigid_ball(Point(0, 0, 0), 0, 1), dsc::Error);
-  EXPECT_THROW(dsc::rigid_body_of_mesh(CGAL::Surface_mesh<Point>(), 1), dsc::Error);
+  EXPECT_DOUBLE_EQ(DSC::rigid_disk(Point(0, 0, 0), 2, 3).inertia[8], 12 * CGAL_PI * 4 / 2);
+  EXPECT_THROW(DSC::rigid_ball(Point(0, 0, 0), 0, 1), DSC::Error);
+  EXPECT_THROW(DSC::rigid_body_of_mesh(CGAL::Surface_mesh<Point>(), 1), DSC::Error);
   CGAL::Euler::remove_face(mesh.halfedge(*mesh.faces().begin()), mesh); // leaves a hole
-  EXPECT_THROW(dsc::rigid_body_of_mesh(mesh, 1), dsc::Error);
+  EXPECT_THROW(DSC::rigid_body_of_mesh(mesh, 1), DSC::Error);
 }
 
 TEST(Rigid_body, errors) {
   Floating_box scene(.5, .3);
-  const dsc::Ball_solid_3 ball(Point(0, 0, 0), 1, dsc::Solid_side::inside);
-  const dsc::Rigid_body_3 good = dsc::rigid_ball(Point(0, 0, 0), 1, 1);
+  const DSC::Ball_solid_3 ball(Point(0, 0, 0), 1, DSC::Solid_side::inside);
+  const DSC::Rigid_body_3 good = DSC::rigid_ball(Point(0, 0, 0), 1, 1);
   for (int k = 0; k < 5; ++k) {
-    dsc::Rigid_body_3 body = good;
+    DSC::Rigid_body_3 body = good;
     k == 0   ? void(body.mass = 0)
     : k == 1 ? void(body.inertia[1] = 1)
     : k == 2 ? void(body.inertia[0] = -1)
     : k == 3 ? void(body.velocity = Vector(NAN, 0, 0))
              : void(body.rotation = {0, 1, 0, 0});
-    EXPECT_THROW(scene.fluid.add_body(ball, body), dsc::Error) << k;
+    EXPECT_THROW(scene.fluid.add_body(ball, body), DSC::Error) << k;
   }
   EXPECT_EQ(scene.fluid.number_of_bodies(), 1u);
-  EXPECT_THROW(scene.fluid.body(1), dsc::Error);
+  EXPECT_THROW(scene.fluid.body(1), DSC::Error);
 }
 
 // Archimedes: the box rests if it displaces its own mass.
@@ -143,10 +127,10 @@ TEST(Rigid_body, disk_in_a_circle_accelerates) {
     SCOPED_TRACE(density);
     Complex complex = region(circle(1, .1), circle(r, .1), {-1.5, -1.5, 1.5, 1.5});
     Fluid fluid(complex, liquid(0, 1));
-    fluid.add_solid(dsc::Ball_solid_3(Point(0, 0, 0), 1, dsc::Solid_side::outside),
+    fluid.add_solid(DSC::Ball_solid_3(Point(0, 0, 0), 1, DSC::Solid_side::outside),
                     attached(false));
-    fluid.add_body(dsc::Ball_solid_3(Point(0, 0, 0), r, dsc::Solid_side::inside),
-                   dsc::rigid_disk(Point(0, 0, 0), r, density), attached(false));
+    fluid.add_body(DSC::Ball_solid_3(Point(0, 0, 0), r, DSC::Solid_side::inside),
+                   DSC::rigid_disk(Point(0, 0, 0), r, density), attached(false));
     for (int k = 0; k < 5; ++k)
       fluid.advance(dt);
     const double exact = (1 - density) / (density + added) * fluid.time();
@@ -162,14 +146,14 @@ TEST(Rigid_body, momenta_are_preserved) {
     SCOPED_TRACE(sticks);
     Complex complex = region(circle(1, .15), circle(.4, .15), {-2, -2, 2, 2});
     Fluid fluid(complex, liquid(sticks ? .1 : 0, 0));
-    dsc::Rigid_body_3 body = dsc::rigid_disk(Point(0, 0, 0), .4, 2);
+    DSC::Rigid_body_3 body = DSC::rigid_disk(Point(0, 0, 0), .4, 2);
     body.velocity = Vector(.2, .1, 0);
     body.angular_velocity = Vector(0, 0, 1);
-    fluid.add_body(dsc::Ball_solid_3(Point(0, 0, 0), .4, dsc::Solid_side::inside), body,
+    fluid.add_body(DSC::Ball_solid_3(Point(0, 0, 0), .4, DSC::Solid_side::inside), body,
                    attached(sticks));
     const auto momenta = [&] {
       const auto balance = fluid.balance();
-      const dsc::Rigid_body_3& now = fluid.body(0);
+      const DSC::Rigid_body_3& now = fluid.body(0);
       const Vector linear = now.mass * now.velocity;
       return std::array<double, 3>{balance.momentum.x() + linear.x(),
                                    balance.momentum.y() + linear.y(),
@@ -214,9 +198,9 @@ TEST(Rigid_body, vertices_touch_two_bodies) {
   Complex complex = region(circle(1, .15), outline_of_disks(x, r, .1), {-2, -2, 2, 2});
   Fluid fluid(complex, liquid(0, 0));
   for (const double side : {-1., 1.}) {
-    dsc::Rigid_body_3 body = dsc::rigid_disk(Point(side * x, 0, 0), r, 2);
+    DSC::Rigid_body_3 body = DSC::rigid_disk(Point(side * x, 0, 0), r, 2);
     body.velocity = Vector(0, side == 1 ? .3 : -.1, 0);
-    fluid.add_body(dsc::Ball_solid_3(body.center, r, dsc::Solid_side::inside), body,
+    fluid.add_body(DSC::Ball_solid_3(body.center, r, DSC::Solid_side::inside), body,
                    attached(false));
   }
   const auto energy = [&] {
@@ -272,10 +256,10 @@ TEST(Rigid_body, vertices_touch_two_bodies) {
 TEST(Rigid_body, falls_without_liquid) {
   Complex complex = region(circle(1, .25), {}, {-2, -2, 2, 2});
   Fluid fluid(complex, liquid(0, 1));
-  dsc::Rigid_body_3 body = dsc::rigid_disk(Point(0, -1.5, 0), .3, 2);
+  DSC::Rigid_body_3 body = DSC::rigid_disk(Point(0, -1.5, 0), .3, 2);
   body.velocity = Vector(.5, 0, 0);
   body.angular_velocity = Vector(0, 0, 1);
-  fluid.add_body(dsc::Ball_solid_3(body.center, .3, dsc::Solid_side::inside), body);
+  fluid.add_body(DSC::Ball_solid_3(body.center, .3, DSC::Solid_side::inside), body);
   for (auto c : complex.cells())
     if (c->label() == 1)
       complex.relabel(c, 0);
@@ -290,25 +274,25 @@ TEST(Rigid_body, falls_without_liquid) {
 
 // A top without symmetry keeps its angular momentum and, almost, its energy.
 TEST(Rigid_body, rotates_freely) {
-  dsc::Rigid_body_3 body = dsc::rigid_box(Point(-1, -2, -3), Point(1, 2, 3), 1);
+  DSC::Rigid_body_3 body = DSC::rigid_box(Point(-1, -2, -3), Point(1, 2, 3), 1);
   body.angular_velocity = Vector(.1, 1, .2);
-  const dsc::internal::Body_inertia inertia(body, 3);
+  const DSC::internal::Body_inertia inertia(body, 3);
   const auto momentum = [&] {
-    return Eigen::Vector3d(inertia.inertia(dsc::internal::place_of(body).rotation) *
-                           dsc::internal::velocity_of(body).angular);
+    return Eigen::Vector3d(inertia.inertia(DSC::internal::place_of(body).rotation) *
+                           DSC::internal::velocity_of(body).angular);
   };
   const auto energy = [&] {
-    return inertia.energy(dsc::internal::place_of(body).rotation, dsc::internal::velocity_of(body));
+    return inertia.energy(DSC::internal::place_of(body).rotation, DSC::internal::velocity_of(body));
   };
   const Eigen::Vector3d given = momentum();
   const double begin = energy();
   for (int k = 0; k < 200; ++k)
-    dsc::internal::move_freely(body, Eigen::Vector3d::Zero(), .05, 3);
+    DSC::internal::move_freely(body, Eigen::Vector3d::Zero(), .05, 3);
   EXPECT_LT((momentum() - given).norm(), 1e-10 * given.norm());
   EXPECT_NEAR(energy(), begin, 1e-3 * begin);
   body.rotates = {false, true, false};
   const Vector before = body.angular_velocity = Vector(0, 1, 0);
-  dsc::internal::move_freely(body, Eigen::Vector3d(1, 1, 1), .05, 2);
+  DSC::internal::move_freely(body, Eigen::Vector3d(1, 1, 1), .05, 2);
   EXPECT_EQ(body.velocity.z(), 0);
   EXPECT_EQ(body.angular_velocity, Vector(0, 0, 0)) << before;
 }
@@ -319,7 +303,7 @@ TEST(Rigid_body, state_is_restored_bitwise) {
   const auto complex = scene.complex.state();
   const auto state = scene.fluid.state();
   scene.fluid.advance(.1);
-  const dsc::Rigid_body_3 expected = scene.fluid.body(0);
+  const DSC::Rigid_body_3 expected = scene.fluid.body(0);
   Floating_box other(.5, .28);
   other.complex.clear();
   other.complex.restore(complex);
@@ -330,7 +314,7 @@ TEST(Rigid_body, state_is_restored_bitwise) {
   EXPECT_EQ(other.fluid.body(0).rotation, expected.rotation);
   auto wrong = state;
   wrong.bodies.clear();
-  EXPECT_THROW(other.fluid.restore(wrong), dsc::Error);
+  EXPECT_THROW(other.fluid.restore(wrong), DSC::Error);
 }
 
 // Couette flow between two circles. The torque on the outer one is 4 pi mu w a^2 b^2 / (b^2 - a^2).
@@ -341,16 +325,16 @@ TEST(Moving_solid, wheel_has_the_torque_of_couette_flow) {
     SCOPED_TRACE(edge);
     Complex complex = region(circle(b, edge), circle(a, edge), {-1.5, -1.5, 1.5, 1.5});
     Fluid fluid(complex, liquid(viscosity, 0));
-    const dsc::Ball_solid_3 wheel(Point(0, 0, 0), a, dsc::Solid_side::inside);
+    const DSC::Ball_solid_3 wheel(Point(0, 0, 0), a, DSC::Solid_side::inside);
     const auto motion = [](double t) {
-      dsc::Solid_motion_3 result;
+      DSC::Solid_motion_3 result;
       result.rotation = Vector(0, 0, rate * t);
       result.angular_velocity = Vector(0, 0, rate);
       return result;
     };
-    fluid.add_solid(dsc::Moving_solid_3<dsc::Ball_solid_3>(wheel, Point(0, 0, 0), motion),
+    fluid.add_solid(DSC::Moving_solid_3<DSC::Ball_solid_3>(wheel, Point(0, 0, 0), motion),
                     attached(true));
-    fluid.add_solid(dsc::Ball_solid_3(Point(0, 0, 0), b, dsc::Solid_side::outside), attached(true));
+    fluid.add_solid(DSC::Ball_solid_3(Point(0, 0, 0), b, DSC::Solid_side::outside), attached(true));
     double torque = 0, driving = 0;
     for (int k = 0; k < 8; ++k) {
       const auto report = fluid.advance(.1, parameters::implicitness(1));
@@ -368,18 +352,18 @@ TEST(Moving_solid, wheel_has_the_torque_of_couette_flow) {
 TEST(Moving_solid, wheel_in_a_power_law_liquid) {
   static constexpr double a = .5, b = 1, rate = 1, k = 1, n = .6;
   Complex complex = region(circle(b, .07), circle(a, .07), {-1.5, -1.5, 1.5, 1.5});
-  dsc::Liquid power_law{1, 0};
+  DSC::Liquid power_law{1, 0};
   power_law.viscosity_at_shear_rate = [](double g) {
     return k * std::pow((std::max)(g, .01), n - 1);
   };
-  dsc::Fluid_properties properties;
+  DSC::Fluid_properties properties;
   properties.set_liquid(1, power_law);
   Fluid fluid(complex, properties);
-  const dsc::Ball_solid_3 wheel(Point(0, 0, 0), a, dsc::Solid_side::inside);
-  fluid.add_solid(dsc::Moving_solid_3<dsc::Ball_solid_3>(wheel, Vector(0, 0, 0), Point(0, 0, 0),
+  const DSC::Ball_solid_3 wheel(Point(0, 0, 0), a, DSC::Solid_side::inside);
+  fluid.add_solid(DSC::Moving_solid_3<DSC::Ball_solid_3>(wheel, Vector(0, 0, 0), Point(0, 0, 0),
                                                          Vector(0, 0, rate)),
                   attached(true));
-  fluid.add_solid(dsc::Ball_solid_3(Point(0, 0, 0), b, dsc::Solid_side::outside), attached(true));
+  fluid.add_solid(DSC::Ball_solid_3(Point(0, 0, 0), b, DSC::Solid_side::outside), attached(true));
   double torque = 0;
   for (int step = 0; step < 10; ++step)
     torque = fluid.advance(.05, parameters::implicitness(1)).torques_on_solids[1].z();
@@ -392,41 +376,41 @@ TEST(Moving_solid, wheel_in_a_power_law_liquid) {
   Fluid wrong(other, properties);
   wrong.set_velocities(
       [&other](Complex::Vertex_handle v) { return Fluid::Vector(other.position(v).y(), 0); });
-  EXPECT_THROW(wrong.advance(.1), dsc::Error);
+  EXPECT_THROW(wrong.advance(.1), DSC::Error);
 }
 
 TEST(Moving_solid, oscillates_as_the_function_says) {
-  const dsc::Plane_solid_3 plane(Point(0, 0, 0), Vector(0, 1, 0));
-  const dsc::Moving_solid_3<dsc::Plane_solid_3> moving(plane, Point(0, 0, 0), [](double t) {
-    dsc::Solid_motion_3 motion;
+  const DSC::Plane_solid_3 plane(Point(0, 0, 0), Vector(0, 1, 0));
+  const DSC::Moving_solid_3<DSC::Plane_solid_3> moving(plane, Point(0, 0, 0), [](double t) {
+    DSC::Solid_motion_3 motion;
     motion.displacement = Vector(0, std::sin(t), 0);
     motion.velocity = Vector(0, std::cos(t), 0);
     return motion;
   });
-  std::vector<dsc::Wall_3> walls;
+  std::vector<DSC::Wall_3> walls;
   moving.walls(Point(5, 2, 0), .5, walls);
   ASSERT_EQ(walls.size(), 1u);
   EXPECT_DOUBLE_EQ(walls[0].distance, 2 - std::sin(.5));
   EXPECT_DOUBLE_EQ(walls[0].velocity.y(), std::cos(.5));
-  const dsc::Moving_solid_3<dsc::Plane_solid_3> broken(plane, Point(0, 0, 0), [](double) {
-    dsc::Solid_motion_3 motion;
+  const DSC::Moving_solid_3<DSC::Plane_solid_3> broken(plane, Point(0, 0, 0), [](double) {
+    DSC::Solid_motion_3 motion;
     motion.displacement = Vector(NAN, 0, 0);
     return motion;
   });
-  EXPECT_THROW(broken.walls(Point(0, 0, 0), 0, walls), dsc::Error);
+  EXPECT_THROW(broken.walls(Point(0, 0, 0), 0, walls), DSC::Error);
 }
 
 TEST(Moving_solid, motion_is_the_derivative_of_places) {
   static constexpr double step = 1e-4;
   double earliest = 1;
-  const auto motion = dsc::motion_of_places(
+  const auto motion = DSC::motion_of_places(
       [&earliest](double t) {
         earliest = (std::min)(earliest, t);
-        return dsc::Solid_place_3{{std::sin(t), 1 + t * t, 0}, {0, t + t * t, 0}};
+        return DSC::Solid_place_3{{std::sin(t), 1 + t * t, 0}, {0, t + t * t, 0}};
       },
       step);
   for (const double t : {0., step / 2, step, 1.}) {
-    const dsc::Solid_motion_3 at = motion(t);
+    const DSC::Solid_motion_3 at = motion(t);
     EXPECT_EQ(at.displacement, Vector(std::sin(t), 1 + t * t, 0));
     EXPECT_EQ(at.rotation, Vector(0, t + t * t, 0));
     EXPECT_NEAR(at.velocity.x(), std::cos(t), step * step);
@@ -435,19 +419,19 @@ TEST(Moving_solid, motion_is_the_derivative_of_places) {
     EXPECT_NEAR(at.angular_velocity.x(), 0, 1e-11);
   }
   EXPECT_EQ(earliest, 0);
-  EXPECT_THROW(motion(1e14), dsc::Error);
-  EXPECT_THROW(dsc::motion_of_places({}, 0), dsc::Error);
+  EXPECT_THROW(motion(1e14), DSC::Error);
+  EXPECT_THROW(DSC::motion_of_places({}, 0), DSC::Error);
 }
 
 TEST(Moving_solid, motion_is_evaluated_once_for_a_time) {
   int calls = 0;
-  const dsc::Moving_solid_3<dsc::Plane_solid_3> solid(
-      dsc::Plane_solid_3(Point(0, 0, 0), Vector(0, 1, 0)), Point(0, 0, 0), [&calls](double) {
+  const DSC::Moving_solid_3<DSC::Plane_solid_3> solid(
+      DSC::Plane_solid_3(Point(0, 0, 0), Vector(0, 1, 0)), Point(0, 0, 0), [&calls](double) {
         ++calls;
-        return dsc::Solid_motion_3();
+        return DSC::Solid_motion_3();
       });
   const auto copy = solid;
-  std::vector<dsc::Wall_3> walls;
+  std::vector<DSC::Wall_3> walls;
   for (int k = 0; k < 3; ++k)
     (k == 1 ? copy : solid).walls(Point(0, k, 0), 1, walls);
   EXPECT_EQ(calls, 1);
@@ -463,8 +447,8 @@ TEST(Moving_solid, starts_impulsively) {
     Complex complex =
         region(divided({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, .125), {}, {-.5, -.5, 2, 1.5});
     Fluid fluid(complex, liquid(0, 0));
-    fluid.add_solid(dsc::Moving_solid_3<dsc::Tank_solid_3>(
-                        dsc::Tank_solid_3(CGAL::Bbox_2(0, 0, 1, 1)), Vector(velocity, 0, 0)),
+    fluid.add_solid(DSC::Moving_solid_3<DSC::Tank_solid_3>(
+                        DSC::Tank_solid_3(CGAL::Bbox_2(0, 0, 1, 1)), Vector(velocity, 0, 0)),
                     attached(sticks));
     for (int k = 0; k < 4; ++k) {
       const auto report = fluid.advance(.05);
@@ -485,15 +469,15 @@ TEST(Moving_solid, accelerates_from_the_first_instant) {
     Complex complex =
         region(divided({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, .125), {}, {-.5, -.5, 2, 1.5});
     Fluid fluid(complex, liquid(0, 0));
-    const auto motion = dsc::motion_of_places(
+    const auto motion = DSC::motion_of_places(
         [velocity](double t) {
-          dsc::Solid_place_3 result;
+          DSC::Solid_place_3 result;
           result.displacement = Vector(velocity * t + acceleration * t * t / 2, 0, 0);
           return result;
         },
         1e-5);
-    fluid.add_solid(dsc::Moving_solid_3<dsc::Tank_solid_3>(
-                        dsc::Tank_solid_3(CGAL::Bbox_2(0, 0, 1, 1)), Point(0, 0, 0), motion),
+    fluid.add_solid(DSC::Moving_solid_3<DSC::Tank_solid_3>(
+                        DSC::Tank_solid_3(CGAL::Bbox_2(0, 0, 1, 1)), Point(0, 0, 0), motion),
                     attached(false));
     for (int k = 0; k < 4; ++k) {
       const auto report = fluid.advance(.05);
@@ -507,17 +491,17 @@ TEST(Moving_solid, must_not_jump) {
   static constexpr double jump = .5, edge = .125;
   Complex complex = region(divided({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, edge), {}, {-.5, -.5, 2, 1.5});
   Fluid fluid(complex, liquid(0, 0));
-  const auto motion = dsc::motion_of_places(
+  const auto motion = DSC::motion_of_places(
       [](double t) {
-        return dsc::Solid_place_3{{t < .075 ? 0 : jump, 0, 0}, {0, 0, 0}};
+        return DSC::Solid_place_3{{t < .075 ? 0 : jump, 0, 0}, {0, 0, 0}};
       },
       1e-5);
-  fluid.add_solid(dsc::Moving_solid_3<dsc::Tank_solid_3>(
-                      dsc::Tank_solid_3(CGAL::Bbox_2(0, 0, 1, 1)), Point(0, 0, 0), motion),
+  fluid.add_solid(DSC::Moving_solid_3<DSC::Tank_solid_3>(
+                      DSC::Tank_solid_3(CGAL::Bbox_2(0, 0, 1, 1)), Point(0, 0, 0), motion),
                   attached(false));
   fluid.advance(.05);
-  const auto error = thrown_by<dsc::Fluid_step_error>([&] { fluid.advance(.05); });
-  EXPECT_EQ(error.last_attempt().cause, dsc::Fluid_failure::walls);
+  const auto error = thrown_by<DSC::Fluid_step_error>([&] { fluid.advance(.05); });
+  EXPECT_EQ(error.last_attempt().cause, DSC::Fluid_failure::walls);
   EXPECT_GE(error.last_attempt().amount, jump / edge / 2);
   EXPECT_PRED2(contains, std::string(error.what()), "without jumps");
   EXPECT_EQ(fluid.time(), .05);
@@ -544,12 +528,12 @@ TEST(Box_solid, in_a_liquid_needs_a_hole) {
       }
     const auto p = CGAL::centroid(complex.corner(inside, 0), complex.corner(inside, 1),
                                   complex.corner(inside, 2));
-    fluid.add_solid(dsc::Box_solid_3(
+    fluid.add_solid(DSC::Box_solid_3(
         CGAL::Bbox_2(p.x() - size / 2, p.y() - size / 2, p.x() + size / 2, p.y() + size / 2)));
     EXPECT_GT(fluid.depth_in_solids(), 0);
     if (size > .125) {
       const double time = fluid.time();
-      EXPECT_THROW(fluid.advance(.01), dsc::Error);
+      EXPECT_THROW(fluid.advance(.01), DSC::Error);
       EXPECT_EQ(fluid.time(), time);
     }
   }
@@ -562,9 +546,9 @@ TEST(Box_solid, keeps_its_corners_while_liquid_flows_around_it) {
   Complex complex = region(divided({{0, 0}, {2, 0}, {2, 1}, {0, 1}}, .1), divided(corners, .1),
                            {-.5, -.5, 2.5, 1.5});
   Fluid fluid(complex, liquid(0, 0));
-  fluid.add_solid(dsc::Tank_solid_3(CGAL::Bbox_2(0, 0, 2, 1)), attached(false));
-  fluid.add_solid(dsc::Moving_solid_3<dsc::Box_solid_3>(
-                      dsc::Box_solid_3(CGAL::Bbox_2(.8, .3, 1.2, .7)), Vector(velocity, 0, 0)),
+  fluid.add_solid(DSC::Tank_solid_3(CGAL::Bbox_2(0, 0, 2, 1)), attached(false));
+  fluid.add_solid(DSC::Moving_solid_3<DSC::Box_solid_3>(
+                      DSC::Box_solid_3(CGAL::Bbox_2(.8, .3, 1.2, .7)), Vector(velocity, 0, 0)),
                   attached(false));
   for (int k = 0; k < 16; ++k) {
     const auto report = fluid.advance(.02);
@@ -581,14 +565,14 @@ TEST(Box_solid, keeps_its_corners_while_liquid_flows_around_it) {
 }
 
 TEST(Box_solid, walls) {
-  const dsc::Box_solid_3 box(CGAL::Bbox_3(0, 0, 0, 1, 2, 3));
+  const DSC::Box_solid_3 box(CGAL::Bbox_3(0, 0, 0, 1, 2, 3));
   const auto walls = [&](double x, double y, double z) {
-    std::vector<dsc::Wall_3> result;
+    std::vector<DSC::Wall_3> result;
     box.walls(Point(x, y, z), 0, result);
     EXPECT_EQ(result.size(), 6u);
     return result;
   };
-  const auto least = [](const std::vector<dsc::Wall_3>& list) {
+  const auto least = [](const std::vector<DSC::Wall_3>& list) {
     return std::min_element(list.begin(), list.end(),
                             [](const auto& a, const auto& b) { return a.distance < b.distance; })
         ->distance;
@@ -613,7 +597,7 @@ TEST(Box_solid, walls) {
   EXPECT_EQ(edge[3].distance, 0);
   EXPECT_EQ(edge[3].normal, Vector(0, 1, 0));
   EXPECT_GT(edge[5].distance, 0); // the other sides are not touched
-  EXPECT_THROW(dsc::Box_solid_3(CGAL::Bbox_3(0, 0, 0, 0, 1, 1)), dsc::Error);
+  EXPECT_THROW(DSC::Box_solid_3(CGAL::Bbox_3(0, 0, 0, 0, 1, 1)), DSC::Error);
 }
 
 TEST(Source, flux_is_exact) {
@@ -632,7 +616,7 @@ TEST(Source, flux_is_exact) {
     EXPECT_NEAR(report.after.volume, expected, 1e-11);
   }
   fluid.add_source([](const Fluid::Point&) { return true; }, [](double) { return 1e6; });
-  EXPECT_THROW(fluid.advance(.02), dsc::Error);
+  EXPECT_THROW(fluid.advance(.02), DSC::Error);
 }
 
 // A uniform flow through a channel is an exact solution. Its front moves with the liquid.
@@ -649,7 +633,7 @@ TEST_P(Inflow, plug_flow_is_exact) {
       [](std::size_t i, std::size_t j) { return Complex::Point_2(double(i) / ny, double(j) / ny); },
       [](std::size_t i, std::size_t) { return i < ny ? 1 : 0; });
   Fluid fluid(complex, liquid(.1, 0));
-  dsc::Side_behavior side;
+  DSC::Side_behavior side;
   side.inflow = [](const std::array<double, 3>&, double) {
     return std::array<double, 3>{velocity, 0, 0};
   };
@@ -673,7 +657,7 @@ TEST_P(Inflow, plug_flow_is_exact) {
     return std::array<double, 3>{NAN, 0, 0};
   };
   fluid.set_side(0, false, side);
-  EXPECT_THROW(fluid.advance(dt), dsc::Error);
+  EXPECT_THROW(fluid.advance(dt), DSC::Error);
 }
 
 TEST(Gravity, changes_between_steps) {

@@ -1,21 +1,11 @@
 // Incompressible flow in the plane.
-#include "planar_regions.h"
-#include "test.h"
-
-#include <CGAL/Incompressible_fluid_2.h>
-#if __has_include(<CGAL/Incompressible_fluids_3/compiled_2.h>) // if the component Compiled is used
-#include <CGAL/Incompressible_fluids_3/compiled_2.h>
-#endif
+#include "fluids_2.h"
 
 namespace test_fluid_2 {
 
-namespace dsc = CGAL::Deformable_simplicial_complexes;
-namespace parameters = dsc::parameters;
-using Complex = CGAL::Deformable_simplicial_complex_2<>;
-using Fluid = CGAL::Incompressible_fluid_2<Complex>;
+using namespace fluids_2;
 using Point = Fluid::Point;
 using Vector = Fluid::Vector;
-using Vertex_handle = Complex::Vertex_handle;
 
 // Returns the region around a center. `radius` is a function of the angle.
 Complex around(const Point& center, std::size_t corners, const CGAL::Bbox_2& box,
@@ -30,8 +20,8 @@ Complex disk(std::size_t corners, const CGAL::Bbox_2& box) {
 
 const CGAL::Bbox_2 square(-1, -1, 1, 1);
 
-dsc::Fluid_properties two_liquids(double density, double viscosity) {
-  dsc::Fluid_properties result;
+DSC::Fluid_properties two_liquids(double density, double viscosity) {
+  DSC::Fluid_properties result;
   result.set_liquid(0, {1, viscosity});
   result.set_liquid(1, {density, viscosity});
   return result;
@@ -71,7 +61,7 @@ TEST(Fluid_2, droplet_oscillates) {
   static constexpr double amplitude = .02;
   Complex complex =
       around({0, 0}, 32, {-2, -2, 2, 2}, [](double a) { return 1 + amplitude * std::cos(2 * a); });
-  dsc::Fluid_properties properties;
+  DSC::Fluid_properties properties;
   properties.set_liquid(1, {1, 0});
   properties.set_surface_tension(0, 1, 1);
   Fluid fluid(complex, properties);
@@ -165,11 +155,11 @@ TEST(Fluid_2, in_a_slippery_bowl_rests_or_keeps_its_spin) {
   for (const bool spins : {false, true}) {
     SCOPED_TRACE(spins);
     Complex complex = disk(24, square);
-    dsc::Fluid_properties properties;
+    DSC::Fluid_properties properties;
     properties.set_liquid(1, {1, 0});
     properties.set_gravity({0, spins ? 0. : -1., 0});
     Fluid fluid(complex, properties);
-    fluid.add_solid(dsc::Ball_solid_3({0, 0, 0}, .5, dsc::Solid_side::outside), {90, false, false});
+    fluid.add_solid(DSC::Ball_solid_3({0, 0, 0}, .5, DSC::Solid_side::outside), {90, false, false});
     if (spins)
       fluid.set_velocities([&](Vertex_handle v) { return rotation(complex.position(v)); });
     fluid.advance(.02);
@@ -187,7 +177,7 @@ TEST(Fluid_2, in_a_slippery_bowl_rests_or_keeps_its_spin) {
 TEST(Fluid_2, has_the_velocity_of_no_slip_sides) {
   for (const int axis : {0, 1}) {
     SCOPED_TRACE(axis);
-    Complex complex = dsc::make_deformable_simplicial_complex_2<Complex>(
+    Complex complex = DSC::make_deformable_simplicial_complex_2<Complex>(
         square, .2, [](const auto& p) { return p.y() > 0 ? 1 : 0; });
     Fluid fluid(complex, two_liquids(1, .1));
     std::array<double, 3> velocity = {1, 1, 0};
@@ -213,10 +203,10 @@ TEST(Fluid_2, has_the_velocity_of_no_slip_sides) {
 
 TEST(Fluid_2, tanks_have_walls_in_the_plane) {
   for (const bool is_open : {false, true}) {
-    std::vector<dsc::Wall_3> walls;
-    dsc::Tank_solid_3(square, is_open).walls({0, .25, 0}, 0, walls);
+    std::vector<DSC::Wall_3> walls;
+    DSC::Tank_solid_3(square, is_open).walls({0, .25, 0}, 0, walls);
     ASSERT_EQ(walls.size(), is_open ? 3u : 4u);
-    for (const dsc::Wall_3& wall : walls) {
+    for (const DSC::Wall_3& wall : walls) {
       EXPECT_EQ(wall.normal.z(), 0);
       EXPECT_EQ(wall.distance, 1 + wall.normal.y() * .25);
     }
@@ -226,10 +216,10 @@ TEST(Fluid_2, tanks_have_walls_in_the_plane) {
 TEST(Fluid_2, refuses_what_makes_no_sense) {
   Complex complex = disk(16, square);
   Fluid fluid(complex, two_liquids(1, 0));
-  EXPECT_THROW(dsc::Tank_solid_3(CGAL::Bbox_2(0, 0, 1, 0)), dsc::Error);
-  EXPECT_THROW(fluid.set_side(2, true, {}), dsc::Error);
-  EXPECT_THROW(fluid.set_side(0, true, {{{NAN, 0, 0}}}), dsc::Error);
-  EXPECT_THROW(fluid.set_velocities([](Vertex_handle) { return Vector(NAN, 0); }), dsc::Error);
+  EXPECT_THROW(DSC::Tank_solid_3(CGAL::Bbox_2(0, 0, 1, 0)), DSC::Error);
+  EXPECT_THROW(fluid.set_side(2, true, {}), DSC::Error);
+  EXPECT_THROW(fluid.set_side(0, true, {{{NAN, 0, 0}}}), DSC::Error);
+  EXPECT_THROW(fluid.set_velocities([](Vertex_handle) { return Vector(NAN, 0); }), DSC::Error);
 }
 
 } // namespace test_fluid_2

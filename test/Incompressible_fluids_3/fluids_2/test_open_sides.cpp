@@ -1,21 +1,12 @@
 // Liquid that passes through sides of the domain against a pressure.
-#include "planar_regions.h"
-#include "test.h"
-
-#include <CGAL/Incompressible_fluid_2.h>
-#if __has_include(<CGAL/Incompressible_fluids_3/compiled_2.h>) // if the component Compiled is used
-#include <CGAL/Incompressible_fluids_3/compiled_2.h>
-#endif
+#include "fluids_2.h"
 
 #include <memory>
 #include <optional>
 
 namespace test_open_sides {
 
-namespace dsc = CGAL::Deformable_simplicial_complexes;
-using Complex = CGAL::Deformable_simplicial_complex_2<>;
-using Fluid = CGAL::Incompressible_fluid_2<Complex>;
-using Vertex_handle = Complex::Vertex_handle;
+using namespace fluids_2;
 using Coordinates = std::array<double, 3>;
 
 // Returns the liquid with label 1 in [0, 1] x [0, surface(x)] of the domain [0, 1] x [0, 2], with n
@@ -32,28 +23,21 @@ Complex tank(std::size_t n, const std::function<double(double)>& surface) {
 
 double one(double) { return 1; }
 
-dsc::Fluid_properties liquid(double viscosity, double gravity) {
-  dsc::Fluid_properties result;
-  result.set_liquid(1, {1, viscosity});
-  result.set_gravity({0, -gravity, 0});
-  return result;
-}
-
-dsc::Side_behavior open_to(double pressure) {
-  dsc::Side_behavior result;
+DSC::Side_behavior open_to(double pressure) {
+  DSC::Side_behavior result;
   result.pressure = [pressure](const Coordinates&, double) { return pressure; };
   return result;
 }
 
-dsc::Side_behavior inflow_of(double velocity) {
-  dsc::Side_behavior result;
+DSC::Side_behavior inflow_of(double velocity) {
+  DSC::Side_behavior result;
   result.inflow = [velocity](const Coordinates&, double) { return Coordinates{velocity, 0, 0}; };
   return result;
 }
 
 // Adds a plane above the liquid.
 void add_lid(Fluid& fluid, bool sticks) {
-  fluid.add_solid(dsc::Plane_solid_3({0, 1, 0}, {0, -1, 0}), {90, sticks, false});
+  fluid.add_solid(DSC::Plane_solid_3({0, 1, 0}, {0, -1, 0}), {90, sticks, false});
 }
 
 double sum(const std::array<double, 6>& numbers) {
@@ -112,7 +96,7 @@ TEST(Open_sides, limit_the_step) {
 TEST(Open_sides, are_necessary_for_an_inflow_without_a_surface) {
   for (const bool is_open : {false, true}) {
     Complex complex = tank(4, one);
-    dsc::Fluid_properties properties = liquid(.1, 0);
+    DSC::Fluid_properties properties = liquid(.1, 0);
     properties.set_liquid(0, {2, .1});
     Fluid fluid(complex, properties);
     fluid.set_side(0, false, inflow_of(.5));
@@ -121,14 +105,14 @@ TEST(Open_sides, are_necessary_for_an_inflow_without_a_surface) {
     if (is_open)
       EXPECT_LT(fluid.advance(.02).volume_error, 1e-9);
     else
-      EXPECT_THROW(fluid.advance(.02), dsc::Error);
+      EXPECT_THROW(fluid.advance(.02), DSC::Error);
   }
 }
 
 // Surface tension along a flat surface is balanced where it ends at an opening.
 TEST(Open_sides, pull_at_surfaces) {
   Complex complex = tank(6, one);
-  dsc::Fluid_properties properties = liquid(0, 0);
+  DSC::Fluid_properties properties = liquid(0, 0);
   properties.set_surface_tension(0, 1, 1);
   Fluid fluid(complex, properties);
   fluid.set_side(0, true, open_to(0));
@@ -162,7 +146,7 @@ TEST(Open_sides, channel_has_the_flux_of_poiseuille) {
   add_lid(fluid, true);
   fluid.set_side(1, false, {{{0, 0, 0}}});
   for (const bool is_right : {false, true}) {
-    dsc::Side_behavior side = open_to(is_right ? 0 : 1);
+    DSC::Side_behavior side = open_to(is_right ? 0 : 1);
     side.velocity = {0, 0, 0};
     fluid.set_side(0, is_right, side);
   }
@@ -185,10 +169,10 @@ TEST(Open_sides, hydrostatic_pressure_outside_keeps_a_tank_at_rest) {
   for (const double viscosity : {0., .1})
     for (const double pressure : {0., 3.}) {
       Complex complex = tank(6, one);
-      dsc::Fluid_properties properties = liquid(viscosity, 2);
+      DSC::Fluid_properties properties = liquid(viscosity, 2);
       properties.set_gas(0, {pressure, 0});
       Fluid fluid(complex, properties);
-      dsc::Side_behavior side;
+      DSC::Side_behavior side;
       side.pressure = [pressure](const Coordinates& p, double) {
         return pressure + 2 * (1 - p[1]);
       };
@@ -285,7 +269,7 @@ TEST(Open_sides, restored_state_continues_with_the_same_bits) {
 TEST(Open_sides, part_of_a_side_is_open) {
   Complex complex = tank(5, one);
   Fluid fluid(complex, liquid(.01, 1));
-  dsc::Side_behavior side;
+  DSC::Side_behavior side;
   side.pressure = [](const Coordinates& p, double) {
     return p[1] < .45 ? std::optional<double>(0) : std::nullopt;
   };
@@ -309,29 +293,29 @@ TEST(Open_sides, refuses_what_makes_no_sense) {
   const auto begin = complex.state();
   for (const double pressure : {-std::numeric_limits<double>::infinity(), double(NAN)}) {
     fluid.set_side(0, true, open_to(pressure));
-    EXPECT_THROW(fluid.advance(.01), dsc::Error);
+    EXPECT_THROW(fluid.advance(.01), DSC::Error);
   }
-  dsc::Side_behavior narrow;
+  DSC::Side_behavior narrow;
   narrow.pressure = [](const Coordinates& p, double) {
     return std::abs(p[1] - .37) < .03 ? std::optional<double>(0) : std::nullopt;
   };
   fluid.set_side(0, true, narrow); // no vertex is in the opening
-  EXPECT_THROW(fluid.advance(.01), dsc::Error);
+  EXPECT_THROW(fluid.advance(.01), DSC::Error);
   narrow.inflow = [](const Coordinates& p, double) {
     return std::abs(p[1] - .37) < .03 ? std::optional<Coordinates>({0, 0, 0}) : std::nullopt;
   };
   narrow.pressure = nullptr;
   fluid.set_side(0, true, narrow);
-  EXPECT_THROW(fluid.advance(.01), dsc::Error);
+  EXPECT_THROW(fluid.advance(.01), DSC::Error);
   EXPECT_TRUE(complex.state() == begin);
-  EXPECT_THROW(fluid.set_side(2, true, open_to(0)), dsc::Error);
+  EXPECT_THROW(fluid.set_side(2, true, open_to(0)), DSC::Error);
 
   std::vector<Complex::Point_2> points = {{0, 0}, {1, 0}, {0, 1}, {-1, 0}, {0, -1}};
   std::vector<std::array<std::size_t, 3>> triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}};
-  Complex rhombus = dsc::make_deformable_simplicial_complex_2<Complex>(
+  Complex rhombus = DSC::make_deformable_simplicial_complex_2<Complex>(
       points, triangles, std::vector<int>{0, 1, 1, 0});
   Fluid in_rhombus(rhombus, liquid(0, 1));
-  EXPECT_THROW(in_rhombus.set_side(0, true, open_to(0)), dsc::Error);
+  EXPECT_THROW(in_rhombus.set_side(0, true, open_to(0)), DSC::Error);
 }
 
 } // namespace test_open_sides

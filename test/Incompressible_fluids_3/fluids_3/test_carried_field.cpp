@@ -1,25 +1,16 @@
 // The field that liquids carry, and surface tensions that depend on it.
-#include "planar_regions.h"
-#include "test.h"
+#include "fluids_2.h"
+#include "fluids_3.h"
 
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
-#include <CGAL/Incompressible_fluid_2.h>
-#include <CGAL/Incompressible_fluid_3.h>
-#if __has_include(<CGAL/Incompressible_fluids_3/compiled_2.h>) // if the component Compiled is used
-#include <CGAL/Incompressible_fluids_3/compiled_2.h>
-#include <CGAL/Incompressible_fluids_3/compiled_3.h>
-#endif
 
 #include <optional>
 
 namespace test_carried_field {
 
-namespace dsc = CGAL::Deformable_simplicial_complexes;
-namespace parameters = dsc::parameters;
-using Complex = CGAL::Deformable_simplicial_complex_2<>;
-using Complex_3 = CGAL::Deformable_simplicial_complex_3<>;
-using Fluid = CGAL::Incompressible_fluid_2<Complex>;
-using Fluid_3 = CGAL::Incompressible_fluid_3<Complex_3>;
+using namespace fluids_2;
+using Complex_3 = fluids_3::Complex;
+using Fluid_3 = fluids_3::Fluid;
 using Point = Fluid::Point;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
@@ -48,7 +39,7 @@ Complex grid(std::size_t columns, std::size_t rows, double width, double height,
       }
       labels.resize(triangles.size(), label_at({(double(i) + .5) * dx, (double(j) + .5) * dy}));
     }
-  return dsc::make_deformable_simplicial_complex_2<Complex>(points, triangles, labels);
+  return DSC::make_deformable_simplicial_complex_2<Complex>(points, triangles, labels);
 }
 
 // Returns a disk of label 1 in a square of label 0, about the origin.
@@ -58,8 +49,8 @@ Complex disk(std::size_t corners, double radius, double half_side) {
       CGAL::Bbox_2(-half_side, -half_side, half_side, half_side));
 }
 
-dsc::Liquid liquid(double viscosity, double diffusivity) {
-  dsc::Liquid result{1, viscosity};
+DSC::Liquid liquid(double viscosity, double diffusivity) {
+  DSC::Liquid result{1, viscosity};
   result.diffusivity = diffusivity;
   return result;
 }
@@ -69,12 +60,12 @@ template <class Fluid_of_dimension, class Complex_of_dimension>
 void check_decay(Complex_of_dimension& complex) {
   static constexpr double diffusivity = .1, dt = .005;
   static constexpr int steps = 20;
-  dsc::Fluid_properties properties;
+  DSC::Fluid_properties properties;
   properties.set_liquid(1, liquid(0, diffusivity));
   Fluid_of_dimension fluid(complex, properties);
   fluid.set_field([](const auto& p) { return 2 + std::cos(CGAL_PI * p.x()); });
   const double integral = fluid.balance().field_integral;
-  dsc::Fluid_balance begin, end; // begins when the mode is the mode of the mesh
+  DSC::Fluid_balance begin, end; // begins when the mode is the mode of the mesh
   for (int k = 0; k < 2 * steps; ++k) {
     end = fluid.advance(dt, parameters::adaptation_interval(0)).after;
     if (k + 1 == steps)
@@ -95,7 +86,7 @@ void check_decay(Complex_of_dimension& complex) {
 TEST(Carried_field, decays_by_diffusion) {
   Complex plane = grid(16, 8, 1, .5, [](const Point& p) { return p.y() < .3 ? 1 : 0; });
   check_decay<Fluid>(plane);
-  Complex_3 space = dsc::make_deformable_simplicial_complex_3<Complex_3>(
+  Complex_3 space = DSC::make_deformable_simplicial_complex_3<Complex_3>(
       CGAL::Bbox_3(0, 0, 0, 1, .2, .2), .05, [](const auto& p) { return p.z() < .14 ? 1 : 0; });
   check_decay<Fluid_3>(space);
 }
@@ -103,7 +94,7 @@ TEST(Carried_field, decays_by_diffusion) {
 // The field and its flux are continuous between liquids with different diffusivities.
 TEST(Carried_field, flows_between_liquids) {
   Complex complex = grid(8, 4, 1, .5, [](const Point& p) { return p.x() < .5 ? 0 : 1; });
-  dsc::Fluid_properties properties;
+  DSC::Fluid_properties properties;
   properties.set_liquid(0, liquid(0, 1));
   properties.set_liquid(1, liquid(0, 3));
   Fluid fluid(complex, properties);
@@ -127,7 +118,7 @@ TEST(Carried_field, flows_between_liquids) {
 TEST(Marangoni, surface_flows_to_larger_tensions) {
   static constexpr double height = .25, slope = .01;
   Complex complex = grid(36, 9, 1.5, .375, [](const Point& p) { return p.y() < height ? 1 : 0; });
-  dsc::Fluid_properties properties;
+  DSC::Fluid_properties properties;
   properties.set_liquid(1, liquid(1, 1));
   properties.set_surface_tension(0, 1, [](double field) { return 1 + slope * field; });
   properties.set_gravity({0, -50, 0}); // the surface stays nearly flat
@@ -154,7 +145,7 @@ TEST(Marangoni, surface_flows_to_larger_tensions) {
 // A drop moves to smaller tensions: the liquids along its surface move to larger ones.
 TEST(Marangoni, drop_moves_to_smaller_tensions) {
   Complex complex = disk(32, .3, 1);
-  dsc::Fluid_properties properties;
+  DSC::Fluid_properties properties;
   properties.set_liquid(0, liquid(.1, 0));
   properties.set_liquid(1, liquid(.1, 0));
   properties.set_surface_tension(0, 1, [](double field) { return 1 - .2 * field; });
@@ -178,7 +169,7 @@ TEST(Marangoni, drop_moves_to_smaller_tensions) {
 // Heat does work on the interface. The check of energies must not undo such a step.
 TEST(Marangoni, heat_adds_surface_energy) {
   Complex complex = disk(24, .5, 1);
-  dsc::Fluid_properties properties;
+  DSC::Fluid_properties properties;
   properties.set_liquid(1, liquid(0, 1));
   properties.set_surface_tension(0, 1, [](double field) { return 1 + field; });
   Fluid fluid(complex, properties);
@@ -199,7 +190,7 @@ TEST(Marangoni, heat_adds_surface_energy) {
 TEST(Marangoni, constant_function_is_the_constant) {
   const auto run = [](bool is_function) {
     Complex complex = disk(24, .5, 1);
-    dsc::Fluid_properties properties;
+    DSC::Fluid_properties properties;
     properties.set_liquid(1, liquid(.01, 0));
     if (is_function)
       properties.set_surface_tension(0, 1, [](double) { return 2.; });
@@ -220,7 +211,7 @@ TEST(Marangoni, constant_function_is_the_constant) {
 }
 
 TEST(Carried_field, is_restored_bitwise) {
-  dsc::Fluid_properties properties;
+  DSC::Fluid_properties properties;
   properties.set_liquid(0, liquid(.1, .01));
   properties.set_liquid(1, liquid(.1, .02));
   properties.set_surface_tension(0, 1, [](double field) { return 1 - .5 * field; });
@@ -251,34 +242,34 @@ TEST(Carried_field, is_restored_bitwise) {
 }
 
 TEST(Carried_field, refuses_what_makes_no_sense) {
-  dsc::Fluid_properties properties;
-  EXPECT_THROW(properties.set_liquid(1, liquid(0, -1)), dsc::Error);
-  EXPECT_THROW(properties.set_liquid(1, liquid(0, not_a_number)), dsc::Error);
-  EXPECT_THROW(properties.set_surface_tension(0, 1, std::function<double(double)>()), dsc::Error);
-  EXPECT_THROW(properties.set_surface_tension(1, 1, [](double) { return 1.; }), dsc::Error);
+  DSC::Fluid_properties properties;
+  EXPECT_THROW(properties.set_liquid(1, liquid(0, -1)), DSC::Error);
+  EXPECT_THROW(properties.set_liquid(1, liquid(0, not_a_number)), DSC::Error);
+  EXPECT_THROW(properties.set_surface_tension(0, 1, std::function<double(double)>()), DSC::Error);
+  EXPECT_THROW(properties.set_surface_tension(1, 1, [](double) { return 1.; }), DSC::Error);
   properties.set_liquid(1, liquid(0, 1));
   properties.set_surface_tension(0, 1, [](double field) { return 1 - field; });
   EXPECT_EQ(properties.surface_tension(1, 0, .25), .75);
-  EXPECT_THROW(properties.surface_tension(0, 1, 2), dsc::Error);
+  EXPECT_THROW(properties.surface_tension(0, 1, 2), DSC::Error);
   Complex complex = disk(16, .5, 1);
   Fluid fluid(complex, properties);
   EXPECT_THROW(fluid.set_field([](const Point& p) { return p.x() > 0 ? not_a_number : 0; }),
-               dsc::Error);
+               DSC::Error);
   EXPECT_FALSE(fluid.has_field());
   fluid.set_field([](const Point&) { return 0; });
 
   // A step that fails leaves the state before.
   const auto state = complex.state();
   fluid.fix_field([](const Point&, double) { return not_a_number; });
-  EXPECT_THROW(fluid.advance(.1), dsc::Error);
+  EXPECT_THROW(fluid.advance(.1), DSC::Error);
   fluid.fix_field([](const Point&, double) { return 2; });
-  EXPECT_THROW(fluid.advance(.1), dsc::Error);
+  EXPECT_THROW(fluid.advance(.1), DSC::Error);
   EXPECT_EQ(fluid.time(), 0);
   EXPECT_EQ(complex.state(), state);
   EXPECT_EQ(fluid.balance().greatest_field, 0);
   auto other = fluid.state();
   other.field.pop_back();
-  EXPECT_THROW(fluid.restore(other), dsc::Error);
+  EXPECT_THROW(fluid.restore(other), DSC::Error);
 }
 
 } // namespace test_carried_field

@@ -1,11 +1,6 @@
 // Incompressible flow: exact solutions, conserved quantities, contacts, and solvers.
+#include "fluids_3.h"
 #include "mesh_helpers.h"
-#include "test.h"
-
-#include <CGAL/Incompressible_fluid_3.h>
-#if __has_include(<CGAL/Incompressible_fluids_3/compiled_3.h>) // if the component Compiled is used
-#include <CGAL/Incompressible_fluids_3/compiled_3.h>
-#endif
 
 #include <Eigen/Dense>
 
@@ -13,22 +8,10 @@
 
 namespace test_fluid {
 
-namespace dsc = CGAL::Deformable_simplicial_complexes;
-namespace parameters = dsc::parameters;
 using mesh_helpers::sphere;
-using small_meshes::Complex;
-using Fluid = CGAL::Incompressible_fluid_3<Complex>;
+using namespace fluids_3;
 using Vector = Fluid::Vector;
 using Point = Fluid::Point;
-
-dsc::Fluid_properties liquid(double density, double viscosity = 0, double tension = 0,
-                             double gravity = 0) {
-  dsc::Fluid_properties result;
-  result.set_liquid(1, {density, viscosity});
-  result.set_surface_tension(0, 1, tension);
-  result.set_gravity({0, 0, -gravity});
-  return result;
-}
 
 Complex block() { return small_meshes::make_complex(small_meshes::grid(8, small_meshes::cube)); }
 
@@ -83,7 +66,7 @@ TEST(Fluid, flies_without_spinning) {
 TEST(Fluid, in_a_tank_rests) {
   Complex complex = block();
   Fluid fluid(complex, liquid(2, 0, 0, 1));
-  fluid.add_solid(dsc::Tank_solid_3(CGAL::Bbox_3(-.5, -.5, -.5, .5, .5, 1), true),
+  fluid.add_solid(DSC::Tank_solid_3(CGAL::Bbox_3(-.5, -.5, -.5, .5, .5, 1), true),
                   {90, false, false});
   const auto report = fluid.advance(.05);
   EXPECT_LT(greatest_velocity(fluid), 1e-12);
@@ -198,7 +181,7 @@ TEST(Fluid, droplet_oscillates) {
 TEST(Fluid, enters_no_solid) {
   Complex complex = sphere(8, .4);
   Fluid fluid(complex, liquid(1, .01, .1, 2));
-  fluid.add_solid(dsc::Ball_solid_3(Point(0, 0, .2), .7, dsc::Solid_side::outside));
+  fluid.add_solid(DSC::Ball_solid_3(Point(0, 0, .2), .7, DSC::Solid_side::outside));
   double volume = fluid.balance().volume;
   std::size_t contacts = 0;
   for (int k = 0; k < 30; ++k) {
@@ -233,7 +216,7 @@ TEST(Fluid, gains_no_energy_at_walls) {
   Complex complex = sphere(8, .4);
   Fluid fluid(complex, liquid(1, .02, 1, 1));
   const double height = -.42;
-  fluid.add_solid(dsc::Plane_solid_3(Point(0, 0, height), Vector(0, 0, 1)));
+  fluid.add_solid(DSC::Plane_solid_3(Point(0, 0, height), Vector(0, 0, 1)));
   const double start = fluid.balance().energy();
   std::size_t contacts = 0, large_gains = 0;
   for (int k = 0; k < 60; ++k) {
@@ -294,9 +277,9 @@ TEST(Fluid, changes_nothing_if_it_refuses) {
   fluid.advance(.01);
   const auto before = complex.state();
   const auto motion = fluid.state().motion;
-  EXPECT_THROW(fluid.advance(1e-310), dsc::Error);
-  EXPECT_THROW(fluid.advance(.01, parameters::quality_threshold(-1.)), dsc::Error);
-  EXPECT_THROW(fluid.relax(.01, 1, parameters::minimum_angle(90.)), dsc::Error);
+  EXPECT_THROW(fluid.advance(1e-310), DSC::Error);
+  EXPECT_THROW(fluid.advance(.01, parameters::quality_threshold(-1.)), DSC::Error);
+  EXPECT_THROW(fluid.relax(.01, 1, parameters::minimum_angle(90.)), DSC::Error);
   EXPECT_EQ(complex.state(), before);
   EXPECT_EQ(fluid.state().motion, motion);
   EXPECT_EQ(fluid.time(), .01);
@@ -304,19 +287,19 @@ TEST(Fluid, changes_nothing_if_it_refuses) {
 
 TEST(Fluid, needs_a_surface) {
   Complex complex = block();
-  dsc::Fluid_properties absent, filling = liquid(1);
+  DSC::Fluid_properties absent, filling = liquid(1);
   absent.set_liquid(7, {1, 0});
-  EXPECT_THROW(Fluid(complex, absent), dsc::Error);
+  EXPECT_THROW(Fluid(complex, absent), DSC::Error);
   Complex full = small_meshes::make_complex(small_meshes::grid(2, [](const auto&) { return 1; }));
-  EXPECT_THROW(Fluid(full, filling), dsc::Error);
+  EXPECT_THROW(Fluid(full, filling), DSC::Error);
 }
 
 TEST(Fluid, relaxes_while_solids_stand_still) {
   Complex complex = sphere(8, .4);
   Fluid fluid(complex, liquid(1, 0, 1, 1));
-  using Plane = dsc::Plane_solid_3;
+  using Plane = DSC::Plane_solid_3;
   fluid.add_solid(
-      dsc::Moving_solid_3<Plane>(Plane(Point(0, 0, -.45), Vector(0, 0, 1)), Vector(0, 0, 1)),
+      DSC::Moving_solid_3<Plane>(Plane(Point(0, 0, -.45), Vector(0, 0, 1)), Vector(0, 0, 1)),
       {120, true, false});
   fluid.relax(.1, 10);
   EXPECT_EQ(fluid.time(), 0);
@@ -328,8 +311,8 @@ TEST(Fluid, relaxes_while_solids_stand_still) {
 TEST(Fluid, that_sticks_goes_with_the_wall) {
   Complex complex = block();
   Fluid fluid(complex, liquid(1, 1, 0, 1));
-  using Plane = dsc::Plane_solid_3;
-  const dsc::Moving_solid_3<Plane> floor(Plane(Point(0, 0, -.5), Vector(0, 0, 1)),
+  using Plane = DSC::Plane_solid_3;
+  const DSC::Moving_solid_3<Plane> floor(Plane(Point(0, 0, -.5), Vector(0, 0, 1)),
                                          Vector(.3, 0, 0));
   fluid.add_solid(floor, {90, true, true});
   for (int k = 0; k < 3; ++k)
@@ -345,7 +328,7 @@ TEST(Fluid, with_two_liquids_rests) {
   // A heavy liquid below a light liquid; both fill the box that is the domain.
   Complex complex = small_meshes::make_complex(
       small_meshes::grid(6, [](const auto& p) { return CGAL::to_double(p.z()) < 0 ? 2 : 1; }));
-  dsc::Fluid_properties properties;
+  DSC::Fluid_properties properties;
   properties.set_liquid(1, {1, 0});
   properties.set_liquid(2, {5, 0});
   properties.set_gravity({0, 0, -1});
@@ -368,7 +351,7 @@ TEST(Fluid, that_rotates_has_twice_its_angular_velocity_as_vorticity) {
 // A ball of liquid rotates in another liquid at rest. The state can be saved.
 TEST(Fluid, slips_along_another_liquid) {
   Complex complex = sphere(8, .5);
-  dsc::Fluid_properties properties;
+  DSC::Fluid_properties properties;
   properties.set_liquid(0, {.5, 0});
   properties.set_liquid(1, {2, 0});
   Fluid fluid(complex, properties);
@@ -415,7 +398,7 @@ TEST(Fluid, in_a_slippery_bowl_rests_or_keeps_its_spin) {
     double radius = 0;
     for (auto v : complex.interface_vertices())
       radius = (std::max)(radius, length(complex.position(v) - CGAL::ORIGIN));
-    fluid.add_solid(dsc::Ball_solid_3({0, 0, 0}, radius, dsc::Solid_side::outside),
+    fluid.add_solid(DSC::Ball_solid_3({0, 0, 0}, radius, DSC::Solid_side::outside),
                     {90, false, false});
     if (spins)
       fluid.set_velocities([&](Complex::Vertex_handle v) {
@@ -434,7 +417,7 @@ TEST(Fluid, in_a_slippery_bowl_rests_or_keeps_its_spin) {
 }
 
 TEST(Fluid_motion, is_interpolated_for_each_liquid) {
-  using Motion = dsc::internal::Fluid_motion;
+  using Motion = DSC::internal::Fluid_motion;
   Motion::Value a, b;
   a.common.setConstant(1);
   a.deviation(7).setConstant(2);
@@ -456,7 +439,7 @@ TEST(Fluid, breathes_around_a_bubble_of_gas) {
     return r < inner ? 2 : r < outer ? 1 : 0;
   };
   Complex complex = small_meshes::make_complex(small_meshes::grid(10, label_at));
-  dsc::Fluid_properties properties;
+  DSC::Fluid_properties properties;
   properties.set_liquid(1, {1, 0});
   properties.set_gas(0, {pressure, 0});
   properties.set_gas(2, {pressure, exponent});
@@ -503,7 +486,7 @@ TEST(Fluid, does_not_feel_the_air_above_a_tank) {
   for (double pressure : {0., 50.}) {
     Complex complex = small_meshes::make_complex(
         small_meshes::grid(6, [](const auto& p) { return CGAL::to_double(p.z()) < 0 ? 1 : 0; }));
-    dsc::Fluid_properties properties = liquid(1, 0, 0, 1);
+    DSC::Fluid_properties properties = liquid(1, 0, 0, 1);
     properties.set_gas(0, {pressure, 0});
     Fluid fluid(complex, properties);
     fluid.set_velocities([&](Complex::Vertex_handle v) {
@@ -540,14 +523,14 @@ TEST(Fluid, grows_by_sources) {
   EXPECT_TRUE(complex.is_valid());
   EXPECT_LT(fluid.balance().volume, .9 * balance.volume);
   fluid.set_sources([](const Point&, double) { return -100.; });
-  EXPECT_THROW(fluid.advance(.1), dsc::Error);
+  EXPECT_THROW(fluid.advance(.1), DSC::Error);
   fluid.set_sources([](const Point&, double) { return std::nan(""); });
-  EXPECT_THROW(fluid.advance(.1), dsc::Error);
+  EXPECT_THROW(fluid.advance(.1), DSC::Error);
 }
 
 TEST(Gas_bookkeeping, follows_components) {
-  using Bookkeeping = dsc::internal::Gas_bookkeeping;
-  const dsc::Gas gas = {1, 2};
+  using Bookkeeping = DSC::internal::Gas_bookkeeping;
+  const DSC::Gas gas = {1, 2};
   Bookkeeping bookkeeping;
   bookkeeping.set_components(
       {{1, {gas, 2, 1, 2}}, {2, {gas, 1, 4, 1}}, {5, {gas, 3, 7, 2}}, {6, {gas, 2, 2, 1}}});
@@ -591,69 +574,69 @@ TEST(Fluid, goes_on_to_the_same_bits) {
 }
 
 TEST(Fluid, refuses_what_makes_no_sense) {
-  dsc::Fluid_properties properties;
-  EXPECT_THROW(properties.set_liquid(1, {0, 0}), dsc::Error);
-  EXPECT_THROW(properties.set_liquid(1, {1, -1}), dsc::Error);
-  EXPECT_THROW(properties.set_gas(0, {-1, 0}), dsc::Error);
-  EXPECT_THROW(properties.set_gas(0, {1, std::nan("")}), dsc::Error);
-  EXPECT_THROW(liquid(1).set_gas(1, {1}), dsc::Error);
+  DSC::Fluid_properties properties;
+  EXPECT_THROW(properties.set_liquid(1, {0, 0}), DSC::Error);
+  EXPECT_THROW(properties.set_liquid(1, {1, -1}), DSC::Error);
+  EXPECT_THROW(properties.set_gas(0, {-1, 0}), DSC::Error);
+  EXPECT_THROW(properties.set_gas(0, {1, std::nan("")}), DSC::Error);
+  EXPECT_THROW(liquid(1).set_gas(1, {1}), DSC::Error);
   properties.set_gas(5, {1});
-  EXPECT_THROW(properties.set_liquid(5, {1}), dsc::Error);
-  EXPECT_THROW(properties.set_surface_tension(0, 1, -1), dsc::Error);
-  EXPECT_THROW(properties.set_surface_tension(1, 1, 1), dsc::Error);
-  EXPECT_THROW(properties.set_gravity({0, std::nan(""), 0}), dsc::Error);
-  EXPECT_THROW(dsc::Plane_solid_3(Point(0, 0, 0), Vector(0, 0, 0)), dsc::Error);
-  EXPECT_THROW(dsc::Ball_solid_3(Point(0, 0, 0), 0, dsc::Solid_side::inside), dsc::Error);
-  EXPECT_THROW(dsc::Ball_solid_3(Point(0, std::nan(""), 0), 1, dsc::Solid_side::inside),
-               dsc::Error);
-  EXPECT_THROW(dsc::Tank_solid_3(CGAL::Bbox_3(0, 0, 0, 1, 0, 1)), dsc::Error);
-  EXPECT_THROW(dsc::Mesh_solid_3(dsc::Mesh_solid_3::Mesh(), dsc::Solid_side::inside), dsc::Error);
+  EXPECT_THROW(properties.set_liquid(5, {1}), DSC::Error);
+  EXPECT_THROW(properties.set_surface_tension(0, 1, -1), DSC::Error);
+  EXPECT_THROW(properties.set_surface_tension(1, 1, 1), DSC::Error);
+  EXPECT_THROW(properties.set_gravity({0, std::nan(""), 0}), DSC::Error);
+  EXPECT_THROW(DSC::Plane_solid_3(Point(0, 0, 0), Vector(0, 0, 0)), DSC::Error);
+  EXPECT_THROW(DSC::Ball_solid_3(Point(0, 0, 0), 0, DSC::Solid_side::inside), DSC::Error);
+  EXPECT_THROW(DSC::Ball_solid_3(Point(0, std::nan(""), 0), 1, DSC::Solid_side::inside),
+               DSC::Error);
+  EXPECT_THROW(DSC::Tank_solid_3(CGAL::Bbox_3(0, 0, 0, 1, 0, 1)), DSC::Error);
+  EXPECT_THROW(DSC::Mesh_solid_3(DSC::Mesh_solid_3::Mesh(), DSC::Solid_side::inside), DSC::Error);
   Complex complex = block();
-  EXPECT_THROW(Fluid(complex, properties), dsc::Error);
+  EXPECT_THROW(Fluid(complex, properties), DSC::Error);
   Fluid fluid(complex, liquid(1));
-  EXPECT_THROW(fluid.advance(0), dsc::Error);
-  EXPECT_THROW(fluid.advance(std::nan("")), dsc::Error);
-  EXPECT_THROW(fluid.advance(.1, parameters::implicitness(.4)), dsc::Error);
+  EXPECT_THROW(fluid.advance(0), DSC::Error);
+  EXPECT_THROW(fluid.advance(std::nan("")), DSC::Error);
+  EXPECT_THROW(fluid.advance(.1, parameters::implicitness(.4)), DSC::Error);
   EXPECT_THROW(fluid.set_velocities([](Complex::Vertex_handle) {
     return Vector(0, std::numeric_limits<double>::infinity(), 0);
   }),
-               dsc::Error);
-  EXPECT_THROW(fluid.restore(Fluid::State()), dsc::Error);
+               DSC::Error);
+  EXPECT_THROW(fluid.restore(Fluid::State()), DSC::Error);
   EXPECT_EQ(fluid.time(), 0);
 }
 
 TEST(Fluid_solids, tell_distances_with_their_gradients) {
-  dsc::Mesh_solid_3::Mesh tetrahedron;
+  DSC::Mesh_solid_3::Mesh tetrahedron;
   CGAL::make_tetrahedron(Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(0, 0, 1),
                          tetrahedron);
-  dsc::Mesh_solid_3::Mesh inward = tetrahedron;
+  DSC::Mesh_solid_3::Mesh inward = tetrahedron;
   CGAL::Polygon_mesh_processing::reverse_face_orientations(inward);
-  using Walls = std::function<void(const Point&, double, std::vector<dsc::Wall_3>&)>;
+  using Walls = std::function<void(const Point&, double, std::vector<DSC::Wall_3>&)>;
   const auto walls_of = [](const auto& solid) -> Walls {
-    return [solid](const Point& p, double t, std::vector<dsc::Wall_3>& walls) {
+    return [solid](const Point& p, double t, std::vector<DSC::Wall_3>& walls) {
       solid.walls(p, t, walls);
     };
   };
-  const dsc::Ball_solid_3 ball(Point(.1, .2, .3), .5, dsc::Solid_side::inside);
+  const DSC::Ball_solid_3 ball(Point(.1, .2, .3), .5, DSC::Solid_side::inside);
   const std::vector<Walls> solids = {
-      walls_of(dsc::Plane_solid_3(Point(1, 2, 3), Vector(1, 1, 0))),
-      walls_of(dsc::Plane_solid_3(Point(1, 2, 3), Vector(1e200, 1e200, 0))),
-      walls_of(dsc::Tank_solid_3(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1))),
-      walls_of(dsc::Tank_solid_3(CGAL::Bbox_2(-1, -1, 1, 1), true)),
+      walls_of(DSC::Plane_solid_3(Point(1, 2, 3), Vector(1, 1, 0))),
+      walls_of(DSC::Plane_solid_3(Point(1, 2, 3), Vector(1e200, 1e200, 0))),
+      walls_of(DSC::Tank_solid_3(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1))),
+      walls_of(DSC::Tank_solid_3(CGAL::Bbox_2(-1, -1, 1, 1), true)),
       walls_of(ball),
-      walls_of(dsc::Ball_solid_3(Point(.1, .2, .3), .5, dsc::Solid_side::outside)),
-      walls_of(dsc::Cylinder_solid_3(Point(0, 1, 0), Vector(0, 1, 1), .7, dsc::Solid_side::inside)),
-      walls_of(dsc::Mesh_solid_3(tetrahedron, dsc::Solid_side::inside)),
-      walls_of(dsc::Mesh_solid_3(tetrahedron, dsc::Solid_side::outside)),
-      walls_of(dsc::Mesh_solid_3(inward, dsc::Solid_side::inside)),
-      walls_of(dsc::Moving_solid_3<dsc::Ball_solid_3>(ball, Vector(.3, -.2, .1), Point(1, 0, 0),
+      walls_of(DSC::Ball_solid_3(Point(.1, .2, .3), .5, DSC::Solid_side::outside)),
+      walls_of(DSC::Cylinder_solid_3(Point(0, 1, 0), Vector(0, 1, 1), .7, DSC::Solid_side::inside)),
+      walls_of(DSC::Mesh_solid_3(tetrahedron, DSC::Solid_side::inside)),
+      walls_of(DSC::Mesh_solid_3(tetrahedron, DSC::Solid_side::outside)),
+      walls_of(DSC::Mesh_solid_3(inward, DSC::Solid_side::inside)),
+      walls_of(DSC::Moving_solid_3<DSC::Ball_solid_3>(ball, Vector(.3, -.2, .1), Point(1, 0, 0),
                                                       Vector(.4, .5, .6)))};
   mesh_helpers::Random random(1);
   for (const Walls& solid : solids)
     for (int k = 0; k < 50; ++k) {
       const Point p(random(-1.5, 1.5), random(-1.5, 1.5), random(-1.5, 1.5));
       const double h = 1e-6, t = random(0, 1);
-      std::vector<dsc::Wall_3> walls, later;
+      std::vector<DSC::Wall_3> walls, later;
       solid(p, t, walls);
       solid(p, t + h, later);
       for (std::size_t i = 0; i < walls.size(); ++i) {
@@ -663,7 +646,7 @@ TEST(Fluid_solids, tell_distances_with_their_gradients) {
                     -(walls[i].normal * walls[i].velocity), 1e-4);
         for (int axis = 0; axis < 3; ++axis) {
           const Vector step(axis == 0 ? h : 0, axis == 1 ? h : 0, axis == 2 ? h : 0);
-          std::vector<dsc::Wall_3> before, after;
+          std::vector<DSC::Wall_3> before, after;
           solid(p - step, t, before);
           solid(p + step, t, after);
           EXPECT_NEAR((after[i].distance - before[i].distance) / (2 * h), walls[i].normal[axis],
@@ -674,11 +657,11 @@ TEST(Fluid_solids, tell_distances_with_their_gradients) {
 }
 
 TEST(Fluid_solids, of_meshes_are_on_one_side_whatever_their_orientation) {
-  dsc::Mesh_solid_3::Mesh mesh;
+  DSC::Mesh_solid_3::Mesh mesh;
   CGAL::make_tetrahedron(Point(0, 0, 0), Point(0, 1, 0), Point(1, 0, 0), Point(0, 0, 1), mesh);
   for (int k = 0; k < 2; ++k) {
-    std::vector<dsc::Wall_3> walls;
-    dsc::Mesh_solid_3(mesh, dsc::Solid_side::inside).walls(Point(.2, .2, 0), 0, walls);
+    std::vector<DSC::Wall_3> walls;
+    DSC::Mesh_solid_3(mesh, DSC::Solid_side::inside).walls(Point(.2, .2, 0), 0, walls);
     ASSERT_EQ(walls.size(), 1u);
     EXPECT_NEAR(walls[0].normal.z(), -1, 1e-12);
     CGAL::Polygon_mesh_processing::reverse_face_orientations(mesh);
@@ -687,12 +670,12 @@ TEST(Fluid_solids, of_meshes_are_on_one_side_whatever_their_orientation) {
 
 // A chain of vertices. Each vertex couples its coordinates, two neighbors share a pressure, and
 // some velocities are constrained.
-dsc::Saddle_point_system chain(Eigen::Index n, bool is_coupled) {
+DSC::Saddle_point_system chain(Eigen::Index n, bool is_coupled) {
   const Eigen::Index m = n - 1;
   mesh_helpers::Random random(7);
   using Entries = std::vector<Eigen::Triplet<double>>;
   Entries nodal, coupling, b, c;
-  dsc::Saddle_point_system result;
+  DSC::Saddle_point_system result;
   result.inertia = Eigen::VectorXd::Zero(n);
   result.viscosity = Eigen::VectorXd::Zero(m);
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -721,7 +704,7 @@ dsc::Saddle_point_system chain(Eigen::Index n, bool is_coupled) {
       c.emplace_back(i - 1, i, -.1);
     }
   }
-  const auto set = [](dsc::Saddle_point_system::Matrix& matrix, Eigen::Index rows,
+  const auto set = [](DSC::Saddle_point_system::Matrix& matrix, Eigen::Index rows,
                       Eigen::Index columns, const Entries& entries) {
     matrix.resize(rows, columns);
     matrix.setFromTriplets(entries.begin(), entries.end());
@@ -736,7 +719,7 @@ dsc::Saddle_point_system chain(Eigen::Index n, bool is_coupled) {
 
 // The solution by the definition of the system, with dense matrices.
 template <class Solver> void expect_solution(Eigen::Index n, bool is_coupled) {
-  const dsc::Saddle_point_system system = chain(n, is_coupled);
+  const DSC::Saddle_point_system system = chain(n, is_coupled);
   Eigen::MatrixXd a = Eigen::MatrixXd::Zero(3 * n, 3 * n),
                   free = Eigen::MatrixXd::Identity(3 * n, 3 * n);
   const Eigen::MatrixXd nodal = system.nodal, b = system.b, c = system.c;
@@ -753,9 +736,9 @@ template <class Solver> void expect_solution(Eigen::Index n, bool is_coupled) {
     Solver solver;
     for (bool is_updated : {false, true}) {
       if (is_updated)
-        solver.update(dsc::Saddle_point_system(system));
+        solver.update(DSC::Saddle_point_system(system));
       else
-        solver.factorize(dsc::Saddle_point_system(system), threads);
+        solver.factorize(DSC::Saddle_point_system(system), threads);
       Eigen::VectorXd v = Eigen::VectorXd::Ones(3 * n), p = Eigen::VectorXd::Zero(n - 1);
       solver.solve(f, s, v, p, 1e-12);
       EXPECT_LT((free * (a * v - b.transpose() * p - f)).norm(), 1e-9);
@@ -767,9 +750,9 @@ template <class Solver> void expect_solution(Eigen::Index n, bool is_coupled) {
 
 TEST(Saddle_point_solvers, solve) {
   for (bool is_coupled : {false, true}) {
-    expect_solution<dsc::Direct_saddle_point_solver>(20, is_coupled);
-    expect_solution<dsc::Iterative_saddle_point_solver>(20, is_coupled);
-    expect_solution<dsc::Saddle_point_solver>(20, is_coupled);
+    expect_solution<DSC::Direct_saddle_point_solver>(20, is_coupled);
+    expect_solution<DSC::Iterative_saddle_point_solver>(20, is_coupled);
+    expect_solution<DSC::Saddle_point_solver>(20, is_coupled);
   }
 }
 
@@ -777,7 +760,7 @@ TEST(Saddle_point_solvers, solve) {
 // change of the total volume, up to rounding.
 template <class Solver> void expect_closed_solution() {
   const Eigen::Index n = 400, m = n - 1;
-  dsc::Saddle_point_system system;
+  DSC::Saddle_point_system system;
   using Entries = std::vector<Eigen::Triplet<double>>;
   Entries nodal, b, c;
   mesh_helpers::Random random(3);
@@ -810,26 +793,26 @@ template <class Solver> void expect_closed_solution() {
   Eigen::VectorXd s = Eigen::VectorXd::LinSpaced(m, -1, 1), v = Eigen::VectorXd::Zero(3 * n),
                   p = Eigen::VectorXd::Zero(m);
   s.array() += 1e-13;
-  system.closed = dsc::internal::closed_sets(system);
+  system.closed = DSC::internal::closed_sets(system);
   ASSERT_EQ(system.closed.size(), 1u);
   EXPECT_EQ(system.closed[0].pressures.size(), std::size_t(m));
   Solver solver;
-  solver.factorize(dsc::Saddle_point_system(system), 1);
+  solver.factorize(DSC::Saddle_point_system(system), 1);
   EXPECT_LT(solver.solve(Eigen::VectorXd::Zero(3 * n), s, v, p, 1e-11), 100u);
   EXPECT_LT((system.b * v + system.c * p - s).norm(), 1e-8);
   EXPECT_LT(std::abs(p.mean()), 1e-6 * p.lpNorm<Eigen::Infinity>());
 }
 
 TEST(Saddle_point_solvers, need_no_free_surface) {
-  expect_closed_solution<dsc::Direct_saddle_point_solver>();
-  expect_closed_solution<dsc::Iterative_saddle_point_solver>();
+  expect_closed_solution<DSC::Direct_saddle_point_solver>();
+  expect_closed_solution<DSC::Iterative_saddle_point_solver>();
 }
 
 TEST(Saddle_point_solvers, threads_change_no_bit) {
   const Eigen::Index n = 5000; // several blocks
   std::vector<Eigen::VectorXd> solutions;
   for (unsigned threads : {1u, 2u, 4u}) {
-    dsc::Iterative_saddle_point_solver solver;
+    DSC::Iterative_saddle_point_solver solver;
     solver.factorize(chain(n, true), threads);
     Eigen::VectorXd v = Eigen::VectorXd::Zero(3 * n), p = Eigen::VectorXd::Zero(n - 1);
     solver.solve(Eigen::VectorXd::LinSpaced(3 * n, -1, 2), Eigen::VectorXd::LinSpaced(n - 1, 1, 3),
@@ -843,9 +826,9 @@ TEST(Saddle_point_solvers, threads_change_no_bit) {
 // Properties of connected components when they merge and split. Pairs of numbers map old components
 // to new ones.
 TEST(Liquid_bookkeeping, follows_components) {
-  dsc::internal::Liquid_bookkeeping bookkeeping;
+  DSC::internal::Liquid_bookkeeping bookkeeping;
   bookkeeping.set_volumes({{1, 2.}, {2, 3.}, {4, 1.}, {7, .5}});
-  std::vector<dsc::internal::Momentum> momenta(8);
+  std::vector<DSC::internal::Momentum> momenta(8);
   for (std::size_t i : {1, 2, 4, 7})
     momenta[i].linear = Eigen::Vector3d(double(i), 0, 0);
   bookkeeping.set_momenta(momenta, {0, 1, 2, 3, 4, 5, 6, 7});

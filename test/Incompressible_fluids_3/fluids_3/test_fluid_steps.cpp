@@ -1,11 +1,6 @@
 // Time steps of fluids that fail: they are undone and repeated, or they end with an exception.
+#include "fluids_3.h"
 #include "mesh_helpers.h"
-#include "test.h"
-
-#include <CGAL/Incompressible_fluid_3.h>
-#if __has_include(<CGAL/Incompressible_fluids_3/compiled_3.h>) // if the component Compiled is used
-#include <CGAL/Incompressible_fluids_3/compiled_3.h>
-#endif
 
 #include <Eigen/Dense>
 
@@ -13,23 +8,13 @@
 
 namespace test_fluid_steps {
 
-namespace dsc = CGAL::Deformable_simplicial_complexes;
-namespace parameters = dsc::parameters;
-using dsc::Fluid_failure;
-using dsc::internal::Mesh_treatment;
-using dsc::internal::Step_plan;
+using DSC::Fluid_failure;
+using DSC::internal::Mesh_treatment;
+using DSC::internal::Step_plan;
 using mesh_helpers::sphere;
-using small_meshes::Complex;
+using namespace fluids_3;
 using Vector = CGAL::Simple_cartesian<double>::Vector_3;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
-
-dsc::Fluid_properties liquid(double density, double viscosity, double tension, double gravity) {
-  dsc::Fluid_properties result;
-  result.set_liquid(1, {density, viscosity});
-  result.set_surface_tension(0, 1, tension);
-  result.set_gravity({0, 0, -gravity});
-  return result;
-}
 
 // A solver that fails, or returns a wrong solution, in its next calls.
 class Faulty_solver
@@ -37,15 +22,15 @@ class Faulty_solver
 public:
   static unsigned failures, wrong_solutions; // remaining numbers
 
-  void factorize(dsc::Saddle_point_system&& system, unsigned number_of_threads) {
+  void factorize(DSC::Saddle_point_system&& system, unsigned number_of_threads) {
     m_solver.factorize(std::move(system), number_of_threads);
   }
-  void update(dsc::Saddle_point_system&& system) { m_solver.update(std::move(system)); }
+  void update(DSC::Saddle_point_system&& system) { m_solver.update(std::move(system)); }
   unsigned solve(const Eigen::VectorXd& f, const Eigen::VectorXd& s, Eigen::VectorXd& v,
                  Eigen::VectorXd& p, double tolerance) {
     if (failures > 0) {
       --failures;
-      throw dsc::Convergence_error("does not converge", .5, 1e-8);
+      throw DSC::Convergence_error("does not converge", .5, 1e-8);
     }
     const unsigned result = m_solver.solve(f, s, v, p, tolerance);
     if (wrong_solutions > 0) {
@@ -56,7 +41,7 @@ public:
   }
 
 private:
-  dsc::Direct_saddle_point_solver m_solver;
+  DSC::Direct_saddle_point_solver m_solver;
 };
 
 unsigned Faulty_solver::failures = 0;
@@ -126,7 +111,7 @@ TEST_F(Fluid_steps, that_fail_for_ever_leave_the_state_before) {
   const auto motion = fluid.state().motion;
   const auto volumes = fluid.state().volumes;
   Faulty_solver::failures = std::numeric_limits<unsigned>::max();
-  const auto error = thrown_by<dsc::Fluid_step_error>([&] { fluid.advance(.02); });
+  const auto error = thrown_by<DSC::Fluid_step_error>([&] { fluid.advance(.02); });
   EXPECT_EQ(error.step(), 2u);
   EXPECT_EQ(error.last_attempt().cause, Fluid_failure::equations);
   EXPECT_EQ(error.last_attempt().time, .02);
@@ -150,9 +135,9 @@ TEST_F(Fluid_steps, that_are_interrupted_leave_no_trace) {
   other.advance(.02);
   unsigned calls = 0;
   {
-    dsc::Progress_scope scope([&](const char*) { return ++calls < 20000; },
+    DSC::Progress_scope scope([&](const char*) { return ++calls < 20000; },
                               std::chrono::milliseconds(0));
-    EXPECT_THROW(for (int k = 0; k < 1000; ++k) fluid.advance(.02), dsc::Interrupted_error);
+    EXPECT_THROW(for (int k = 0; k < 1000; ++k) fluid.advance(.02), DSC::Interrupted_error);
   }
   while (other.state().steps < fluid.state().steps)
     other.advance(.02);
@@ -169,7 +154,7 @@ TEST(Fluid, that_lands_gains_hardly_any_energy) {
   for (const double angle : {70., 100.}) {
     Complex complex = sphere(8, .4);
     CGAL::Incompressible_fluid_3<Complex> drop(complex, liquid(1.3, .02, .5, 2));
-    drop.add_solid(dsc::Plane_solid_3(Point(0, 0, -.43), Vector(0, 0, 1)), {angle, false, true});
+    drop.add_solid(DSC::Plane_solid_3(Point(0, 0, -.43), Vector(0, 0, 1)), {angle, false, true});
     double floor = drop.balance().mass * 2 * -.43; // the potential energy there
     double energy = drop.advance(.01).after.energy();
     for (int k = 0; k < 25; ++k) {
@@ -180,7 +165,7 @@ TEST(Fluid, that_lands_gains_hardly_any_energy) {
         EXPECT_LE(report.after.energy() - energy, .05 * scale);
         EXPECT_LE(report.moved.energy() - report.before.energy(), 1.1e-3 * scale);
         energy = report.after.energy();
-      } catch (const dsc::Fluid_step_error&) {
+      } catch (const DSC::Fluid_step_error&) {
         EXPECT_TRUE(complex.state() == before);
         break;
       }
@@ -235,12 +220,12 @@ TEST(Step_plan, ends) {
 
 TEST(Energy_budget, does_not_depend_on_the_origin) {
   for (const double height : {0., -100.}) {
-    dsc::Fluid_balance before, after;
+    DSC::Fluid_balance before, after;
     before.mass = after.mass = 2;
     before.potential_energy = after.potential_energy = 2 * 10 * (height + .5);
     before.surface_energy = after.surface_energy = 1;
     after.kinetic_energy = .11;
-    dsc::internal::Energy_budget budget(before, {0, 0, -10}, {{0, 0, height}, {0, 0, height + 1}},
+    DSC::internal::Energy_budget budget(before, {0, 0, -10}, {{0, 0, height}, {0, 0, height + 1}},
                                         0);
     EXPECT_NEAR(budget.rise(after, 0), .01, 1e-3); // .11 of 11
     budget.supply(.11);
@@ -260,17 +245,17 @@ TEST(Minimal_residuals, tell_that_they_stagnate) {
     out = diagonal.cast<Scalar>().cwiseProduct(in);
   };
   const auto precondition = [](const Eigen::VectorXf& in, Eigen::VectorXf& out) { out = in; };
-  const auto error = thrown_by<dsc::Convergence_error>(
-      [&] { dsc::internal::minimal_residuals(for_each, multiply, precondition, right, 1e-12, x); });
+  const auto error = thrown_by<DSC::Convergence_error>(
+      [&] { DSC::internal::minimal_residuals(for_each, multiply, precondition, right, 1e-12, x); });
   EXPECT_GT(error.residual(), .4); // one of four equations cannot be satisfied
   EXPECT_LT(error.bound(), 1e-8);
 }
 
 // Cells without volume, also at the beginning, give finite equations.
 TEST(Fluid_equations, of_flat_cells_are_finite) {
-  using Equations = dsc::internal::Fluid_equations<Complex>;
+  using Equations = DSC::internal::Fluid_equations<Complex>;
   Complex complex = sphere(4, .4);
-  const dsc::Fluid_properties properties = liquid(1, .1, .5, 1);
+  const DSC::Fluid_properties properties = liquid(1, .1, .5, 1);
   const Equations::Mesh mesh(complex, properties);
   auto positions = mesh.positions(complex);
   const auto& corners = mesh.cells.front().vertices;

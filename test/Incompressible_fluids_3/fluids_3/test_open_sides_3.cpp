@@ -1,18 +1,9 @@
 // Liquid that passes through sides of the domain against a pressure, in space.
-#include "test.h"
-
-#include <CGAL/Incompressible_fluid_3.h>
-#if __has_include(<CGAL/Incompressible_fluids_3/compiled_3.h>) // if the component Compiled is used
-#include <CGAL/Incompressible_fluids_3/compiled_3.h>
-#endif
-
-#include "small_meshes.h"
+#include "fluids_3.h"
 
 namespace test_open_sides_3 {
 
-namespace dsc = CGAL::Deformable_simplicial_complexes;
-using Complex = CGAL::Deformable_simplicial_complex_3<>;
-using Fluid = CGAL::Incompressible_fluid_3<Complex>;
+using namespace fluids_3;
 
 // Returns the liquid with label 1 below z = 0 in the cube [-1, 1]^3.
 Complex tank() {
@@ -20,17 +11,10 @@ Complex tank() {
       small_meshes::grid(4, [](const auto& p) { return CGAL::to_double(p.z()) < 0 ? 1 : 0; }));
 }
 
-dsc::Fluid_properties liquid() {
-  dsc::Fluid_properties result;
-  result.set_liquid(1, {1, 0});
-  result.set_gravity({0, 0, -1});
-  return result;
-}
-
 TEST(Open_sides_3, tank_drains) {
   Complex complex = tank();
-  Fluid fluid(complex, liquid());
-  dsc::Side_behavior side;
+  Fluid fluid(complex, liquid(1, 0, 0, 1));
+  DSC::Side_behavior side;
   side.pressure = [](const std::array<double, 3>&, double) { return 0.; };
   fluid.set_side(0, true, side);
   const double begin = fluid.balance().volume;
@@ -48,8 +32,8 @@ TEST(Open_sides_3, tank_drains) {
 
 TEST(Open_sides_3, hydrostatic_pressure_outside_keeps_a_tank_at_rest) {
   Complex complex = tank();
-  Fluid fluid(complex, liquid());
-  dsc::Side_behavior side;
+  Fluid fluid(complex, liquid(1, 0, 0, 1));
+  DSC::Side_behavior side;
   side.pressure = [](const std::array<double, 3>& p, double) { return -p[2]; };
   fluid.set_side(0, true, side);
   for (int k = 0; k < 3; ++k)

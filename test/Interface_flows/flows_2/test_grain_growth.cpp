@@ -13,19 +13,18 @@
 
 namespace test_grain_growth {
 
-namespace dsc = CGAL::Deformable_simplicial_complexes;
 using planar_regions::Complex;
 
 Complex grains_in_box(std::size_t number, double edges) {
-  return dsc::make_deformable_simplicial_complex_2<Complex>(
+  return DSC::make_deformable_simplicial_complex_2<Complex>(
       CGAL::Bbox_2(0, 0, 1, 1), 1 / (std::sqrt(double(number)) * edges),
-      dsc::Voronoi_labels<Complex>(number, {1, 1}, false));
+      DSC::Voronoi_labels<Complex>(number, {1, 1}, false));
 }
 
 TEST(Voronoi_labels, are_those_of_the_nearest_seeds) {
   static constexpr std::size_t number = 40, samples = 200;
   for (const bool is_periodic : {false, true}) {
-    const dsc::Voronoi_labels<Complex> labels(number, {3, 1}, is_periodic),
+    const DSC::Voronoi_labels<Complex> labels(number, {3, 1}, is_periodic),
         same(number, {3, 1}, is_periodic), other(number, {3, 1}, is_periodic, 2);
     // A seed is the middle of the points with its label only approximately, so regions are
     // compared: a segment between two points with the same label has this label, because regions
@@ -50,14 +49,14 @@ TEST(Voronoi_labels, are_those_of_the_nearest_seeds) {
     for (const auto& [label, n] : found)
       EXPECT_TRUE(label >= 1 && label <= int(number)) << n;
   }
-  EXPECT_THROW(dsc::Voronoi_labels<Complex>(0, {1, 1}, true), dsc::Error);
-  EXPECT_THROW(dsc::Voronoi_labels<Complex>(1, {0, 1}, true), dsc::Error);
-  EXPECT_THROW(dsc::Voronoi_labels<Complex>(5, {1, 1}, true, 1, 2), dsc::Error);
+  EXPECT_THROW(DSC::Voronoi_labels<Complex>(0, {1, 1}, true), DSC::Error);
+  EXPECT_THROW(DSC::Voronoi_labels<Complex>(1, {0, 1}, true), DSC::Error);
+  EXPECT_THROW(DSC::Voronoi_labels<Complex>(5, {1, 1}, true, 1, 2), DSC::Error);
 }
 
 TEST(Grain_orientations, have_misorientations_of_cubic_crystals) {
-  const dsc::Grain_orientations<2> planar(100);
-  const dsc::Grain_orientations<3> spatial(100);
+  const DSC::Grain_orientations<2> planar(100);
+  const DSC::Grain_orientations<3> spatial(100);
   double largest_2 = 0, largest_3 = 0;
   for (int a = 1; a <= 100; ++a)
     for (int b = 1; b <= 100; ++b) {
@@ -72,10 +71,10 @@ TEST(Grain_orientations, have_misorientations_of_cubic_crystals) {
   EXPECT_GT(largest_2, 44 * degree);
   EXPECT_LE(largest_3, 62.8 * degree); // J. K. Mackenzie, 1958
   EXPECT_GT(largest_3, 58 * degree);
-  EXPECT_EQ(dsc::read_shockley_energy(20 * degree), 1);
-  EXPECT_NEAR(dsc::read_shockley_energy(7.5 * degree), .5 * (1 + std::log(2.)), 1e-12);
-  EXPECT_EQ(dsc::read_shockley_energy(0), .05);
-  EXPECT_THROW(dsc::read_shockley_energy(-1), dsc::Error);
+  EXPECT_EQ(DSC::read_shockley_energy(20 * degree), 1);
+  EXPECT_NEAR(DSC::read_shockley_energy(7.5 * degree), .5 * (1 + std::log(2.)), 1e-12);
+  EXPECT_EQ(DSC::read_shockley_energy(0), .05);
+  EXPECT_THROW(DSC::read_shockley_energy(-1), DSC::Error);
 }
 
 // The label of the component decides, not its place: specks vanish, and grains stay.
@@ -86,7 +85,7 @@ TEST(Remove_components, keeps_the_largest_ones) {
                                                 : i < 3          ? 1
                                                                  : 2; });
   ASSERT_EQ(complex.number_of_components(1), 2u);
-  EXPECT_EQ(dsc::keep_largest_components(complex), std::vector<int>{1});
+  EXPECT_EQ(DSC::keep_largest_components(complex), std::vector<int>{1});
   EXPECT_EQ(complex.number_of_components(1), 1u);
   EXPECT_DOUBLE_EQ(complex.area(1), 18);
   EXPECT_DOUBLE_EQ(complex.area(2), 18);
@@ -101,9 +100,9 @@ TEST(Remove_components, gives_them_to_the_neighbor_of_least_energy) {
         [](std::size_t i, std::size_t j) {
           return i > 0 && i < 3 && j > 0 && j < 3 ? 3 : i < 2 ? 1 : 2;
         });
-    dsc::Interface_energy energy;
+    DSC::Interface_energy energy;
     energy.set_density([density](int label) { return label == 1 ? density : 0; });
-    const auto removed = dsc::remove_components(
+    const auto removed = DSC::remove_components(
         complex, [](int label, std::uint32_t, double measure) { return label == 3 && measure > 3; },
         energy);
     EXPECT_EQ(removed, std::vector<int>{3});
@@ -121,7 +120,7 @@ TEST(Remove_components, removes_neighbors_together) {
           return j == 1 && i == 2 ? 4 : i > 0 && i < 4 && (j == 1 || are_surrounded) ? 3 : 1;
         });
     const auto removed =
-        dsc::remove_components(complex, [](int label, std::uint32_t, double) { return label > 1; });
+        DSC::remove_components(complex, [](int label, std::uint32_t, double) { return label > 1; });
     EXPECT_EQ(removed.size(), are_surrounded ? 2u : 3u);
     EXPECT_EQ(complex.labels(), std::vector<int>{1});
     EXPECT_DOUBLE_EQ(complex.area(1), 18);
@@ -136,7 +135,7 @@ TEST(Remove_components, removes_chains_together) {
         return j != 1 ? 1 : i == 1 ? 3 : i == 2 ? 4 : i == 3 ? 5 : 1;
       });
   EXPECT_EQ(
-      dsc::remove_components(complex, [](int label, std::uint32_t, double) { return label > 1; })
+      DSC::remove_components(complex, [](int label, std::uint32_t, double) { return label > 1; })
           .size(),
       3u);
   EXPECT_EQ(complex.labels(), std::vector<int>{1});
@@ -148,7 +147,7 @@ TEST(Grain_statistics, counts_corners_and_neighbors) {
       [](std::size_t i, std::size_t j) {
         return i > 1 && i < 4 && j > 1 && j < 4 ? 5 : j < 3 ? (i < 3 ? 1 : 2) : 3;
       });
-  const auto statistics = dsc::grain_statistics(complex);
+  const auto statistics = DSC::grain_statistics(complex);
   ASSERT_EQ(statistics.size(), 4u);
   const auto& grain = statistics.back();
   EXPECT_EQ(grain.label, 5);
@@ -163,7 +162,7 @@ TEST(Grain_statistics, counts_corners_and_neighbors) {
 TEST(Grain_growth, circle_vanishes_at_its_time) {
   static constexpr double r = .3;
   Complex complex = planar_regions::region(planar_regions::circle(r, .05), {}, {-1, -1, 1, 1});
-  dsc::Grain_growth<Complex> growth(complex, {}, {28, .1});
+  DSC::Grain_growth<Complex> growth(complex, {}, {28, .1});
   std::size_t removed = 0;
   while (complex.area(1) > 0 && growth.time() < r * r) {
     const auto report = growth.advance();
@@ -183,21 +182,21 @@ TEST(Grain_growth, has_the_rates_of_von_neumann_and_mullins) {
 // All grains of a box vanish but one, at the sides and in the corners, too.
 TEST(Grain_growth, leaves_one_grain_of_a_box) {
   Complex complex = grains_in_box(12, 6);
-  dsc::keep_largest_components(complex);
-  dsc::Grain_growth<Complex> growth(complex, {}, {6, .2});
-  double energy = dsc::Interface_energy()(complex);
+  DSC::keep_largest_components(complex);
+  DSC::Grain_growth<Complex> growth(complex, {}, {6, .2});
+  double energy = DSC::Interface_energy()(complex);
   while (complex.labels().size() > 1 && growth.time() < 2) {
     EXPECT_TRUE(growth.advance().deformation.complete) << growth.time();
-    EXPECT_LT(dsc::Interface_energy()(complex), energy);
-    energy = dsc::Interface_energy()(complex);
+    EXPECT_LT(DSC::Interface_energy()(complex), energy);
+    energy = DSC::Interface_energy()(complex);
   }
   EXPECT_EQ(complex.labels().size(), 1u);
 }
 
 TEST(Grain_growth, refuses_options_out_of_range) {
   Complex complex = planar_regions::region(planar_regions::circle(.3, .1), {}, {-1, -1, 1, 1});
-  EXPECT_THROW(dsc::Grain_growth<Complex>(complex, {}, {0}), dsc::Error);
-  EXPECT_THROW(dsc::Grain_growth<Complex>(complex, {}, {10, -1}), dsc::Error);
+  EXPECT_THROW(DSC::Grain_growth<Complex>(complex, {}, {0}), DSC::Error);
+  EXPECT_THROW(DSC::Grain_growth<Complex>(complex, {}, {10, -1}), DSC::Error);
 }
 
 } // namespace test_grain_growth

@@ -19,8 +19,7 @@
 
 namespace test_interface_energy {
 
-namespace dsc = CGAL::Deformable_simplicial_complexes;
-using dsc::Interface_energy;
+using DSC::Interface_energy;
 using planar_regions::Complex;
 
 constexpr double degree = CGAL_PI / 180;
@@ -59,15 +58,15 @@ TEST(Interface_energy, checks_its_values) {
   EXPECT_EQ(energy.mobility(2, 1), 1);
   EXPECT_EQ(energy.density(1), 0);
   for (const double wrong : {0., -1., double(NAN), double(INFINITY)}) {
-    EXPECT_THROW(energy.set_tension(wrong), dsc::Error);
+    EXPECT_THROW(energy.set_tension(wrong), DSC::Error);
     energy.set_tension([wrong](int, int) { return wrong; });
-    EXPECT_THROW(energy.tension(1, 2), dsc::Error);
+    EXPECT_THROW(energy.tension(1, 2), DSC::Error);
   }
-  EXPECT_THROW(energy.set_mobility(-1), dsc::Error);
+  EXPECT_THROW(energy.set_mobility(-1), DSC::Error);
   energy.set_mobility([](int a, int b) { return a < b ? 3 : -1; });
   EXPECT_EQ(energy.mobility(2, 1), 3);
   energy.set_density([](int) { return NAN; });
-  EXPECT_THROW(energy.density(0), dsc::Error);
+  EXPECT_THROW(energy.density(0), DSC::Error);
 }
 
 TEST(Interface_energy, has_the_angles_of_young) {
@@ -89,7 +88,7 @@ TEST(Junctions, have_the_angles_of_labels) {
       [](std::size_t i, std::size_t j) {
         return i > 1 && i < 4 && j > 1 && j < 4 ? 5 : j < 3 ? (i < 3 ? 1 : 2) : 3;
       });
-  const auto found = dsc::internal::junctions(complex);
+  const auto found = DSC::internal::junctions(complex);
   ASSERT_EQ(found.size(), 3u);
   for (const auto& junction : found) {
     const auto p = complex.position(junction.vertices[0]);
@@ -101,8 +100,8 @@ TEST(Junctions, have_the_angles_of_labels) {
       }
     EXPECT_TRUE((p.x() == 3 && p.y() == 2) || (p.y() == 3 && (p.x() == 2 || p.x() == 4)));
   }
-  EXPECT_EQ(dsc::labels_around(complex, found[0].vertices[0]).size(), 3u);
-  const auto shared = dsc::shared_measures(complex);
+  EXPECT_EQ(DSC::labels_around(complex, found[0].vertices[0]).size(), 3u);
+  const auto shared = DSC::shared_measures(complex);
   EXPECT_DOUBLE_EQ(shared.at({1, 2}), 2);
   EXPECT_DOUBLE_EQ(shared.at({1, 5}), 2);
   EXPECT_DOUBLE_EQ(shared.at({3, 5}), 4);
@@ -126,9 +125,9 @@ TEST(Junctions, are_edges_in_space) {
     cells.push_back({a, b + 5, c + 5, a + 5});
     labels.insert(labels.end(), 3, i == 3 ? 1 : int(i) + 1); // two prisms have the label 1
   }
-  const auto complex = dsc::make_deformable_simplicial_complex_3<Complex_3>(
-      points, cells, labels, dsc::parameters::improve(false));
-  const auto found = dsc::internal::junctions(complex);
+  const auto complex = DSC::make_deformable_simplicial_complex_3<Complex_3>(
+      points, cells, labels, DSC::parameters::improve(false));
+  const auto found = DSC::internal::junctions(complex);
   ASSERT_EQ(found.size(), 1u);
   double sum = 0;
   for (const auto& [label, angle] : found[0].angles)
@@ -167,7 +166,7 @@ TEST(Interface_energy, circle_moves_by_tension_mobility_and_density) {
       exact += h * rate(exact + h / 2 * rate(exact));
     }
     for (double t = 0; t < end - dt / 2; t += dt)
-      EXPECT_TRUE(dsc::advect_interface(complex, dsc::Mean_curvature_flow(energy), t, dt).complete);
+      EXPECT_TRUE(DSC::advect_interface(complex, DSC::Mean_curvature_flow(energy), t, dt).complete);
     errors.push_back(std::abs(mean_radius(complex) - exact));
   }
   EXPECT_LT(errors[1], 1e-3);
@@ -179,13 +178,13 @@ TEST(Interface_energy, explicit_and_implicit_steps_agree) {
   energy.set_mobility([](int a, int b) { return a + b; });
   energy.set_density([](int label) { return label; });
   const Complex complex = disk_between_two_labels(8, .6);
-  const dsc::Interface_snapshot<Complex> snapshot(complex);
+  const DSC::Interface_snapshot<Complex> snapshot(complex);
   const auto positions = snapshot.positions(complex);
   std::vector<Complex::Approximate_vector> velocities;
-  dsc::Mean_curvature_velocity{energy}(snapshot, positions, 0, velocities);
+  DSC::Mean_curvature_velocity{energy}(snapshot, positions, 0, velocities);
   static constexpr double dt = 1e-8;
   std::vector<Complex::Approximate_point> destinations;
-  dsc::Mean_curvature_flow{energy}(snapshot, positions, 0, dt, destinations);
+  DSC::Mean_curvature_flow{energy}(snapshot, positions, 0, dt, destinations);
   std::size_t compared = 0;
   for (std::size_t v = 0; v < positions.size(); ++v) {
     const auto difference = (destinations[v] - positions[v]) / dt - velocities[v];
@@ -208,17 +207,17 @@ TEST(Interface_energy, walls_of_mobility_0_stay) {
           EXPECT_EQ(complex.position(v).y(), 0);
         }
   };
-  const double area = complex.area(3), length = dsc::shared_measures(complex).at({1, 2});
+  const double area = complex.area(3), length = DSC::shared_measures(complex).at({1, 2});
   for (const bool keeps_volumes : {true, false}) {
-    const dsc::Mean_curvature_flow flow(energy, keeps_volumes);
-    EXPECT_TRUE(dsc::advect_interface(complex, flow, 0, .01).complete);
+    const DSC::Mean_curvature_flow flow(energy, keeps_volumes);
+    EXPECT_TRUE(DSC::advect_interface(complex, flow, 0, .01).complete);
     expect_on_line();
     if (keeps_volumes) {
       EXPECT_NEAR(complex.area(3), area, 1e-9);
     }
   }
   EXPECT_LT(complex.area(3), area - 1e-3);
-  EXPECT_NE(dsc::shared_measures(complex).at({1, 2}), length);
+  EXPECT_NE(DSC::shared_measures(complex).at({1, 2}), length);
 }
 
 // A wall between the labels 1 and 2 that a difference of densities drives along a channel of width
@@ -244,10 +243,10 @@ TEST(Interface_energy, particle_pins_a_wall) {
     Interface_energy energy;
     energy.set_mobility([](int a, int b) { return a == 1 || b == 1 ? 0 : 1; });
     energy.set_density([&](int label) { return label == 2 ? part * greatest : 0; });
-    dsc::Grain_growth_options options;
+    DSC::Grain_growth_options options;
     options.edges_of_grain = std::sqrt(2. / 3) / edge;
     options.step = .2;
-    dsc::Grain_growth<Complex> growth(complex, energy, options);
+    DSC::Grain_growth<Complex> growth(complex, energy, options);
     const double particle = complex.area(1);
     static constexpr double passed = .65; // area in front of a wall that the particle cannot hold
     while (growth.time() < 4 && complex.area(2) > passed)
@@ -273,7 +272,7 @@ TEST(Interface_energy, thin_layer_stays_if_it_wets) {
     std::size_t proposed = 0;
     int label = 0;
     for (auto c : complex.cells())
-      proposed += c->label() == 3 && dsc::propose_relabeling(complex, c, .1, label, energy);
+      proposed += c->label() == 3 && DSC::propose_relabeling(complex, c, .1, label, energy);
     EXPECT_EQ(proposed, tension < 2 ? 8u : 0u);
   }
 }
@@ -303,16 +302,29 @@ TEST(Interface_energy, decides_whether_neighbors_are_exchanged) {
     Interface_energy energy;
     energy.set_tension([tension](int a, int b) { return a == 3 && b == 4 ? tension : 1; });
     const Complex complex = grains();
-    dsc::Cavity<Complex> cavity(complex);
+    DSC::Cavity<Complex> cavity(complex);
     bool is_proposed = false;
     for (auto c : complex.cells())
       for (int i = 0; i < 3; ++i)
         if (c->label() == 1 && c->neighbor(i)->label() == 2)
           is_proposed =
               is_proposed ||
-              dsc::propose_neighbor_exchange(complex, c, i, .5, cavity, energy).has_value();
+              DSC::propose_neighbor_exchange(complex, c, i, .5, cavity, energy).has_value();
     EXPECT_EQ(is_proposed, tension == 1);
   }
+}
+
+// Returns a channel of width 1 with n edges in the width. The label 3 is at the end of the wall
+// between the labels 1 and 2.
+Complex channel(std::size_t n) {
+  return planar_regions::grid(
+      3 * n, n,
+      [n](std::size_t i, std::size_t j) {
+        return Complex::Point_2(double(i) / double(n), double(j) / double(n));
+      },
+      [n](std::size_t i, std::size_t j) { return i >= 2 * n  ? 3
+                                                 : j < n / 2 ? 1
+                                                             : 2; });
 }
 
 // In a channel of width 1, the label 3 displaces the wall between the labels 1 and 2. Its boundary
@@ -321,15 +333,10 @@ TEST(Interface_energy, decides_whether_neighbors_are_exchanged) {
 TEST(Interface_energy, junction_travels_at_its_speed) {
   static constexpr std::size_t n = 10; // edges in the width
   const double exact = 2 * (CGAL_PI / 2 - 82.8192 / 2 * degree);
-  Complex complex = planar_regions::grid(
-      3 * n, n,
-      [](std::size_t i, std::size_t j) { return Complex::Point_2(double(i) / n, double(j) / n); },
-      [](std::size_t i, std::size_t j) { return i >= 2 * n  ? 3
-                                                : j < n / 2 ? 1
-                                                            : 2; });
-  dsc::Grain_growth_options options;
+  Complex complex = channel(n);
+  DSC::Grain_growth_options options;
   options.edges_of_grain = n;
-  dsc::Grain_growth<Complex> growth(complex, with_tension_of_1_and_2(1.5), options);
+  DSC::Grain_growth<Complex> growth(complex, with_tension_of_1_and_2(1.5), options);
   while (growth.time() < .3)
     growth.advance();
   const double area = complex.area(3), begin = growth.time();
@@ -342,16 +349,11 @@ TEST(Interface_energy, junction_travels_at_its_speed) {
 // of the domain. Then the two others vanish.
 TEST(Interface_energy, phase_that_wets_advances) {
   static constexpr std::size_t n = 10;
-  Complex complex = planar_regions::grid(
-      3 * n, n,
-      [](std::size_t i, std::size_t j) { return Complex::Point_2(double(i) / n, double(j) / n); },
-      [](std::size_t i, std::size_t j) { return i >= 2 * n  ? 3
-                                                : j < n / 2 ? 1
-                                                            : 2; });
+  Complex complex = channel(n);
   const Interface_energy energy = with_tension_of_1_and_2(2.5);
-  dsc::Grain_growth_options options;
+  DSC::Grain_growth_options options;
   options.edges_of_grain = n;
-  dsc::Grain_growth<Complex> growth(complex, energy, options);
+  DSC::Grain_growth<Complex> growth(complex, energy, options);
   double energy_before = energy(complex);
   bool are_neighbors = true;
   while (growth.time() < 1 && complex.labels().size() > 1) {
@@ -359,7 +361,7 @@ TEST(Interface_energy, phase_that_wets_advances) {
     EXPECT_LT(energy(complex), energy_before);
     energy_before = energy(complex);
     const bool were_neighbors = are_neighbors;
-    are_neighbors = dsc::shared_measures(complex).count({1, 2}) > 0;
+    are_neighbors = DSC::shared_measures(complex).count({1, 2}) > 0;
     EXPECT_LE(are_neighbors, were_neighbors);
     if (growth.time() < .45) {
       EXPECT_TRUE(are_neighbors);
@@ -376,7 +378,7 @@ TEST(Interface_energy, lens_has_the_angle_of_young) {
   Complex complex = disk_between_two_labels(32, .3);
   double last = energy(complex), area = 0;
   for (int k = 0; k < 150; ++k) {
-    dsc::advect_adaptively(complex, dsc::Mean_curvature_flow(energy, true), k * dt, dt);
+    DSC::advect_adaptively(complex, DSC::Mean_curvature_flow(energy, true), k * dt, dt);
     EXPECT_LT(energy(complex), last * (1 + 1e-5)) << k;
     last = energy(complex);
     if (k == 10) // the steps of the grid are gone

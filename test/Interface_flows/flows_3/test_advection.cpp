@@ -25,14 +25,20 @@ Position after_spiral(const Position& p, double t) {
           scale * (std::sin(angle) * p.x() + std::cos(angle) * p.y()), scale * p.z()};
 }
 
+// Returns the exact positions of the vertices of the interface at the time t.
+std::vector<Position> after_spiral(const Complex& dsc, double t) {
+  std::vector<Position> result;
+  for (Vertex_handle v : dsc.interface_vertices())
+    result.push_back(after_spiral(dsc.position(v), t));
+  return result;
+}
+
 // Returns the largest distance of the vertices of a cube from their exact positions.
 double error(Integration_scheme scheme, int steps) {
   static constexpr double end = .4;
   Complex dsc = make_complex(grid(4, small_meshes::cube));
   const auto vertices = dsc.interface_vertices();
-  std::vector<Position> expected;
-  for (Vertex_handle v : vertices)
-    expected.push_back(after_spiral(dsc.position(v), end));
+  const std::vector<Position> expected = after_spiral(dsc, end);
   for (int i = 0; i < steps; ++i)
     EXPECT_TRUE(
         DSC::advect_interface(dsc, spiral, i * end / steps, end / steps, parameters::scheme(scheme))
@@ -60,9 +66,7 @@ TEST(Advection, adaptive_steps_keep_a_tolerance) {
   for (double tolerance : {1e-3, 1e-6}) {
     Complex dsc = make_complex(grid(4, small_meshes::cube));
     const auto vertices = dsc.interface_vertices();
-    std::vector<Position> expected;
-    for (Vertex_handle v : vertices)
-      expected.push_back(after_spiral(dsc.position(v), .4));
+    const std::vector<Position> expected = after_spiral(dsc, .4);
     EXPECT_TRUE(
         DSC::advect_interface(
             dsc, spiral, 0, .4,
@@ -134,9 +138,7 @@ TEST(Advection, adaptive_steps_stay_where_the_field_is) {
 TEST(Advection, steps_of_the_whole_interface) {
   Complex dsc = make_complex(grid(4, small_meshes::cube));
   const auto vertices = dsc.interface_vertices();
-  std::vector<Position> expected;
-  for (Vertex_handle v : vertices)
-    expected.push_back(after_spiral(dsc.position(v), .2));
+  const std::vector<Position> expected = after_spiral(dsc, .2);
   int calls = 0;
   const auto step = [&](const DSC::Interface_snapshot<Complex>& snapshot,
                         const std::vector<Position>& positions, double t, double dt,
@@ -183,9 +185,7 @@ TEST(Advection, negative_steps_go_back) {
 TEST(Advection, flow_maps_are_taken_as_they_are) {
   Complex dsc = make_complex(grid(4, small_meshes::cube));
   const auto vertices = dsc.interface_vertices();
-  std::vector<Position> expected;
-  for (Vertex_handle v : vertices)
-    expected.push_back(after_spiral(dsc.position(v), .2));
+  const std::vector<Position> expected = after_spiral(dsc, .2);
   const auto map = [](const Position& p, double t, double dt) {
     EXPECT_EQ(t, 3);
     return after_spiral(p, dt);

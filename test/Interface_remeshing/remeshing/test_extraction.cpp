@@ -122,8 +122,7 @@ TEST(Interface_to_surface_mesh, is_cut_open_along_triple_lines) {
 
 TEST(Labeled_surface, of_a_written_interface_is_the_interface) {
   const Temporary_folder folder;
-  Complex dsc = make_complex(grid(4, small_meshes::cube));
-  set_awkward_normalization(dsc);
+  const Complex dsc = complex_with_long_coordinates(small_meshes::cube);
   const auto surface = DSC::extract_interface(dsc);
   for (const std::string extension : {"off", "obj", "ply", "stl", "OFF"}) {
     const std::string path = folder / ("a." + extension);

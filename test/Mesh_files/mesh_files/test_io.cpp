@@ -92,8 +92,7 @@ struct Vtu
 
 TEST(Vtu, of_the_volume_has_all_arrays) {
   const Temporary_folder folder;
-  Complex dsc = make_complex(grid(4, small_meshes::two_boxes));
-  set_awkward_normalization(dsc);
+  const Complex dsc = complex_with_long_coordinates(small_meshes::two_boxes);
   CGAL::IO::write_VTU(folder / "a.vtu", dsc);
   EXPECT_EQ(folder.number_of_files(), 1);
 
@@ -233,8 +232,7 @@ TEST(Pvd_series, refuses_a_time_that_is_not_finite) {
 
 TEST(Medit, round_trip_is_exact) {
   const Temporary_folder folder;
-  Complex dsc = make_complex(grid(4, small_meshes::four_phases));
-  set_awkward_normalization(dsc);
+  const Complex dsc = complex_with_long_coordinates(small_meshes::four_phases);
   CGAL::IO::write_MEDIT(folder / "a.mesh", dsc);
   EXPECT_EQ(folder.number_of_files(), 1);
 

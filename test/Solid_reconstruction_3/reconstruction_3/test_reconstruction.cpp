@@ -17,11 +17,7 @@
 
 namespace test_reconstruction {
 
-using Complex = CGAL::Deformable_simplicial_complex_3<>;
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point = Kernel::Point_3;
-using Vector = Kernel::Vector_3;
-using Report = CGAL::Deformable_simplicial_complexes::Reconstruction_report_3<Complex>;
+using namespace reconstruction;
 using CGAL::Deformable_simplicial_complexes::Error;
 using CGAL::Deformable_simplicial_complexes::File_error;
 using CGAL::Deformable_simplicial_complexes::Invalid_points_error;

@@ -11,10 +11,7 @@
 
 namespace test_reconstruction_of_creases {
 
-using Complex = CGAL::Deformable_simplicial_complex_3<>;
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point = Kernel::Point_3;
-using Report = CGAL::Deformable_simplicial_complexes::Reconstruction_report_3<Complex>;
+using namespace reconstruction;
 using dsc_benchmark::clouds::Gear;
 namespace internal = CGAL::Deformable_simplicial_complexes::internal;
 

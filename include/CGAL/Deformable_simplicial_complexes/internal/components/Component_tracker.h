@@ -35,7 +35,9 @@ template <class Cell_handle> class Component_tracker
 public:
   using Number = std::uint32_t;
 
-  // Records that components may have changed.
+  // Records that components may have changed. Their volumes become those before the first
+  // connection that is not confirmed: volumes that were added since then can belong to a part that
+  // was cut off, and events report volumes before the change.
   void invalidate() {
     if (!m_doubts.empty())
       m_components.swap(m_before_doubts);
@@ -188,9 +190,7 @@ public:
     if (!m_is_known || !m_doubts.are_dispelled(complex))
       return true;
     std::vector<bool> is_found(m_components.size(), false);
-    std::vector<Cell_handle> seen;
     Marks marks = cell_marks(complex);
-    std::size_t next = 0;
     for (Cell_handle seed : complex.finite_cells()) {
       if (marks.has(seed))
         continue;
@@ -199,13 +199,11 @@ public:
         return false;
       is_found[i] = true;
       std::int64_t volume = 0;
-      for (marks.add(seed, seen); next < seen.size(); ++next) {
+      for (Cell_handle c : component_of(complex, seed, marks)) {
         Progress_scope::check();
-        const Cell_handle c = seen[next];
         volume += totals.units(complex.measure(c));
         if (c->component() != i)
           return false;
-        add_neighbors(complex, c, marks, seen);
       }
       if (volume != m_components[i].volume)
         return false;
@@ -295,27 +293,28 @@ private:
     return result;
   }
 
-  // Adds the neighbors of `c` that belong to the same component.
+  // Returns and marks the cells that are connected with `seed` through cells of the same label.
   template <class Complex>
-  static void add_neighbors(const Complex& complex, Cell_handle c, Marks& marks,
-                            std::vector<Cell_handle>& seen) {
-    for (int i = 0; i < Complex::corners; ++i)
-      if (c->neighbor(i)->label() == c->label() && !complex.is_infinite(c->neighbor(i)))
-        marks.add(c->neighbor(i), seen);
+  static std::vector<Cell_handle> component_of(const Complex& complex, Cell_handle seed,
+                                               Marks& marks) {
+    std::vector<Cell_handle> result;
+    marks.add(seed, result);
+    for (std::size_t next = 0; next < result.size(); ++next)
+      for (int i = 0; i < Complex::corners; ++i)
+        if (const Cell_handle n = result[next]->neighbor(i);
+            n->label() == seed->label() && !complex.is_infinite(n))
+          marks.add(n, result);
+    return result;
   }
 
   template <class Complex> void count(const Complex& complex) const {
     m_counts.clear();
-    std::vector<Cell_handle> seen;
     Marks marks = cell_marks(complex);
-    std::size_t next = 0;
-    for (Cell_handle seed : complex.finite_cells()) {
-      if (marks.has(seed))
-        continue;
-      add_one(m_counts, seed->label());
-      for (marks.add(seed, seen); next < seen.size(); ++next)
-        add_neighbors(complex, seen[next], marks, seen);
-    }
+    for (Cell_handle seed : complex.finite_cells())
+      if (!marks.has(seed)) {
+        add_one(m_counts, seed->label());
+        component_of(complex, seed, marks);
+      }
     m_is_counted = true;
   }
 

@@ -47,9 +47,11 @@ public:
                        [&](const Doubt& doubt) { return doubt.cell == c; });
   }
 
-  // Removes a cell that gets another label from all groups. In each group, its neighbors that keep
-  // the label replace it. If there is no such neighbor, the groups of the cell are joined first,
-  // because the cell no longer connects them. Returns whether the group still contains cells.
+  // Removes a cell that gets another label from all groups. Its neighbors that keep the label
+  // replace it in each group. If there is no such neighbor, the groups of the cell are joined: each
+  // group had to be connected with the cell, so the groups had to be connected with each other, and
+  // no other cell states this. Returns whether the group still contains cells; if not, the
+  // component has vanished.
   bool replace(Cell_handle c, const std::vector<Cell_handle>& left) {
     if (left.empty())
       join_groups_of(c);

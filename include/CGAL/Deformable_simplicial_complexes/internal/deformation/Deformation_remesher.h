@@ -16,10 +16,10 @@
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/balance/Destinations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/sort_by_time_stamp.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/deformation/Small_angle_remover_2.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/deformation/Small_angle_remover_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/destinations/Destinations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_operations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Rigid_components.h>

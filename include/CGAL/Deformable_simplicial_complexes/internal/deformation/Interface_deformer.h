@@ -13,9 +13,9 @@
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/balance/Contacts.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/balance/Destinations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/deformation/Deformation_remesher.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/destinations/Contacts.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/destinations/Destinations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Rigid_components.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/collision_order.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/displacement_extension.h>

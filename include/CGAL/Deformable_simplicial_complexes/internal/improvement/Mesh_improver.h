@@ -17,9 +17,9 @@
 #include <CGAL/Deformable_simplicial_complexes/degeneracy_removal.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_split.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/balance/Destinations.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/balance/Interface_tolerance.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Failure_memory.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/destinations/Destinations.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/destinations/Interface_tolerance.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_operations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Vertex_smoother.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>

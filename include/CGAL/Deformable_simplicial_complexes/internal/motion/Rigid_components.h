@@ -9,7 +9,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_RIGID_COMPONENTS_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_RIGID_COMPONENTS_H
 
-#include <CGAL/Deformable_simplicial_complexes/internal/balance/Destinations.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/destinations/Destinations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 #include <CGAL/Mesh_support/For_each_index.h>
 

@@ -9,7 +9,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_COLLISION_ORDER_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_COLLISION_ORDER_H
 
-#include <CGAL/Deformable_simplicial_complexes/internal/balance/Destinations.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/destinations/Destinations.h>
 
 #include <CGAL/Exact_rational.h>
 

@@ -12,8 +12,8 @@
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/balance/Contacts.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/balance/Interface_tolerance.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/destinations/Contacts.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/destinations/Interface_tolerance.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Rigid_components.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Manifold_relabeling.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Topology_log.h>

@@ -39,7 +39,6 @@ public:
   static constexpr int d = Complex::dimension;
   using Mesh = Distributed_mesh<Complex>;
   using Index = typename Mesh::Index;
-  using Part = typename Part_of<Complex>::Type;
 
   // `treat` treats a patch. `places` receives the places of changes of topology on this rank in the
   // pass `pass`.

@@ -14,7 +14,7 @@
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_split.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/balance/Interface_tolerance.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/destinations/Interface_tolerance.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Changed_facets.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_fan.h>

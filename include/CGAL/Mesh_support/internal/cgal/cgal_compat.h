@@ -34,29 +34,17 @@
 namespace CGAL::Deformable_simplicial_complexes {
 
 #if CGAL_VERSION_NR >= 1060000000
-template <class Kernel, class Primitive>
-using Primitive_tree_traits_3 = AABB_traits_3<Kernel, Primitive>;
-namespace internal {
-template <class Kernel, class Iterator>
-using Triangle_primitive_3 = AABB_triangle_primitive_3<Kernel, Iterator>;
-template <class Kernel, class Iterator>
-using Segment_primitive_3 = AABB_segment_primitive_3<Kernel, Iterator>;
-} // namespace internal
-template <class Mesh>
-using Edge_count_stop_predicate = Surface_mesh_simplification::Edge_count_stop_predicate<Mesh>;
+using Surface_mesh_simplification::Edge_count_stop_predicate;
 template <class Type, class Variant> const Type* get_alternative(const Variant& variant) {
   return std::get_if<Type>(&variant);
 }
 #else
-// Traits of an `AABB_tree` of primitives in space, for any supported version of \cgal.
-template <class Kernel, class Primitive>
-using Primitive_tree_traits_3 = AABB_traits<Kernel, Primitive>;
-namespace internal {
+// The names of CGAL 6.
+template <class Kernel, class Primitive> using AABB_traits_3 = AABB_traits<Kernel, Primitive>;
 template <class Kernel, class Iterator>
-using Triangle_primitive_3 = AABB_triangle_primitive<Kernel, Iterator>;
+using AABB_triangle_primitive_3 = AABB_triangle_primitive<Kernel, Iterator>;
 template <class Kernel, class Iterator>
-using Segment_primitive_3 = AABB_segment_primitive<Kernel, Iterator>;
-} // namespace internal
+using AABB_segment_primitive_3 = AABB_segment_primitive<Kernel, Iterator>;
 // Predicate that stops the simplification of a surface mesh at a number of edges.
 template <class Mesh>
 using Edge_count_stop_predicate = Surface_mesh_simplification::Count_stop_predicate<Mesh>;
@@ -70,13 +58,11 @@ template <class Type, class Variant> const Type* get_alternative(const Variant& 
 // Traits of an `AABB_tree` of triangles in space. `Iterator` has the value type
 // `Kernel::Triangle_3`.
 template <class Kernel, class Iterator>
-using Tree_traits_3 =
-    Primitive_tree_traits_3<Kernel, internal::Triangle_primitive_3<Kernel, Iterator>>;
+using Tree_traits_3 = AABB_traits_3<Kernel, AABB_triangle_primitive_3<Kernel, Iterator>>;
 // Traits of an `AABB_tree` of segments in space. `Iterator` has the value type
 // `Kernel::Segment_3`.
 template <class Kernel, class Iterator>
-using Segment_tree_traits_3 =
-    Primitive_tree_traits_3<Kernel, internal::Segment_primitive_3<Kernel, Iterator>>;
+using Segment_tree_traits_3 = AABB_traits_3<Kernel, AABB_segment_primitive_3<Kernel, Iterator>>;
 
 } // namespace CGAL::Deformable_simplicial_complexes
 

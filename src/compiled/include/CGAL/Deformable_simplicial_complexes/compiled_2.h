@@ -29,30 +29,22 @@
 #endif
 
 namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace Deformable_simplicial_complexes::internal {
 using Default_complex_2 = Deformable_simplicial_complex_2<>;
-}
-
-CGAL_DSC_INSTANTIATION template class Labeled_complex<
-    internal::Default_complex_2, internal::Default_complex_2::Space,
-    internal::Default_complex_2::Quality_measure, internal::Default_complex_2::Domain>;
-} // namespace Deformable_simplicial_complexes
-
-CGAL_DSC_INSTANTIATION template class Deformable_simplicial_complex_2<>;
-
-namespace Deformable_simplicial_complexes {
-namespace internal {
 CGAL_DSC_INSTANTIATION template Planar_filling_2 fill_planar_box<Planar_kernel>(const Curve_soup_2&,
                                                                                 const Bbox_2&);
 CGAL_DSC_INSTANTIATION template Planar_filling_2
 fill_box_between<Planar_kernel>(const Curve_soup_2&, const Bbox_2&);
 CGAL_DSC_INSTANTIATION template Image_filling_2
 fill_image<Planar_kernel>(const Labeled_image_2&, double, const std::optional<Bbox_2>&);
-#define CGAL_DSC_COMPILED_COMPLEX Default_complex_2
+} // namespace Deformable_simplicial_complexes::internal
+
+CGAL_DSC_INSTANTIATION template class Deformable_simplicial_complex_2<>;
+
+namespace Deformable_simplicial_complexes {
+#define CGAL_DSC_COMPILED_COMPLEX internal::Default_complex_2
 #include <CGAL/Deformable_simplicial_complexes/compiled_functions.h>
 #undef CGAL_DSC_COMPILED_COMPLEX
-} // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 

@@ -34,20 +34,8 @@
 #endif
 
 namespace CGAL {
-namespace Deformable_simplicial_complexes {
-namespace internal {
+namespace Deformable_simplicial_complexes::internal {
 using Default_complex_3 = Deformable_simplicial_complex_3<>;
-}
-
-CGAL_DSC_INSTANTIATION template class Labeled_complex<
-    internal::Default_complex_3, internal::Default_complex_3::Space,
-    internal::Default_complex_3::Quality_measure, internal::Default_complex_3::Domain>;
-} // namespace Deformable_simplicial_complexes
-
-CGAL_DSC_INSTANTIATION template class Deformable_simplicial_complex_3<>;
-
-namespace Deformable_simplicial_complexes {
-namespace internal {
 CGAL_DSC_INSTANTIATION template std::vector<std::pair<std::size_t, std::size_t>>
 crossing_triangles<Predicates_kernel>(const Triangle_soup_3&);
 CGAL_DSC_INSTANTIATION template std::vector<Soup_ray_3>
@@ -57,10 +45,14 @@ CGAL_DSC_INSTANTIATION template std::optional<Split_soup_3>
 split_at_crossings<Exact_predicates_exact_constructions_kernel>(const Triangle_soup_3&, double);
 CGAL_DSC_INSTANTIATION template Places_of_triangles
 triangulated_simple_polygon<Polygon_kernel>(const std::vector<Polygon_kernel::Point_2>&);
-#define CGAL_DSC_COMPILED_COMPLEX Default_complex_3
+} // namespace Deformable_simplicial_complexes::internal
+
+CGAL_DSC_INSTANTIATION template class Deformable_simplicial_complex_3<>;
+
+namespace Deformable_simplicial_complexes {
+#define CGAL_DSC_COMPILED_COMPLEX internal::Default_complex_3
 #include <CGAL/Deformable_simplicial_complexes/compiled_functions.h>
 #undef CGAL_DSC_COMPILED_COMPLEX
-} // namespace internal
 } // namespace Deformable_simplicial_complexes
 } // namespace CGAL
 

@@ -12,18 +12,14 @@
 /// file that includes this header uses the compiled code and does not instantiate these templates
 /// again. \pre The program links with `Deformable_simplicial_complex::Compiled_segmentation`.
 
-#ifndef CGAL_DSC_SEGMENTATION_INSTANTIATION // defined where the component instantiates the
-                                            // function
-#define CGAL_DSC_SEGMENTATION_INSTANTIATION extern
-#endif
-
 #include <CGAL/Deformable_simplicial_complexes/compiled_2.h>
 #include <CGAL/Image_segmentation/segment_image.h>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
-CGAL_DSC_SEGMENTATION_INSTANTIATION template Segmentation_report
-segment(Default_complex_2&, const Gray_image<2>&, const Segmentation_options<2>&,
-        const Image_phases&, bool);
+CGAL_DSC_INSTANTIATION template Segmentation_report segment(Default_complex_2&,
+                                                            const Gray_image<2>&,
+                                                            const Segmentation_options<2>&,
+                                                            const Image_phases&, bool);
 } // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_IMAGE_SEGMENTATION_COMPILED_2_H

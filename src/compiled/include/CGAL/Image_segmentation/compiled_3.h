@@ -12,18 +12,14 @@
 /// includes this header uses the compiled code and does not instantiate these templates again.
 /// \pre The program links with `Deformable_simplicial_complex::Compiled_segmentation`.
 
-#ifndef CGAL_DSC_SEGMENTATION_INSTANTIATION // defined where the component instantiates the
-                                            // function
-#define CGAL_DSC_SEGMENTATION_INSTANTIATION extern
-#endif
-
 #include <CGAL/Deformable_simplicial_complexes/compiled_3.h>
 #include <CGAL/Image_segmentation/segment_image.h>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
-CGAL_DSC_SEGMENTATION_INSTANTIATION template Segmentation_report
-segment(Default_complex_3&, const Gray_image<3>&, const Segmentation_options<3>&,
-        const Image_phases&, bool);
+CGAL_DSC_INSTANTIATION template Segmentation_report segment(Default_complex_3&,
+                                                            const Gray_image<3>&,
+                                                            const Segmentation_options<3>&,
+                                                            const Image_phases&, bool);
 } // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_IMAGE_SEGMENTATION_COMPILED_3_H

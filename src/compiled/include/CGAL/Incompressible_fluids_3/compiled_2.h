@@ -15,12 +15,8 @@
 #include <CGAL/Deformable_simplicial_complexes/compiled_2.h>
 #include <CGAL/Incompressible_fluid_2.h>
 
-#ifndef CGAL_DSC_FLUID_INSTANTIATION // defined where the component instantiates the class
-#define CGAL_DSC_FLUID_INSTANTIATION extern
-#endif
-
 namespace CGAL {
-CGAL_DSC_FLUID_INSTANTIATION template class Deformable_simplicial_complexes::Incompressible_fluid<
+CGAL_DSC_INSTANTIATION template class Deformable_simplicial_complexes::Incompressible_fluid<
     Deformable_simplicial_complex_2<>>;
 } // namespace CGAL
 

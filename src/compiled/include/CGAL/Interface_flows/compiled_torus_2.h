@@ -15,28 +15,16 @@
 #include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
 #include <CGAL/Interface_flows/compiled_2.h>
 
-namespace CGAL {
-namespace Deformable_simplicial_complexes::internal {
+namespace CGAL::Deformable_simplicial_complexes {
+namespace internal {
 using Torus_complex_2 = Deformable_simplicial_complex_2<Deformable_simplicial_complex_traits_2<>,
                                                         Default, Torus_domain<2>>;
 }
 
-CGAL_DSC_INSTANTIATION template class Deformable_simplicial_complexes::Labeled_complex<
-    Deformable_simplicial_complexes::internal::Torus_complex_2,
-    Deformable_simplicial_complexes::internal::Torus_complex_2::Space,
-    Deformable_simplicial_complexes::internal::Torus_complex_2::Quality_measure,
-    Deformable_simplicial_complexes::internal::Torus_complex_2::Domain>;
-
-namespace Deformable_simplicial_complexes {
 #define CGAL_DSC_COMPILED_COMPLEX internal::Torus_complex_2
+#include <CGAL/Deformable_simplicial_complexes/compiled_functions.h>
 #include <CGAL/Interface_flows/compiled_functions.h>
 #undef CGAL_DSC_COMPILED_COMPLEX
-namespace internal {
-#define CGAL_DSC_COMPILED_COMPLEX Torus_complex_2
-#include <CGAL/Deformable_simplicial_complexes/compiled_functions.h>
-#undef CGAL_DSC_COMPILED_COMPLEX
-} // namespace internal
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_INTERFACE_FLOWS_COMPILED_TORUS_2_H

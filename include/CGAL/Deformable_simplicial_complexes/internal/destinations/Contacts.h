@@ -6,10 +6,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BALANCE_CONTACTS_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BALANCE_CONTACTS_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DESTINATIONS_CONTACTS_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DESTINATIONS_CONTACTS_H
 
-#include <CGAL/Deformable_simplicial_complexes/internal/balance/Destinations.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/destinations/Destinations.h>
 
 #include <algorithm>
 #include <utility>
@@ -119,4 +119,4 @@ private:
 
 } // namespace CGAL::Deformable_simplicial_complexes::internal
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BALANCE_CONTACTS_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DESTINATIONS_CONTACTS_H
