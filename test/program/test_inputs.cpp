@@ -9,8 +9,9 @@ using namespace program;
 class Inputs : public program::Program_test
 {
 protected:
-  // Returns the labels and their volumes after a rotation, which preserves the volumes.
-  std::map<int, double> volumes(const std::string& input) {
+  // Returns the labels and their volumes after a rotation, which preserves the volumes unless the
+  // interface ends on the sides of the domain; or the volumes before the rotation.
+  std::map<int, double> volumes(const std::string& input, bool after = true) {
     const std::string report = path("report.json").string();
     const Outcome outcome =
         run("rotate " + input + " --axis 0,0,1 --angle 5 --steps 1 --report " + report);
@@ -19,7 +20,7 @@ protected:
     if (outcome.exit_code != 0)
       return result;
     const Json json = Json::parse(contents(path("report.json")));
-    for (const Json& label : json["steps"].back()["labels"])
+    for (const Json& label : (after ? json["steps"].back() : json["steps"].front())["labels"])
       result[label["label"]] = label["volume"];
     return result;
   }
@@ -86,10 +87,20 @@ TEST_F(Inputs, may_be_images_of_voxels) {
   for (std::size_t i = 0; i < voxels.size(); ++i)
     voxels[i] = i % 6 < 3 ? '\1' : i / 36 < 3 ? '\4' : '\0';
   write("halves.inr", inr(6, voxels));
-  const auto result = volumes(path("halves.inr").string());
+  const auto result = volumes(path("halves.inr").string(), false);
   ASSERT_EQ(result.size(), 3u);
+  EXPECT_NEAR(result.at(0), 54, 1e-6); // the voxels fill the domain
   EXPECT_NEAR(result.at(1), 108, 1e-6);
   EXPECT_NEAR(result.at(4), 54, 1e-6);
+
+  write("eighths.inr", inr(2, std::string("\1\2\3\4\5\6\7\10")));
+  const std::string eighths = path("eighths.inr").string();
+  EXPECT_EQ(volumes(eighths, false).size(), 8u); // no label 0
+  const auto surrounded = volumes(eighths + " --domain -1,-1,-1,2,2,2");
+  ASSERT_EQ(surrounded.size(), 9u);
+  EXPECT_NEAR(surrounded.at(0), 19, 1e-6);
+  for (int label = 1; label <= 8; ++label)
+    EXPECT_NEAR(surrounded.at(label), 1, 1e-6);
 }
 
 // A box with one duplicated triangle and some corners apart from the others.
@@ -258,7 +269,7 @@ TEST_F(Inputs, that_make_no_sense_are_refused) {
   expect_refusal(mesh + " --domain 0,0,0,2,2,2", 1, "enclosing box");
   expect_refusal(path("cut.inr").string(), 1, "is it truncated?");
   expect_refusal(path("missing.inr").string(), 1, "cannot open");
-  expect_refusal(path("empty.inr").string(), 1, "all labels of the image are 0");
+  expect_refusal(path("empty.inr").string(), 1, "all voxels have the same label");
 }
 
 TEST_F(Inputs, that_are_misspelt_get_advice) {

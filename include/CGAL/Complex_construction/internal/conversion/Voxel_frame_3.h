@@ -117,17 +117,17 @@ private:
 };
 
 // The frame in which a complex of voxels is built: p = translation + scale * q for a point p of the
-// image and the corresponding point q of the complex. The default domain is the cube with the
-// center of the box of labels and half side 2.5 r, where r is half the diagonal of that box.
-// Computations use side lengths of voxels as unit, so that small units of the image do not cause
-// underflow. If voxels fill the domain, the space around them is removed, and any domain is
-// allowed.
+// image and the corresponding point q of the complex. Computations use side lengths of voxels as
+// unit, so that small units of the image do not cause underflow. If voxels fill the domain, the
+// space around them is removed, and the domain that is given is not used.
 class Voxel_frame_3
 {
 public:
-  // Computes the frame. Normalization maps the default domain to [-1,1]^3. Throws `Error` if the
+  // Computes the frame. Normalization maps to [-1,1]^3 the cube with the center of the box of
+  // labels and half side 2.5 r, where r is half the diagonal of that box. Throws `Error` if the
   // size of the voxels is zero or not finite, or if the domain does not contain them in its
   // interior.
+  // \pre the voxels fill the domain, or a domain is given
   Voxel_frame_3(const Labeled_voxels_3& voxels, bool normalize,
                 const std::optional<Bbox_3>& domain) {
     double squared_diagonal = 0;
@@ -149,8 +149,7 @@ public:
       scale = m_unit;
     }
     for (int axis = 0; axis < 3; ++axis) {
-      const auto [low, high] =
-          voxels.fills_domain || !domain ? Limits{-1, 1} : limits(*domain, axis);
+      const auto [low, high] = voxels.fills_domain ? Limits{-1, 1} : limits(*domain, axis);
       m_low[axis] = low;
       m_high[axis] = high;
       const double half = m_half[axis] * m_side[axis];
@@ -202,10 +201,10 @@ private:
     return {(box.min(axis) - m_center[axis]) / m_unit, (box.max(axis) - m_center[axis]) / m_unit};
   }
 
-  double m_unit;                  // half the side of the default domain, in the unit of the image
-  std::array<double, 3> m_center; // of the box of labels, in the coordinates of the image
-  std::array<double, 3> m_half;   // half the side lengths of that box, in voxels
-  std::array<double, 3> m_side;   // of voxels, in `m_unit`
+  double m_unit;                       // half the side of that cube, in the unit of the image
+  std::array<double, 3> m_center;      // of the box of labels, in the coordinates of the image
+  std::array<double, 3> m_half;        // half the side lengths of that box, in voxels
+  std::array<double, 3> m_side;        // of voxels, in `m_unit`
   std::array<double, 3> m_low, m_high; // the domain relative to `m_center`, in `m_unit`
 };
 
