@@ -166,6 +166,22 @@ TEST(Image_conversion, finds_smooth_surfaces) {
   EXPECT_LT(mean, 3);
 }
 
+// The cells become larger towards the sides of an image of any size.
+TEST(Image_conversion, has_large_cells_at_the_sides) {
+  for (const unsigned n : {48u, 50u, 53u, 64u}) {
+    const auto ball = image(n, [&](unsigned i, unsigned j, unsigned k) {
+      return std::hypot(i - 20., j - 20., k - 20.) < 6;
+    });
+    const auto dsc = convert(ball);
+    expect_volumes_and_components(ball, dsc);
+    EXPECT_LT(dsc.number_of_cells(), 20000u) << n;
+  }
+  // The interface ends on sides with copies of voxels.
+  const auto wall =
+      image(13, [](unsigned i, unsigned j, unsigned k) { return i + j < 13 + k % 2; });
+  expect_volumes_and_components(wall, convert(wall));
+}
+
 TEST(Image_conversion, does_not_depend_on_units) {
   const auto label = [](unsigned i, unsigned j, unsigned k) {
     return i < 2 || i > 8 || k < 2 ? 0 : j < 5 ? 1 : 7;
