@@ -82,6 +82,45 @@ TEST_F(Inputs, may_be_tetrahedra_without_space_around) {
   EXPECT_NEAR(volumes(path("cube.mesh").string() + " --domain -1,-1,-1,2,2,2").at(0), 26, 1e-12);
 }
 
+// The mesh of a file is the domain if the user asks for it and the mesh is a ball.
+TEST_F(Inputs, may_be_tetrahedra_that_are_the_domain) {
+  std::string halves = cube;
+  for (const char* tetrahedron : {"\n1 2 4 8 2", "\n1 2 6 8 2", "\n1 5 6 8 2"})
+    halves[halves.find(tetrahedron) + 9] = '5';
+  write("halves.mesh", halves);
+  const std::string mesh = path("halves.mesh").string();
+  const auto result = volumes(mesh + " --domain mesh", false);
+  ASSERT_EQ(result.size(), 2u);
+  EXPECT_NEAR(result.at(2), .5, 1e-12);
+  EXPECT_NEAR(result.at(5), .5, 1e-12);
+  EXPECT_EQ(volumes(mesh).size(), 3u);
+
+  write("two.mesh", R"(MeshVersionFormatted 2
+Dimension 3
+Vertices 7
+0 0 0 0
+1 0 0 0
+0 1 0 0
+0 0 1 0
+-1 0 0 0
+0 -1 0 0
+0 0 -1 0
+Tetrahedra 2
+1 2 3 4 1
+1 5 6 7 2
+End
+)");
+  const std::string two = path("two.mesh").string();
+  expect_refusal(two + " --domain mesh", 1, "leave out --domain mesh");
+  const auto parts = volumes(two); // they touch in a vertex
+  EXPECT_NEAR(parts.at(1), 1. / 6, 1e-12);
+  EXPECT_NEAR(parts.at(2), 1. / 6, 1e-12);
+  write("cube.mesh", cube);
+  expect_refusal(path("cube.mesh").string() + " --domain mesh", 1, "all tetrahedra have the same");
+  write("box.off", program::box(0, 0, 0, 1, 1, 1));
+  expect_refusal(path("box.off").string() + " --domain mesh", 2, "applies only to tetrahedra");
+}
+
 TEST_F(Inputs, may_be_images_of_voxels) {
   std::string voxels(6 * 6 * 6, '\0');
   for (std::size_t i = 0; i < voxels.size(); ++i)
