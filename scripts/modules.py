@@ -66,6 +66,7 @@ MODULES = {
         "bookkeeping": "numbers of items, measures of labels, failed operations, marks of a thread",
         "components": "connected components of labels",
         "complex": "storage, numbering, exact changes",
+        "parts": "complexes of given cells whose union has any shape",
         "traversal": "work lists, corners of cells, local lengths",
         "operations": "triangulations of rings, optimal positions, qualities of triangles",
         "interface": "edges and fans of the interface, changes of its facets",
@@ -140,7 +141,8 @@ SEAM = {
         complex/Complex_builder complex/apply_to_corners complex/assemble_triangulation
         complex/hilbert_order complex/sort_by_time_stamp deformation/deform improvement/Mesh_improver
         improvement/Mesh_operations interface/Changed_facets
-        interface/Interface_fan motion/Harmonic_extension operations/triangle_quality topology/Manifold_relabeling
+        interface/Interface_fan motion/Harmonic_extension operations/triangle_quality parts/assign_part parts/separate_touching_cells
+        topology/Manifold_relabeling
         traversal/Domain_box bookkeeping/Marks
         traversal/Work_list traversal/cell_corners traversal/local_edge_length""",
     "Interface_remeshing": """
@@ -150,7 +152,7 @@ SEAM = {
         checks/check_surfaces_3 checks/refuse_surface soups/Soup_bisector_3 soups/Triangle_soup_3
         soups/soup_intersections_3""",
     "Mesh_files": """
-        checkpoints/checkpoint_file grids/Vtu_document grids/read_vtu_tetrahedra grids/write_vtu pictures/colors text/Xml_element
+        checkpoints/checkpoint_file grids/Vtu_document grids/Written_vertices grids/read_vtu_tetrahedra grids/write_vtu pictures/colors text/Xml_element
         text/files text/number_of_word text/open_input""",
     "Interface_flows": """
         curvature/Interface_forces paths/interface_paths paths/velocity_properties""",
@@ -158,7 +160,7 @@ SEAM = {
 # The parts of the kernel in order, with their modules and public headers
 PARTS = ("complex", "operations", "deformation")
 PART_OF_MODULE = {
-    "bookkeeping": "complex", "components": "complex", "complex": "complex", "traversal": "complex",
+    "bookkeeping": "complex", "components": "complex", "complex": "complex", "parts": "complex", "traversal": "complex",
     "interface": "operations", "operations": "operations", "destinations": "operations", "improvement": "operations",
     "motion": "deformation", "topology": "deformation", "deformation": "deformation",
 }
@@ -169,7 +171,7 @@ PUBLIC_OF_PART = {
         Deformable_simplicial_complex_face_base_2 Deformable_simplicial_complex_traits_2
         Deformable_simplicial_complex_traits_3 Deformable_simplicial_complex_vertex_base_2
         Deformable_simplicial_complex_vertex_base_3 Interface_snapshot Labeled_complex Linear_element State
-        Torus_domain Simplex_data Vertex_numbers exceptions quality_measures star_union""",
+        Torus_domain Simplex_data Vertex_numbers exceptions quality_measures star_union Solid_domain""",
     "operations": """
         Any_visitor Improvement_report Interface_energy commit_proposal
         degeneracy_removal edge_collapse edge_flip_2 edge_removal_3 edge_split

@@ -758,22 +758,23 @@ class Complex3(Complex):
         origin: Sequence[float] | None = None,
         *,
         edge: float | None = None,
-        fill: bool = False,
+        box: npt.ArrayLike | None = None,
         improve: bool | None = None,
         progress: Progress | None = None,
     ) -> Complex3:
-        """Makes a complex from labeled voxels. The interface is smooth and keeps the volumes of labels.
+        """Makes a complex from labeled voxels, which fill the domain. The interface is smooth and keeps
+        the volumes of labels.
 
         labels: integers of shape (nx, ny, nz), with axes x, y, z; or an image of nibabel or SimpleITK,
-            whose affine map places the voxels in space. Label 0 is the outside.
+            whose affine map places the voxels in space. If its axes are rotated, the boundary is fixed
         spacing: sides of a voxel; by default 1
         origin: center of the voxel (0, 0, 0); by default 0
         edge: approximate length of interface edges; by default 2.5 times the longest side of a voxel
-        fill: whether the voxels are the whole domain, so that the interface may end on its boundary;
-            otherwise a box is around the voxels
+        box: two opposite corners, shape (2, 3), of a larger domain; the space around the voxels gets
+            label 0
         improve: whether the tetrahedra are improved at the end
 
-        Raises `Error` if all labels are 0, a label is negative, or labels reach the box.
+        Raises `Error` if voxels with labels other than 0 reach the box.
         """
         _not_masked(labels, "labels")
         placed = PlacedImage.of(labels)
@@ -781,7 +782,7 @@ class Complex3(Complex):
             if spacing is not None or origin is not None:
                 raise TypeError("an image has a spacing and an origin; leave them out")
             return cls._from_placed_image(
-                placed, edge=edge, fill=fill, improve=improve, progress=progress
+                placed, edge=edge, box=box, improve=improve, progress=progress
             )
         voxels = np.asarray(labels)
         sides = _numbers(np.broadcast_to(1.0 if spacing is None else spacing, 3), 3, "spacing")
@@ -796,8 +797,7 @@ class Complex3(Complex):
                 sides,
                 _numbers((0, 0, 0) if origin is None else origin, 3, "origin"),
                 0.0 if edge is None else _number(edge, "edge"),
-                bool(fill),
-                _given({}, improve=improve),
+                _given({}, improve=improve, box=None if box is None else _box(box, 3)),
                 progress,
             )
         )
@@ -814,6 +814,8 @@ class Complex3(Complex):
                 _numbers(straight.affine[:3, 3], 3, "origin"),
                 **options,
             )
+        if options["box"] is not None:
+            raise ValueError("the axes of the image are rotated, so no box contains it; leave out the box")
         # The complex is made along the axes of the image, and then placed in space.
         spacing = image.spacing
         sides = _numbers(spacing, 3, "spacing")

@@ -28,6 +28,7 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -67,6 +68,13 @@ public:
     for (std::size_t i = 0; i < m_triangles.size(); ++i)
       for (std::size_t k = 0; k < 3; ++k)
         m_triangles_at[side(i, k)].push_back(i);
+  }
+
+  /// Returns whether label 0 reaches the boundary of the triangles.
+  bool has_label_0_outside() const {
+    return std::any_of(m_triangles_at.begin(), m_triangles_at.end(), [&](const auto& side) {
+      return side.second.size() == 1 && m_labels[side.second.front()] == 0;
+    });
   }
 
   /// Writes the regions in the format of Triangle (.poly).
@@ -360,6 +368,15 @@ void write_points(vtkDataSet* data, Translation& result) {
   result.leave_out(left_out, "point that is not finite", "points that are not finite");
 }
 
+/// Returns what a user can do so that triangles of label 0 are the outer part of the domain.
+std::string note_on_domain(const double* bounds) {
+  std::ostringstream note;
+  note.precision(std::numeric_limits<double>::max_digits10);
+  note << "label 0 fills the domain around the other labels; --domain " << bounds[0] << ','
+       << bounds[2] << ',' << bounds[1] << ',' << bounds[3] << " gives the bounds of the triangles";
+  return note.str();
+}
+
 void write_triangles(vtkDataSet* data, const Options& options, Translation& result) {
   const auto faces = cells_of(data, 2, result);
   vtkIdType expected = 0; // number of triangles
@@ -378,7 +395,10 @@ void write_triangles(vtkDataSet* data, const Options& options, Translation& resu
   leave_out_arrays(triangles->GetPointData(), "point", result);
   if (is_planar(triangles)) {
     result.path = options.folder + "/regions.poly";
-    Planar_regions(triangles, labels_of(triangles, options.labels, result)).write(result.path);
+    const Planar_regions regions(triangles, labels_of(triangles, options.labels, result));
+    regions.write(result.path);
+    if (regions.has_label_0_outside())
+      result.notes.push_back(note_on_domain(triangles->GetBounds()));
   } else {
     if (!options.labels.empty())
       throw Failure("is a surface, whose triangles have no labels; leave out --labels");

@@ -30,20 +30,17 @@ CGAL::Image_3 image_of(const std::vector<int>& labels, const std::array<std::siz
 }
 
 /// \param labels the voxels, the first axis fastest
-/// \param fills whether the voxels fill the domain; otherwise a box is around them
 auto from_image(const py::array& labels, const std::array<std::size_t, 3>& size,
-                const Coordinates& spacing, const Coordinates& origin, double edge, bool fills,
+                const Coordinates& spacing, const Coordinates& origin, double edge,
                 const py::dict& options, const py::object& progress) {
   for (const double x : origin)
     if (!std::isfinite(x))
       throw py::value_error("the origin must be finite");
   const std::vector<int> voxels = labels_of(labels, "labels");
   auto construction = construction_options<3>(options);
-  const auto corner = [&](int axis, double voxel) { return (voxel - .5) * spacing[axis]; };
-  if (fills)
-    construction.enclosing_box =
-        CGAL::Bbox_3(corner(0, 0), corner(1, 0), corner(2, 0), corner(0, double(size[0])),
-                     corner(1, double(size[1])), corner(2, double(size[2])));
+  if (auto& box = construction.enclosing_box)
+    box = CGAL::Bbox_3(box->xmin() - origin[0], box->ymin() - origin[1], box->zmin() - origin[2],
+                       box->xmax() - origin[0], box->ymax() - origin[1], box->zmax() - origin[2]);
   const CGAL::Image_3 image = image_of(voxels, size, spacing);
   return guarded(progress, [&] {
     Complex complex = DSC::make_complex_from_labeled_image_3<Complex>(image, edge, construction);

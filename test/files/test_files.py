@@ -81,6 +81,12 @@ def test_triangles_in_the_plane(tmp_path):
     area = float(re.search(r"label 1: .* area ([\d.]+)", text)[1])
     assert area == pytest.approx(np.pi * 0.3**2, rel=0.1)
     assert run("mean-curvature", path, "--steps", 1).returncode == 0
+    assert "--domain -0.5,-0.5,0.5,0.5 gives the bounds" in run("info", path).stderr
+    report = tmp_path / "report.json"
+    box = ["--domain", "-0.5,-0.5,0.5,0.5", "--report", report]
+    assert run("mean-curvature", path, "--steps", 1, *box).returncode == 0
+    areas = [label["area"] for label in json.loads(report.read_text())["steps"][0]["labels"]]
+    assert sum(areas) == pytest.approx(1)
 
 
 @pytest.mark.parametrize("name", ["sphere.vtp", "sphere.vtk"])

@@ -60,6 +60,21 @@ template <class Label> Mesh cubes(int nx, int ny, int nz, Label label, double be
   return mesh;
 }
 
+// Returns the mesh without points that belong to no tetrahedron.
+Mesh without_unused_points(const Mesh& mesh) {
+  Mesh result = mesh;
+  std::map<std::size_t, std::size_t> numbers;
+  result.points.clear();
+  for (auto& tetrahedron : result.tetrahedra)
+    for (std::size_t& v : tetrahedron) {
+      const auto [known, is_new] = numbers.emplace(v, result.points.size());
+      if (is_new)
+        result.points.push_back(mesh.points[v]);
+      v = known->second;
+    }
+  return result;
+}
+
 // Two layers of labels 5 and 2 in a box of 4 x 4 x 4. The cells have a tenth of the thickness of
 // regular cells.
 Mesh layers() {
@@ -230,15 +245,108 @@ TEST_F(Improve, refuses_bad_input) {
   expect_refusal("twice.mesh", medit(bad));
 }
 
-TEST_F(Improve, refuses_domains_that_are_no_ball) {
-  const auto two = [](int x, int, int) { return x == 1 ? -1 : 1; };
-  expect_refusal("two_cubes.mesh", medit(cubes(3, 1, 1, two)));
-  const auto ring = [](int x, int y, int) { return x == 1 && y == 1 ? -1 : 1; };
-  expect_refusal("ring.mesh", medit(cubes(3, 3, 1, ring)));
-  const auto shell = [](int x, int y, int z) { return x == 1 && y == 1 && z == 1 ? -1 : 1; };
-  expect_refusal("shell.vtu", vtu(cubes(3, 3, 3, shell), "label"));
-  const auto edge = [](int x, int y, int) { return x == y ? 1 : -1; };
-  expect_refusal("edge.vtu", vtu(cubes(2, 2, 1, edge), "label"));
+// What a MEDIT file contains, computed from its text.
+struct Measures
+{
+  std::map<int, double> volumes; // by label
+  double boundary = 0;           // area of the facets with one tetrahedron
+  std::size_t tetrahedra = 0, points = 0, different_points = 0;
+};
+
+using Vector = std::array<double, 3>;
+
+Vector difference(const std::string& p, const std::string& q) {
+  Vector a, b;
+  std::istringstream(p) >> a[0] >> a[1] >> a[2];
+  std::istringstream(q) >> b[0] >> b[1] >> b[2];
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+Vector cross_product(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+Measures measures(const std::string& mesh) {
+  Measures result;
+  std::istringstream in(mesh.substr(mesh.find("Vertices") + 8));
+  in >> result.points;
+  std::map<std::set<std::string>, int> facets;
+  std::set<std::string> points;
+  for (const auto& [vertices, label] : simplices(mesh, "Tetrahedra", 4)) {
+    ++result.tetrahedra;
+    const std::vector<std::string> v(vertices.begin(), vertices.end());
+    points.insert(v.begin(), v.end());
+    const Vector normal = cross_product(difference(v[1], v[0]), difference(v[2], v[0])),
+                 edge = difference(v[3], v[0]);
+    result.volumes[label] +=
+        std::abs(normal[0] * edge[0] + normal[1] * edge[1] + normal[2] * edge[2]) / 6;
+    for (const std::string& p : v) {
+      auto facet = vertices;
+      facet.erase(p);
+      ++facets[facet];
+    }
+  }
+  result.different_points = points.size();
+  for (const auto& [facet, number] : facets) {
+    const std::vector<std::string> v(facet.begin(), facet.end());
+    const Vector normal = cross_product(difference(v[1], v[0]), difference(v[2], v[0]));
+    if (number == 1)
+      result.boundary += std::hypot(normal[0], normal[1], normal[2]) / 2;
+  }
+  return result;
+}
+
+int distance_from(int center, int x, int y, int z) {
+  return std::max({std::abs(x - center), std::abs(y - center), std::abs(z - center)});
+}
+
+// Parts, rings, shells, a cavity in a part in a cavity, and parts that touch in edges and vertices.
+TEST_F(Improve, takes_domains_of_any_shape) {
+  const std::vector<std::pair<const char*, Mesh>> meshes = {
+      {"parts", cubes(
+                    5, 2, 2, [](int x, int, int) { return x == 2 ? -1 : x; }, .45)},
+      {"ring",
+       cubes(
+           5, 5, 2, [](int x, int y, int) { return x == 2 && y == 2 ? -1 : 1 + (x > 2); }, .45)},
+      {"shell",
+       cubes(
+           7, 7, 7, [](int x, int y, int z) { return distance_from(3, x, y, z) - 1; }, .45)},
+      {"nested", cubes(
+                     9, 9, 9,
+                     [](int x, int y, int z) {
+                       const int distance = distance_from(4, x, y, z);
+                       return distance % 2 == 1 ? -1 : distance;
+                     },
+                     .45)},
+      {"edges", cubes(4, 4, 2, [](int x, int y, int) { return (x + y) % 2 == 0 ? 3 : -1; })},
+      {"vertices", cubes(
+                       4, 4, 4,
+                       [](int x, int y, int z) {
+                         return (x / 2 + y / 2) % 2 + (y / 2 + z / 2) % 2 == 0 ? 0 : -1;
+                       },
+                       .45)}};
+  for (const auto& [name, all] : meshes) {
+    SCOPED_TRACE(name);
+    const Mesh mesh = without_unused_points(all);
+    write("a.mesh", medit(mesh));
+    const Measures before = measures(contents(path("a.mesh")));
+    expect_success("improve a.mesh -o b.mesh --report r.json");
+    const Measures after = measures(contents(path("b.mesh")));
+    ASSERT_EQ(after.volumes.size(), before.volumes.size());
+    for (const auto& [label, volume] : before.volumes)
+      EXPECT_NEAR(after.volumes.at(label), volume, 1e-9) << label;
+    EXPECT_NEAR(after.boundary, before.boundary, 1e-9);
+    EXPECT_EQ(after.points, after.different_points);
+    EXPECT_EQ(report("r.json").at("before").at("tetrahedra"), before.tetrahedra);
+    EXPECT_EQ(report("r.json").at("before").at("vertices"), before.different_points);
+    EXPECT_GE(report("r.json").at("after").at("min_dihedral").get<double>(),
+              report("r.json").at("before").at("min_dihedral").get<double>());
+    write("a.vtu", vtu(mesh, "label"));
+    expect_success("improve a.vtu -o c.mesh");
+    EXPECT_EQ(contents(path("c.mesh")), contents(path("b.mesh")));
+    expect_success("convert a.mesh d.vtu");
+    EXPECT_EQ(info("d.vtu", "tetrahedra"), info("a.mesh", "tetrahedra"));
+  }
 }
 
 TEST_F(Improve, says_where_tetrahedra_are_flat) {
@@ -547,6 +655,41 @@ TEST_F(Improve, keeps_entities) {
   }
   EXPECT_PRED2(contains, run("improve entities.mesh -o out.vtu").err, "2 corners");
   EXPECT_PRED2(contains, run("offset entities.mesh --distance 0.01 --steps 1").err, "17 triangles");
+}
+
+// Entities and values at an edge that belongs to two cubes which do not touch elsewhere.
+TEST_F(Improve, keeps_the_content_where_a_domain_touches_itself) {
+  const Mesh mesh =
+      without_unused_points(cubes(2, 2, 1, [](int x, int y, int) { return x == y ? 1 : -1; }));
+  const auto number = [&](double x, double y, double z) {
+    const auto found = std::find(mesh.points.begin(), mesh.points.end(), Vector{x, y, z});
+    return ' ' + std::to_string(found - mesh.points.begin() + 1);
+  };
+  const std::string edge = number(1, 1, 0) + number(1, 1, 1), before = number(0, 0, 0),
+                    after = number(2, 2, 1);
+  std::string text = medit(mesh);
+  text.erase(text.find("End\n"));
+  text += "Edges\n1\n" + edge + " 7\nTriangles\n2\n" + before + edge + " 8\n" + edge + after +
+          " 9\nCorners\n1\n" + number(1, 1, 0) + "\nEnd\n";
+  write("edge.mesh", text);
+  expect_success("improve edge.mesh -o out.mesh");
+  const std::string out = contents(path("out.mesh"));
+  EXPECT_EQ(simplices(out, "Edges", 2), simplices(text, "Edges", 2));
+  EXPECT_EQ(simplices(out, "Triangles", 3), simplices(text, "Triangles", 3));
+  EXPECT_EQ(simplices(out, "Corners", 1), simplices(text, "Corners", 1));
+  std::vector<double> heat;
+  for (const auto& p : mesh.points)
+    heat.push_back(p[0] + 10 * p[1] + 100 * p[2]);
+  write("heat.vtu",
+        vtu(mesh, "label", "", vtu_grid::Grid().array("PointData", "Float64", "heat", heat)));
+  expect_success("improve heat.vtu -o heat.vtu");
+  const Vtu_reader file(path("heat.vtu").string());
+  const auto values = array_of(file, "heat");
+  const std::vector<double> points = points_of(file);
+  ASSERT_EQ(values.size(), 14u);
+  ASSERT_EQ(points.size(), 42u);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    EXPECT_EQ(values[i], points[3 * i] + 10 * points[3 * i + 1] + 100 * points[3 * i + 2]);
 }
 
 // An inner surface between cells of one label, like a crack or a membrane.

@@ -9,8 +9,9 @@ using namespace program;
 class Inputs : public program::Program_test
 {
 protected:
-  // Returns the labels and their volumes after a rotation, which preserves the volumes.
-  std::map<int, double> volumes(const std::string& input) {
+  // Returns the labels and their volumes after a rotation, which preserves the volumes unless the
+  // interface ends on the sides of the domain; or the volumes before the rotation.
+  std::map<int, double> volumes(const std::string& input, bool after = true) {
     const std::string report = path("report.json").string();
     const Outcome outcome =
         run("rotate " + input + " --axis 0,0,1 --angle 5 --steps 1 --report " + report);
@@ -19,7 +20,7 @@ protected:
     if (outcome.exit_code != 0)
       return result;
     const Json json = Json::parse(contents(path("report.json")));
-    for (const Json& label : json["steps"].back()["labels"])
+    for (const Json& label : (after ? json["steps"].back() : json["steps"].front())["labels"])
       result[label["label"]] = label["volume"];
     return result;
   }
@@ -81,15 +82,64 @@ TEST_F(Inputs, may_be_tetrahedra_without_space_around) {
   EXPECT_NEAR(volumes(path("cube.mesh").string() + " --domain -1,-1,-1,2,2,2").at(0), 26, 1e-12);
 }
 
+// The mesh of a file is the domain if the user asks for it and the mesh is a ball.
+TEST_F(Inputs, may_be_tetrahedra_that_are_the_domain) {
+  std::string halves = cube;
+  for (const char* tetrahedron : {"\n1 2 4 8 2", "\n1 2 6 8 2", "\n1 5 6 8 2"})
+    halves[halves.find(tetrahedron) + 9] = '5';
+  write("halves.mesh", halves);
+  const std::string mesh = path("halves.mesh").string();
+  const auto result = volumes(mesh + " --domain mesh", false);
+  ASSERT_EQ(result.size(), 2u);
+  EXPECT_NEAR(result.at(2), .5, 1e-12);
+  EXPECT_NEAR(result.at(5), .5, 1e-12);
+  EXPECT_EQ(volumes(mesh).size(), 3u);
+
+  write("two.mesh", R"(MeshVersionFormatted 2
+Dimension 3
+Vertices 7
+0 0 0 0
+1 0 0 0
+0 1 0 0
+0 0 1 0
+-1 0 0 0
+0 -1 0 0
+0 0 -1 0
+Tetrahedra 2
+1 2 3 4 1
+1 5 6 7 2
+End
+)");
+  const std::string two = path("two.mesh").string();
+  expect_refusal(two + " --domain mesh", 1, "leave out --domain mesh");
+  const auto parts = volumes(two); // they touch in a vertex
+  EXPECT_NEAR(parts.at(1), 1. / 6, 1e-12);
+  EXPECT_NEAR(parts.at(2), 1. / 6, 1e-12);
+  write("cube.mesh", cube);
+  expect_refusal(path("cube.mesh").string() + " --domain mesh", 1, "all tetrahedra have the same");
+  write("box.off", program::box(0, 0, 0, 1, 1, 1));
+  expect_refusal(path("box.off").string() + " --domain mesh", 2, "applies only to tetrahedra");
+}
+
 TEST_F(Inputs, may_be_images_of_voxels) {
   std::string voxels(6 * 6 * 6, '\0');
   for (std::size_t i = 0; i < voxels.size(); ++i)
     voxels[i] = i % 6 < 3 ? '\1' : i / 36 < 3 ? '\4' : '\0';
   write("halves.inr", inr(6, voxels));
-  const auto result = volumes(path("halves.inr").string());
+  const auto result = volumes(path("halves.inr").string(), false);
   ASSERT_EQ(result.size(), 3u);
+  EXPECT_NEAR(result.at(0), 54, 1e-6); // the voxels fill the domain
   EXPECT_NEAR(result.at(1), 108, 1e-6);
   EXPECT_NEAR(result.at(4), 54, 1e-6);
+
+  write("eighths.inr", inr(2, std::string("\1\2\3\4\5\6\7\10")));
+  const std::string eighths = path("eighths.inr").string();
+  EXPECT_EQ(volumes(eighths, false).size(), 8u); // no label 0
+  const auto surrounded = volumes(eighths + " --domain -1,-1,-1,2,2,2");
+  ASSERT_EQ(surrounded.size(), 9u);
+  EXPECT_NEAR(surrounded.at(0), 19, 1e-6);
+  for (int label = 1; label <= 8; ++label)
+    EXPECT_NEAR(surrounded.at(label), 1, 1e-6);
 }
 
 // A box with one duplicated triangle and some corners apart from the others.
@@ -258,7 +308,7 @@ TEST_F(Inputs, that_make_no_sense_are_refused) {
   expect_refusal(mesh + " --domain 0,0,0,2,2,2", 1, "enclosing box");
   expect_refusal(path("cut.inr").string(), 1, "is it truncated?");
   expect_refusal(path("missing.inr").string(), 1, "cannot open");
-  expect_refusal(path("empty.inr").string(), 1, "all labels of the image are 0");
+  expect_refusal(path("empty.inr").string(), 1, "all voxels have the same label");
 }
 
 TEST_F(Inputs, that_are_misspelt_get_advice) {

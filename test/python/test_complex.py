@@ -105,8 +105,16 @@ def test_voxels():
 def test_voxels_that_fill_the_domain():
     labels = np.zeros((8, 8, 8), dtype=int)
     labels[4:] = 3
-    c = dsc.Complex3.from_image(labels, fill=True)
+    c = dsc.Complex3.from_image(labels)
     assert c.volumes == pytest.approx({0: 256, 3: 256}, rel=1e-3)
+    assert dsc.Complex3.from_image(labels - 2).labels == [-2, 1]
+
+
+def test_voxels_in_a_larger_box():
+    c = dsc.Complex3.from_image(np.full((4, 4, 4), 3), 1, (10, 10, 10), box=[(7, 7, 7), (17, 17, 17)])
+    assert c.volumes == pytest.approx({0: 936, 3: 64}, rel=1e-3)
+    points = c.cells().points
+    assert points.min(axis=0) == pytest.approx([7, 7, 7]) and points.max(axis=0) == pytest.approx([17, 17, 17])
 
 
 def test_pixels():

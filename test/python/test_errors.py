@@ -204,7 +204,7 @@ def test_an_origin_that_is_not_finite(origin):
 
 
 def test_an_image_of_one_label():
-    assert dsc.Complex3.from_image(np.ones((4, 4, 4), dtype=int), fill=True).volumes == pytest.approx({1: 64})
+    assert dsc.Complex3.from_image(np.ones((4, 4, 4), dtype=int)).volumes == pytest.approx({1: 64})
 
 
 def test_too_few_labels():

@@ -14,6 +14,7 @@ All functions are `const` and are called often. `Complex` is an instance of
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Deformable_simplicial_complexes::Ball_domain}
+\cgalHasModels{CGAL::Deformable_simplicial_complexes::Solid_domain}
 \cgalHasModels{CGAL::Deformable_simplicial_complexes::Torus_domain}
 \cgalHasModels{CGAL::Deformable_simplicial_complexes::Part_domain}
 \cgalHasModelsEnd

@@ -292,9 +292,10 @@ void label_by_components(Complex& dsc, const Voxel_components_3& components) {
 /*!
 \ingroup PkgComplexConstructionRef
 
-Makes a complex from a labeled image, such as a segmented scan. The values of voxels are the
-labels; 0 is the outside. A voxel is the box centered at its image point; its sides are the spacings
-of the image.
+Makes a complex from a labeled image, such as a segmented scan. The values of voxels are the labels.
+A voxel is the box centered at its image point; its sides are the spacings of the image. The voxels
+fill the domain: 0 is a label like others, and the interface ends on the sides of the image, along
+which it can move. In a larger box, the space around the image has label 0.
 
 Each connected component of a label, connected through common faces of voxels, becomes a component
 of the complex with the volume of its voxels. Components whose voxels share only edges or vertices
@@ -307,22 +308,19 @@ n log n in the number of voxels at the interface, linear in the number of the ot
 \tparam Complex an instance of `Deformable_simplicial_complex_3`
 \tparam NP a sequence of named parameters
 
-\param image image of integers from 0 to 2^31 - 1
+\param image image of integers whose absolute values are less than 2^31
 \param edge approximate length of interface edges, in the unit of the image, positive; or 0 for 2.5
        times the longest side of a voxel. Edges are shorter where components are small.
-\param np a `Construction_options<3>`, or named parameters `normalize`, `enclosing_box`, `improve`, `quality_threshold`,
-       `number_of_iterations` of `make_deformable_simplicial_complex_3()` from surfaces. The default
-       box is a cube about the bounding box of the voxels with labels other than 0. Both have the
-       same center, and the half side of the cube is 2.5 times half the diagonal of the bounding
-       box. If `enclosing_box` is the box of all voxels, they fill the domain. The interface then
-       ends on the boundary of the domain and can move along it, and 0 is a label like others.
+\param np a `Construction_options<3>`, or named parameters `normalize`, `enclosing_box`, `improve`,
+       `quality_threshold`, `number_of_iterations` of `make_deformable_simplicial_complex_3()` from
+       surfaces. By default, `enclosing_box` is the box of all voxels. Another box must contain all
+       voxels with labels other than 0 in its interior.
 
-\throws Error if the image has no voxels, has several values for a voxel, holds a value that is not
-        a label, or holds label 0 only; if the sides of voxels are not positive and finite; if more
-        than 2^20 voxels are in a row; if voxels with labels other than 0 reach the boundary of a
-        box that is not the box of all voxels; if `edge` is negative or not finite; or if `edge` is
-        so long that the volume of a component differs from that of its voxels by more than a
-        thousandth
+\throws Error if the image has no voxels, has several values for a voxel or holds a value that is
+        not a label; if the sides of voxels are not positive and finite; if more than 2^20 voxels
+        are in a row; if the voxels do not fill the box, and voxels with labels other than 0 reach
+        its boundary or do not exist; if `edge` is negative or not finite; or if `edge` is so long
+        that the volume of a component differs from that of its voxels by more than a thousandth
 \throws Interrupted_error if the callback of a `Progress_scope` returns `false`
 */
 template <class Complex, class NP = parameters::Default_named_parameters>
@@ -335,7 +333,7 @@ Complex make_complex_from_labeled_image_3(const Image_3& image, double edge,
   const auto options = construction_options<3>(np);
   const auto& domain = options.enclosing_box;
   const internal::Labeled_voxels_3 voxels =
-      internal::labeled_voxels(image, domain && internal::is_box_of_voxels(image, *domain));
+      internal::labeled_voxels(image, !domain || internal::is_box_of_voxels(image, *domain));
   const internal::Voxel_components_3 components(voxels);
   const internal::Voxel_frame_3 frame(voxels, options.normalize, domain);
   const internal::Voxel_interface_3<Complex> interface_(

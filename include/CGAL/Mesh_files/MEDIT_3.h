@@ -12,10 +12,10 @@
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Interface_remeshing/extract_interface_3.h>
-#include <CGAL/Interface_remeshing/internal/extraction/Extracted_facets.h>
 #include <CGAL/Mesh_files/Mesh_entities.h>
 #include <CGAL/Mesh_files/Unused_content.h>
 #include <CGAL/Mesh_files/internal/grids/Medit_reader.h>
+#include <CGAL/Mesh_files/internal/grids/Written_vertices.h>
 #include <CGAL/Mesh_files/internal/text/files.h>
 #include <CGAL/Mesh_files/internal/text/open_input.h>
 #include <CGAL/Mesh_files/replace_file.h>
@@ -50,19 +50,19 @@ is a number for each pair of labels that meet; the numbers begin at 1 or above t
 \param out the stream; errors are reported by its state. Its format flags have no effect.
 \param dsc the complex
 \param entities edges, triangles and references that are written, too; indices of points refer to
-       `dsc.vertices()`
+       `dsc.vertices()`, without copies of vertices where a `Solid_domain` touches itself
 
 \pre `entities.vertex_references` is empty or has one element for each vertex. All indices in
      `entities` refer to vertices, edges and triangles that exist. The largest reference is so small
      that the references of the additional pairs of labels are values of type `int`.
 */
-template <class Traits, class Tds, class QualityMeasure>
+template <class Traits, class Tds, class QualityMeasure, class Domain>
 void write_MEDIT(std::ostream& out,
-                 const Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure>& dsc,
+                 const Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure, Domain>& dsc,
                  const Deformable_simplicial_complexes::Mesh_entities& entities =
                      Deformable_simplicial_complexes::Mesh_entities()) {
   namespace internal = Deformable_simplicial_complexes::internal;
-  const internal::Vertex_numbering number(dsc.vertices());
+  const internal::Written_vertices number(dsc);
   const auto cells = dsc.cells();
   const auto surface = Deformable_simplicial_complexes::extract_interface(dsc);
   std::vector<std::array<std::size_t, 3>> interface_;
@@ -118,9 +118,9 @@ and renamed when complete.
 \throws Deformable_simplicial_complexes::File_error if the file cannot be written; an older file of
         that name is then unchanged
 */
-template <class Traits, class Tds, class QualityMeasure>
+template <class Traits, class Tds, class QualityMeasure, class Domain>
 void write_MEDIT(const std::string& path,
-                 const Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure>& dsc,
+                 const Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure, Domain>& dsc,
                  const Deformable_simplicial_complexes::Mesh_entities& entities =
                      Deformable_simplicial_complexes::Mesh_entities()) {
   Deformable_simplicial_complexes::replace_file_by_stream(

@@ -9,7 +9,7 @@
 #include "input/native_file.h"
 #include "input/translations.h"
 #include "input/unused.h"
-#include "motions/tracked_complex_3.h"
+#include "motions/mesh_at_rest.h"
 #include "output/report_json.h"
 #include "programs/add_value.h"
 #include "programs/errors.h"
@@ -67,13 +67,13 @@ void print_summary(const Statistics& before, const Statistics& after, double sec
 /// Returns the content of the input that the output can store. The rest is reported; it is an error
 /// if the output replaces the input.
 Mesh_content content_to_carry(const Improve_options& options, Labeled_tetrahedra mesh,
-                              const Tracked_complex_3::Complex& complex) {
+                              const Mesh_at_rest& complex) {
   if (extension(options.output) == "vtu")
     mesh.leave_out_entities();
   else
     mesh.leave_out_arrays();
   Unused_content unused = mesh.unused;
-  Mesh_content content = content_of(std::move(mesh), complex, unused);
+  Mesh_content content = complex.content(std::move(mesh), unused);
   if (!unused.empty() && is_same_file(options.input, options.output))
     throw Input_error("'" + options.output + "' would lose content that cannot be copied: " +
                       unused.text() + "; choose another output file");
@@ -96,13 +96,13 @@ int execute(const Improve_options& options) {
                       "' was written by another program and would lose "
                       "content; choose another output file");
   Labeled_tetrahedra mesh = read_tetrahedra(input, options.labels);
-  const auto complex = Tracked_complex_3::from_mesh(input, mesh);
-  Mesh_content content = content_to_carry(options, std::move(mesh), complex->complex);
-  const Statistics before = complex->statistics();
-  const Improvement_outcome outcome = complex->improve(options.improvement, content);
-  const Statistics after = complex->statistics();
+  Mesh_at_rest complex(input, mesh);
+  Mesh_content content = content_to_carry(options, std::move(mesh), complex);
+  const Statistics before = complex.statistics();
+  const Improvement_outcome outcome = complex.improve(options.improvement, content);
+  const Statistics after = complex.statistics();
   interruptible.reset();
-  complex->write(options.output, content);
+  complex.write(options.output, content);
   if (!options.report.empty())
     write_json(options.report,
                {{"input", options.input},

@@ -8,8 +8,9 @@
 #include "input/labeled_tetrahedra.h"
 #include "input/native_file.h"
 #include "input/translations.h"
+#include "motions/mesh_at_rest.h"
 #include "motions/run_position.h"
-#include "motions/tracked_complex_3.h"
+#include "motions/tracked_complex.h"
 #include "output/convert_file.h"
 #include "programs/errors.h"
 #include "programs/interrupt.h"
@@ -94,8 +95,8 @@ int execute(const Info_options& options) {
                 << '\n';
     print(complex->statistics());
   } else if (input_kind(start) == Input_kind::tetrahedra) {
-    const Labeled_tetrahedra mesh = read_tetrahedra(file, options.labels);
-    print(Tracked_complex_3::from_mesh(file, mesh)->statistics());
+    Labeled_tetrahedra mesh = read_tetrahedra(file, options.labels);
+    print(Mesh_at_rest(file, mesh).statistics());
   } else if (input_kind(start) == Input_kind::image) {
     print(image_statistics(file));
   } else if (dimension_of(start) == 2) {

@@ -68,6 +68,8 @@ void require_kind(const Run_options& run, const Default_start& defaults, bool is
   const bool is_image = kind == Input_kind::image || format == "pgm";
   if (is_given("--threshold") && !is_image)
     throw Usage_error("--threshold applies only to images; leave it out");
+  if (run.start.mesh_is_domain && kind != Input_kind::tetrahedra)
+    throw Usage_error("--domain mesh applies only to tetrahedra; give the coordinates of a box");
   if (is_given("--edge") && !has_edge)
     throw Usage_error("--edge applies only to inequalities and images; leave it out");
   if (is_given("--labels"))
@@ -87,7 +89,8 @@ void require_kind(const Run_options& run, const Default_start& defaults, bool is
 
 void read_domain(std::string text, bool is_planar, Run_options& run) {
   run.step.grows_domain = take_growth(text);
-  if (!text.empty() || !run.step.grows_domain)
+  run.start.mesh_is_domain = text == "mesh";
+  if (!run.start.mesh_is_domain && (!text.empty() || !run.step.grows_domain))
     run.domain = parse_domain(text, is_planar ? 2 : 3);
 }
 
@@ -132,7 +135,7 @@ void add_start_options(CLI::App& command, Run_start& start, std::string& domain,
           "--domain", domain,
           "Box of the complex: minimum and maximum coordinates like -1,-1,-1,1,1,1, in the plane "
           "-1,-1,1,1. A final ,grow, or grow alone for the default box, enlarges the box when the "
-          "interface comes near its boundary")
+          "interface comes near its boundary. mesh makes the tetrahedra of the INPUT the domain")
       ->excludes(resume);
   add_value(command, "--edge", start.edge, positive,
             "Target length of interface edges for inequalities and images (default: 1/40 of the "

@@ -7,12 +7,14 @@
 #include "input/files.h"
 #include "programs/errors.h"
 
+#include <CGAL/Deformable_simplicial_complexes/internal/parts/separate_touching_cells.h>
 #include <CGAL/Mesh_files/MEDIT_3.h>
 #include <CGAL/Mesh_files/VTU_3.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -116,7 +118,60 @@ void look_for_solutions(const std::string& path, Unused_content& unused) {
   }
 }
 
+using Tetrahedra = std::vector<std::array<std::size_t, 4>>;
+
+/// Replaces the vertices of simplices as in a tetrahedron that contains the simplex.
+/// \param before, after the tetrahedra with the previous and with the new vertices
+template <std::size_t n>
+void follow(std::vector<Mesh_entities::Simplex<n>>& simplices, const Tetrahedra& before,
+            const Tetrahedra& after) {
+  std::map<std::array<std::size_t, n>, std::size_t> tetrahedron_of; // by sorted vertices
+  for (const auto& simplex : simplices) {
+    auto key = simplex.vertices;
+    std::sort(key.begin(), key.end());
+    tetrahedron_of.emplace(key, none);
+  }
+  constexpr unsigned sets = 1 << 4; // of corners
+  for (std::size_t t = 0; t < before.size() && !simplices.empty(); ++t)
+    for (unsigned set = 0; set < sets; ++set) {
+      std::array<std::size_t, n> key = {};
+      std::size_t corners = 0;
+      for (unsigned i = 0; i < 4; ++i)
+        if ((set >> i & 1) != 0 && corners++ < n)
+          key[corners - 1] = before[t][i];
+      std::sort(key.begin(), key.end());
+      if (const auto found = tetrahedron_of.find(key);
+          corners == n && found != tetrahedron_of.end())
+        found->second = t;
+    }
+  for (auto& simplex : simplices) {
+    auto key = simplex.vertices;
+    std::sort(key.begin(), key.end());
+    if (const std::size_t t = tetrahedron_of[key]; t != none)
+      for (std::size_t& v : simplex.vertices)
+        v = after[t][std::size_t(std::find(before[t].begin(), before[t].end(), v) -
+                                 before[t].begin())];
+  }
+}
+
 } // namespace
+
+void Labeled_tetrahedra::separate_touching_cells() {
+  const Tetrahedra before = tetrahedra;
+  const auto originals = CGAL::Deformable_simplicial_complexes::internal::separate_touching_cells(
+      points.size(), tetrahedra);
+  if (originals.size() == points.size())
+    return;
+  for (std::size_t i = points.size(); i < originals.size(); ++i) {
+    points.push_back(points[originals[i]]);
+    if (!entities.vertex_references.empty())
+      entities.vertex_references.push_back(entities.vertex_references[originals[i]]);
+  }
+  for (Mesh_array& array : arrays.points)
+    array = array.selected(originals);
+  follow(entities.edges, before, tetrahedra);
+  follow(entities.triangles, before, tetrahedra);
+}
 
 void Labeled_tetrahedra::leave_out_arrays() {
   for (const Mesh_array& array : arrays.points)

@@ -37,6 +37,10 @@ struct Labeled_tetrahedra
   /// Moves arrays or entities to the unused content, for callers that do not use them.
   void leave_out_arrays();
   void leave_out_entities();
+
+  /// Copies points at which the tetrahedra touch each other in a vertex or an edge only: each set
+  /// of tetrahedra that are connected through facets at a point gets its own copy.
+  void separate_touching_cells();
 };
 
 /// Reads a mesh (.mesh, .vtu) in the format of its extension.

@@ -21,7 +21,7 @@
 namespace dsc {
 namespace {
 
-using Complex = CGAL::Deformable_simplicial_complex_3<>;
+using Complex = Solid_complex;
 using Vertex_handle = Complex::Vertex_handle;
 using Cell_handle = Complex::Cell_handle;
 using CGAL::Deformable_simplicial_complexes::Progress_scope;
@@ -35,36 +35,17 @@ template <class Key> std::vector<std::size_t> sorted_by(std::size_t size, const 
   return result;
 }
 
-/// Returns, for each vertex, the point of the mesh with the same coordinates.
-std::vector<std::size_t> points_of(const std::vector<Vertex_handle>& vertices,
-                                   const Labeled_tetrahedra& mesh, const Complex& complex) {
-  const auto coordinates = [](const auto& p) {
-    return std::array<double, 3>{CGAL::to_double(p.x()), CGAL::to_double(p.y()),
-                                 CGAL::to_double(p.z())};
-  };
-  const auto points =
-      sorted_by(mesh.points.size(), [&](std::size_t i) { return coordinates(mesh.points[i]); });
-  const auto sorted = sorted_by(vertices.size(), [&](std::size_t i) {
-    return coordinates(complex.user_position(vertices[i]));
-  });
-  std::vector<std::size_t> result(vertices.size());
-  for (std::size_t k = 0; k < sorted.size(); ++k)
-    result[sorted[k]] = points[k];
-  return result;
-}
-
 /// Returns, for each cell, the corresponding tetrahedron of the mesh.
-/// \param vertex_of_point index of the vertex of each point
+/// \param vertices the vertices of the points of the mesh
 std::vector<std::size_t> tetrahedra_of(const std::vector<Cell_handle>& cells,
                                        const std::vector<Vertex_handle>& vertices,
-                                       const std::vector<std::size_t>& vertex_of_point,
                                        const Labeled_tetrahedra& mesh) {
   using Corners = std::array<std::size_t, 4>;
   std::vector<Corners> expected, given;
   for (const auto& tetrahedron : mesh.tetrahedra) {
     given.emplace_back();
     for (std::size_t i = 0; i < 4; ++i)
-      given.back()[i] = vertices[vertex_of_point[tetrahedron[i]]]->time_stamp();
+      given.back()[i] = vertices[tetrahedron[i]]->time_stamp();
     std::sort(given.back().begin(), given.back().end());
   }
   for (const Cell_handle c : cells) {
@@ -157,7 +138,9 @@ bool Mesh_content::is_empty() const {
          entities.required_vertices.empty();
 }
 
-Mesh_content content_of(Labeled_tetrahedra mesh, const Complex& complex, Unused_content& unused) {
+Mesh_content content_of(Labeled_tetrahedra mesh, const Complex& complex,
+                        const std::vector<Vertex_handle>& vertices_of_points,
+                        Unused_content& unused) {
   Mesh_content content{std::move(mesh.arrays), std::move(mesh.entities)};
   Unused_content* const told = has_computed_arrays(content.arrays) ? nullptr : &unused;
   for (auto* arrays : {&content.arrays.points, &content.arrays.cells})
@@ -167,11 +150,15 @@ Mesh_content content_of(Labeled_tetrahedra mesh, const Complex& complex, Unused_
 
   const std::vector<Vertex_handle> vertices = complex.vertices();
   const std::vector<Cell_handle> cells = complex.cells();
-  const std::vector<std::size_t> points = points_of(vertices, mesh, complex);
-  std::vector<std::size_t> vertex_of_point(points.size()), row_of_cell(complex.cell_id_bound());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    vertex_of_point[points[i]] = i;
-  const std::vector<std::size_t> tetrahedra = tetrahedra_of(cells, vertices, vertex_of_point, mesh);
+  std::vector<std::size_t> index_of_vertex(complex.vertex_id_bound()),
+      row_of_cell(complex.cell_id_bound()), points(vertices.size()), vertex_of_point;
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    index_of_vertex[vertices[i]->id()] = i;
+  for (const Vertex_handle v : vertices_of_points) {
+    points[index_of_vertex[v->id()]] = vertex_of_point.size();
+    vertex_of_point.push_back(index_of_vertex[v->id()]);
+  }
+  const std::vector<std::size_t> tetrahedra = tetrahedra_of(cells, vertices_of_points, mesh);
   for (std::size_t i = 0; i < cells.size(); ++i)
     row_of_cell[cells[i]->id()] = i;
 

@@ -8,6 +8,9 @@
 #include "input/labeled_tetrahedra.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Solid_domain.h>
+
+#include <vector>
 
 namespace dsc {
 
@@ -22,12 +25,19 @@ struct Mesh_content
   bool is_empty() const;
 };
 
+/// A complex whose domain can have any shape.
+using Solid_complex = CGAL::Deformable_simplicial_complex_3<
+    CGAL::Deformable_simplicial_complex_traits_3<>, CGAL::Default,
+    CGAL::Deformable_simplicial_complexes::Volume_length_ratio_3,
+    CGAL::Deformable_simplicial_complexes::Solid_domain>;
+
 /// Returns the content of a mesh for the complex that was built from it.
+/// \param vertices the vertices of the points of the mesh
 /// \param unused receives the content that cannot follow changes of the complex: edges and
 /// triangles that are not in the complex, arrays of integers that differ nearly everywhere, and
 /// arrays with names of computed arrays
-Mesh_content content_of(Labeled_tetrahedra mesh,
-                        const CGAL::Deformable_simplicial_complex_3<>& complex,
+Mesh_content content_of(Labeled_tetrahedra mesh, const Solid_complex& complex,
+                        const std::vector<Solid_complex::Vertex_handle>& vertices,
                         Unused_content& unused);
 
 /// Replaces the vertex indices of edges, triangles, corners and required vertices by new indices.

@@ -44,6 +44,8 @@ struct Run_start
                                         ///< filled; the default of the library if not set
   /// How thin parts are resolved.
   CGAL::Deformable_simplicial_complexes::Thin_part_options thin_parts;
+  bool mesh_is_domain =
+      false;       ///< whether the domain is the mesh of the input, and no box around it
   double edge = 0; ///< target edge length of the interface for images and inequalities; 0 for
                    ///< the default
 };

@@ -25,7 +25,7 @@ std::unique_ptr<Tracked_complex> track_image(const std::string& path, const Run_
             image, options.start.edge, normalized(options.domain, options.start.thin_parts)));
     if (result->complex.interface_facets().empty())
       throw Input_error(path + ": all voxels have the same label, so there is no interface; give a "
-                               "larger --domain");
+                               "larger --domain, which has label 0 around the image");
     return result;
   } catch (const CGAL::Deformable_simplicial_complexes::Error& error) {
     throw Input_error(path + ": " + error.what());

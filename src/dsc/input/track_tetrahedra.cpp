@@ -42,18 +42,33 @@ bool has_room_around(const Complex& complex) {
   });
 }
 
-} // namespace
-
-std::unique_ptr<Tracked_complex_3> Tracked_complex_3::from_mesh(const std::string& path,
-                                                                const Labeled_tetrahedra& mesh) {
+/// Returns the complex whose domain is the mesh of a file; null if the domain is to be a box around
+/// the mesh.
+/// \throws Input_error if the user asks for this domain, and the mesh does not define a complex, or
+/// if there is no interface
+std::unique_ptr<Tracked_complex_3>
+track_in_mesh(const std::string& path, const Labeled_tetrahedra& mesh, const Run_start& start) {
+  auto result = std::make_unique<Tracked_complex_3>();
   try {
-    return std::make_unique<Tracked_complex_3>(DSC::make_deformable_simplicial_complex_3<Complex>(
+    result->complex = DSC::make_deformable_simplicial_complex_3<Complex>(
         mesh.points, mesh.tetrahedra, mesh.labels,
-        parameters::improve(false).edge_per_thickness(0.)));
+        parameters::improve(false).edge_per_thickness(0.));
   } catch (const Invalid_cells_error& error) {
-    throw Input_error(path + ": " + error.what() + place_of(error, mesh));
+    if (!start.mesh_is_domain)
+      return nullptr;
+    throw Input_error(path + ": " + error.what() + place_of(error, mesh) +
+                      ", or leave out --domain mesh");
   }
+  if (!start.mesh_is_domain && !has_room_around(result->complex))
+    return nullptr;
+  if (result->complex.interface_facets().empty())
+    throw Input_error(path + ": all tetrahedra have the same label, so there is no interface; give "
+                             "a --domain around them, or other --labels");
+  DSC::refine_thin_parts(result->complex, start.thin_parts);
+  return result;
 }
+
+} // namespace
 
 std::unique_ptr<Tracked_complex> track_tetrahedra(const std::string& path,
                                                   const Run_options& options) {
@@ -61,16 +76,9 @@ std::unique_ptr<Tracked_complex> track_tetrahedra(const std::string& path,
   mesh.leave_out_arrays();
   mesh.leave_out_entities();
   print_unused(path, mesh.unused);
-  if (!options.domain) {
-    try {
-      auto complex = Tracked_complex_3::from_mesh(path, mesh);
-      if (has_room_around(complex->complex)) {
-        DSC::refine_thin_parts(complex->complex, options.start.thin_parts);
-        return complex;
-      }
-    } catch (const Input_error&) { // not a ball, or invalid
-    }
-  }
+  if (!options.domain)
+    if (auto complex = track_in_mesh(path, mesh, options.start))
+      return complex;
   try {
     return std::make_unique<Tracked_complex_3>(DSC::make_deformable_simplicial_complex_3<Complex>(
         mesh.points, mesh.tetrahedra, mesh.labels, CGAL::Tetgen_tetrahedralizer_3(),

@@ -4,58 +4,26 @@
 
 #include "motions/tracked_complex_3.h"
 
-#include "input/files.h"
 #include "motions/tracked_whole_impl.h"
-#include "output/angle_statistics.h"
-#include "output/picture.h"
-#include "programs/errors.h"
-#include "programs/option_values.h"
+#include "output/complex_output_3.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Interface_remeshing/extract_interface_3.h>
 #include <CGAL/Interface_remeshing/subdivide_interface_3.h>
-#include <CGAL/Mesh_files/MEDIT_3.h>
 #include <CGAL/Mesh_files/labeled_surface_3.h>
-#include <CGAL/Mesh_support/coordinates.h>
 
-#include <array>
-#include <utility>
+#include <string>
+#include <vector>
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc {
 
-Statistics Tracked_complex_3::statistics() const {
-  const double scale = complex.normalization().scale;
-  Statistics statistics = {};
-  statistics.dimension = 3;
-  statistics.vertices = complex.number_of_vertices();
-  statistics.cells = complex.number_of_cells();
-  statistics.interface_facets = complex.interface_facets().size();
-  for (const auto& [label, area, euler_characteristic] : complex.label_interfaces())
-    statistics.labels.push_back(
-        {label, complex.number_of_cells(label), complex.volume(label) * scale * scale * scale,
-         area * scale * scale, complex.number_of_components(label), euler_characteristic});
-  set_angles(complex, statistics);
-  statistics.min_quality = worst_quality();
-  return statistics;
-}
+Statistics Tracked_complex_3::statistics() const { return statistics_of(complex); }
 
 namespace {
 
 using Complex = Tracked_complex_3::Complex;
-
-void write_picture_png(const std::string& path, const Complex& complex) {
-  Picture picture;
-  picture.is_in_space = true;
-  for (const auto& f : complex.interface_facets()) {
-    Picture_polygon triangle = {{}, color_of_label(f.first->label())};
-    for (const auto v : complex.facet_vertices(f))
-      triangle.corners.push_back(DSC::coordinates_of<3>(complex.user_position(v)));
-    picture.polygons.push_back(std::move(triangle));
-  }
-  write_picture(path, picture);
-}
 
 /// Returns the velocities at the points of a subdivided surface, as the arrays vx, vy and vz.
 /// The subdivision is linear in the points, and its weights depend on the connectivity only. So the
@@ -78,16 +46,7 @@ subdivided_velocities(DSC::Interface_surface_3<Tracked_complex_3::Complex> surfa
 } // namespace
 
 void Tracked_complex_3::write(const std::string& path) const {
-  require_extension(path, {"off", "obj", "ply", "stl", "vtu", "mesh", "png"});
-  const std::string format = extension(path);
-  if (format == "vtu")
-    write_volume_vtu(path);
-  else if (format == "png")
-    write_picture_png(path, complex);
-  else if (format == "mesh")
-    CGAL::IO::write_MEDIT(path, complex);
-  else
-    CGAL::IO::write_interface(path, complex);
+  write_complex(path, complex, arrays.of_cells());
 }
 
 void Tracked_complex_3::write_subdivided(const std::string& path, int subdivisions) const {

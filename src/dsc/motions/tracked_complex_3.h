@@ -5,28 +5,16 @@
 #ifndef DSC_TRACKED_COMPLEX_3_H
 #define DSC_TRACKED_COMPLEX_3_H
 
-#include "input/mesh_content.h"
 #include "motions/tracked_whole.h"
-#include "programs/threads_option.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Interface_flows/compiled_3.h>
 
-#include <memory>
-#include <optional>
 #include <string>
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc {
-
-/// The options of the improvement of tetrahedra.
-struct Improvement_options
-{
-  bool aggressive = false;         ///< whether more expensive operations are used
-  std::optional<double> threshold; ///< in (0, 1]; the library's default if not set
-  unsigned threads = default_number_of_threads();
-};
 
 extern template class Tracked_whole<CGAL::Deformable_simplicial_complex_3<>>;
 
@@ -36,24 +24,10 @@ class Tracked_complex_3 : public Tracked_whole<CGAL::Deformable_simplicial_compl
 public:
   using Tracked_whole::Tracked_whole;
 
-  /// Returns the complex of the labeled tetrahedra of a file.
-  /// \throws Input_error if the tetrahedra do not define a complex
-  static std::unique_ptr<Tracked_complex_3> from_mesh(const std::string& path,
-                                                      const Labeled_tetrahedra& mesh);
-
   Step_outcome advance(const Step_options& options, double time, unsigned threads) override;
   Statistics statistics() const override;
   void write(const std::string& path) const override;
   void write_subdivided(const std::string& path, int subdivisions) const override;
-
-  /// Improves the tetrahedra. The interface and the boundary keep their shape.
-  /// \param content the content of the vertices and cells, which is updated: entities are
-  /// preserved, averages over cells keep their integrals, values at vertices are interpolated, and
-  /// integers of cells keep their regions
-  Improvement_outcome improve(const Improvement_options& options, Mesh_content& content);
-
-  /// Writes the tetrahedra (.mesh, .vtu) with their content.
-  void write(const std::string& path, const Mesh_content& content) const;
 };
 
 } // namespace dsc

@@ -13,6 +13,7 @@
 #include "input/surface.h"
 #include "input/translations.h"
 #include "input/unused.h"
+#include "motions/mesh_at_rest.h"
 #include "motions/tracked_complex_3.h"
 #include "programs/errors.h"
 #include "programs/option_values.h"
@@ -79,13 +80,13 @@ void convert_tetrahedra(const std::string& input, const std::string& output,
   require_format(input, "tetrahedra", output,
                  {"vtu", "mesh", "off", "obj", "ply", "stl", "png", "vtk"});
   Labeled_tetrahedra mesh = read_tetrahedra(input, labels);
-  const auto complex = Tracked_complex_3::from_mesh(input, mesh);
+  const Mesh_at_rest complex(input, mesh);
   mesh.leave_out_arrays();
   mesh.leave_out_entities();
   print_unused(input, mesh.unused);
   const bool is_foreign_format = extension(output) == "vtk";
   const std::string path = is_foreign_format ? temporary_file("cells.vtu") : output;
-  complex->write(path);
+  complex.write(path);
   if (is_foreign_format)
     write_foreign(path, output);
 }

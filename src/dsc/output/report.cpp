@@ -19,7 +19,7 @@ Json parameters_json(const Run_options& options, const Run_start& start) {
   json["most_new_facets"] = start.thin_parts.most_new_facets;
   json["repair"] = start.repairs;
   json["fit"] = start.ball && !start.inputs.empty();
-  json["domain"] = value_or_null(options.domain);
+  json["domain"] = options.start.mesh_is_domain ? Json("mesh") : value_or_null(options.domain);
   json["grow_domain"] = options.step.grows_domain;
   json["improve_interface"] = options.step.improves_interface;
   json["aggressiveness"] = value_or_null(options.step.aggressiveness);

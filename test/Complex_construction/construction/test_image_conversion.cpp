@@ -51,21 +51,18 @@ double volume(const Complex& dsc, int label) {
 
 // Checks that all labels have the volumes and the numbers of components of their voxels.
 void expect_volumes_and_components(const CGAL::Image_3& voxels, const Complex& dsc) {
-  const internal::Labeled_voxels_3 box = internal::labeled_voxels(voxels);
+  const internal::Labeled_voxels_3 box = internal::labeled_voxels(voxels, true);
   const internal::Voxel_components_3 components(box);
   std::map<int, double> volumes;
   std::map<int, std::size_t> numbers;
-  const double unit = box.spacing[0] * box.spacing[1] * box.spacing[2];
-  for (std::size_t c = 0; c < components.number(); ++c) {
-    volumes[components.label(c)] += unit * double(components.number_of_voxels(c));
+  for (const int label : box.labels)
+    volumes[label] += box.spacing[0] * box.spacing[1] * box.spacing[2];
+  for (std::size_t c = 1; c < components.number(); ++c) // 0 is around the image
     ++numbers[components.label(c)];
-  }
   EXPECT_TRUE(dsc.is_valid());
   EXPECT_EQ(dsc.labels().size(), volumes.size());
   for (const auto& [label, wanted] : volumes) {
-    if (label != 0) { // the space around the image has no voxels
-      EXPECT_NEAR(volume(dsc, label), wanted, 1e-3 * wanted) << "label " << label;
-    }
+    EXPECT_NEAR(volume(dsc, label), wanted, 1e-3 * wanted) << "label " << label;
     EXPECT_EQ(dsc.number_of_components(label), numbers[label]) << "label " << label;
   }
 }
@@ -94,17 +91,32 @@ TEST(Image_conversion, fills_the_domain_with_voxels) {
   for (unsigned i = 0; i < 9; ++i)
     for (unsigned j = 0; j < 9; ++j)
       wanted[i + j < 8 ? 1 : i < 5 ? 2 : 0] += 9;
-  for (const bool normalize : {false, true}) {
-    const auto dsc = DSC::make_complex_from_labeled_image_3<Complex>(
-        voxels, 0,
-        parameters::normalize(normalize).enclosing_box(CGAL::Bbox_3(-.5, -.5, -.5, 8.5, 8.5, 8.5)));
-    EXPECT_TRUE(dsc.is_valid());
-    EXPECT_EQ(dsc.labels(), (std::vector<int>{0, 1, 2}));
-    for (const auto& [label, value] : wanted)
-      EXPECT_NEAR(volume(dsc, label), value, 1e-3 * value) << label;
-    for (const auto v : dsc.vertices())
-      EXPECT_EQ(v->boundary_class() & DSC::Boundary_class::fixed, 0);
+  const auto all = [](bool normalize) { return parameters::normalize(normalize); };
+  for (const bool normalize : {false, true})
+    for (const auto& dsc :
+         {DSC::make_complex_from_labeled_image_3<Complex>(voxels, 0, all(normalize)),
+          DSC::make_complex_from_labeled_image_3<Complex>(
+              voxels, 0,
+              all(normalize).enclosing_box(CGAL::Bbox_3(-.5, -.5, -.5, 8.5, 8.5, 8.5)))}) {
+      EXPECT_TRUE(dsc.is_valid());
+      EXPECT_EQ(dsc.labels(), (std::vector<int>{0, 1, 2}));
+      for (const auto& [label, value] : wanted)
+        EXPECT_NEAR(volume(dsc, label), value, 1e-3 * value) << label;
+      for (const auto v : dsc.vertices())
+        EXPECT_EQ(v->boundary_class() & DSC::Boundary_class::fixed, 0);
+    }
+}
+
+// No label appears that no voxel has, also if an image consists of one voxel or one label.
+TEST(Image_conversion, has_the_labels_of_the_voxels_only) {
+  for (const unsigned n : {1u, 2u, 4u}) {
+    const auto cubes = image(n, [](unsigned i, unsigned j, unsigned k) {
+      return 1 + (i > 1) + 2 * (j > 1) + 4 * (k > 1);
+    });
+    expect_volumes_and_components(cubes, convert(cubes));
   }
+  const auto zeros = image(3, [](unsigned, unsigned, unsigned) { return 0; });
+  expect_volumes_and_components(zeros, convert(zeros));
 }
 
 TEST(Image_conversion, keeps_single_voxels) {
@@ -152,6 +164,22 @@ TEST(Image_conversion, finds_smooth_surfaces) {
   const double mean = dsc.mean_interface_edge() * dsc.normalization().scale;
   EXPECT_GT(mean, 1.5);
   EXPECT_LT(mean, 3);
+}
+
+// The cells become larger towards the sides of an image of any size.
+TEST(Image_conversion, has_large_cells_at_the_sides) {
+  for (const unsigned n : {48u, 50u, 53u, 64u}) {
+    const auto ball = image(n, [&](unsigned i, unsigned j, unsigned k) {
+      return std::hypot(i - 20., j - 20., k - 20.) < 6;
+    });
+    const auto dsc = convert(ball);
+    expect_volumes_and_components(ball, dsc);
+    EXPECT_LT(dsc.number_of_cells(), 20000u) << n;
+  }
+  // The interface ends on sides with copies of voxels.
+  const auto wall =
+      image(13, [](unsigned i, unsigned j, unsigned k) { return i + j < 13 + k % 2; });
+  expect_volumes_and_components(wall, convert(wall));
 }
 
 TEST(Image_conversion, does_not_depend_on_units) {
@@ -207,9 +235,13 @@ TEST(Image_conversion, reads_large_labels_exactly) {
   const auto voxels = image(4, [&](unsigned i, unsigned, unsigned) {
     return i < 2 ? unsigned(largest) : (1u << 24) + 1;
   });
-  EXPECT_EQ(convert(voxels).labels(), (std::vector<int>{0, (1 << 24) + 1, largest}));
+  EXPECT_EQ(convert(voxels).labels(), (std::vector<int>{(1 << 24) + 1, largest}));
   const auto larger = image(4, [&](unsigned, unsigned, unsigned) { return unsigned(largest) + 1; });
   EXPECT_THROW(convert(larger), Error);
+  _image* negative = _createImage(2, 1, 1, 1, 1, 1, 1, 4, WK_FIXED, SGN_SIGNED);
+  static_cast<int*>(negative->data)[0] = -largest;
+  static_cast<int*>(negative->data)[1] = -1;
+  EXPECT_EQ(convert(CGAL::Image_3(negative)).labels(), (std::vector<int>{-largest, -1}));
 }
 
 TEST(Image_conversion, stops_when_asked) {
@@ -223,7 +255,9 @@ TEST(Image_conversion, stops_when_asked) {
 TEST(Image_conversion, refuses_what_holds_no_labels) {
   EXPECT_THROW(convert(CGAL::Image_3()), Error);
   const auto nothing = image(3, [](unsigned, unsigned, unsigned) { return 0; });
-  EXPECT_THROW(convert(nothing), Error);
+  EXPECT_THROW(DSC::make_complex_from_labeled_image_3<Complex>(
+                   nothing, 0, parameters::enclosing_box(CGAL::Bbox_3(-5, -5, -5, 5, 5, 5))),
+               Error);
   const auto one = image(3, [](unsigned, unsigned, unsigned) { return 1; });
   EXPECT_THROW(convert(one, -1), Error);
   _image* gray = _createImage(2, 2, 2, 1, 1, 1, 1, 4, WK_FLOAT, SGN_SIGNED);
@@ -234,7 +268,8 @@ TEST(Image_conversion, refuses_what_holds_no_labels) {
 // The tetrahedra fill the root of the octree, and each component has the volume of its voxels.
 TEST(Octree_tetrahedra, fill_the_voxels_and_the_space_around) {
   for (const double side : {8., 100.}) {
-    const internal::Voxel_components_3 components(internal::labeled_voxels(image(7, Noise{3})));
+    const internal::Voxel_components_3 components(
+        internal::labeled_voxels(image(7, Noise{3}), false));
     const internal::Voxel_pyramid_3 pyramid(components, 1);
     const internal::Voxel_octree_3 octree(pyramid, side);
     const DSC::Octree_tetrahedra_3 mesh(octree.tree(),

@@ -72,9 +72,9 @@ template <class Value> int label_of(Value value) {
   static constexpr int largest_label = (std::numeric_limits<int>::max)();
   // Conversion is exact up to 2^53, which is far above the largest label.
   const double number = double(value);
-  if (!(number >= 0 && number <= largest_label) || number != std::floor(number))
-    throw Error("the image has values that are not labels: use integers from 0 to " +
-                std::to_string(largest_label));
+  if (!(std::abs(number) <= largest_label) || number != std::floor(number))
+    throw Error("the image has values that are not labels: use integers from -" +
+                std::to_string(largest_label) + " to " + std::to_string(largest_label));
   return int(number);
 }
 
@@ -95,10 +95,10 @@ inline bool is_box_of_voxels(const Image_3& image, const Bbox_3& box) {
   return result;
 }
 
-// Returns the smallest box of voxels that contains all labels other than 0, or the box of all
-// voxels if they fill the domain. Throws `Error` if there are no voxels, if values are not labels,
-// or if all labels are 0.
-inline Labeled_voxels_3 labeled_voxels(const Image_3& image, bool fills_domain = false) {
+// Returns the box of all voxels if they fill the domain, or else the smallest box of voxels that
+// contains all labels other than 0. Throws `Error` if there are no voxels, if values are not
+// labels, or if there is no such box.
+inline Labeled_voxels_3 labeled_voxels(const Image_3& image, bool fills_domain) {
   if (!image.is_valid() || image.size() == 0)
     throw Error("the image has no voxels: read an image with voxels");
   if (image.image()->vdim != 1)
@@ -127,7 +127,7 @@ inline Labeled_voxels_3 labeled_voxels(const Image_3& image, bool fills_domain =
     Place first = all, end = {0, 0, 0};
     for_each_row({0, 0, 0}, all, [&](Place p) {
       for (; p[0] < all[0]; ++p[0])
-        if (label_of(values[index(p)]) != 0)
+        if (label_of(values[index(p)]) != 0 || fills_domain)
           for (int axis = 0; axis < 3; ++axis) {
             first[axis] = (std::min)(first[axis], p[axis]);
             end[axis] = (std::max)(end[axis], p[axis] + 1);
@@ -135,10 +135,6 @@ inline Labeled_voxels_3 labeled_voxels(const Image_3& image, bool fills_domain =
     });
     if (end[0] == 0)
       throw Error("all labels of the image are 0: use an image with at least one other label");
-    if (fills_domain) {
-      first = {0, 0, 0};
-      end = all;
-    }
     for (int axis = 0; axis < 3; ++axis) {
       result.size[axis] = end[axis] - first[axis];
       // Points of the image are the centers of voxels.
@@ -189,7 +185,7 @@ private:
   static constexpr int none = -1;
 
   std::vector<int> padded(const Labeled_voxels_3& voxels) const {
-    static constexpr int no_label = -1;
+    static constexpr int no_label = (std::numeric_limits<int>::min)(); // see label_of()
     std::vector<int> result(m_size[0] * m_size[1] * m_size[2], m_fill_domain ? no_label : 0);
     for (std::size_t z = 0, row = 0; z < voxels.size[2]; ++z)
       for (std::size_t y = 0; y < voxels.size[1]; ++y, row += voxels.size[0])

@@ -33,25 +33,35 @@ class Voxel_octree_3
 public:
   using Place = Octree_3::Place;
 
-  // Builds an octree with the voxels in the middle of the root. The side of the root is at least
-  // `least_side` voxels, if the number of levels allows it. Throws `Error` if the image has more
-  // than 2^20 voxels in a row.
+  // Builds an octree with the voxels in the middle of the root, or at its begin if they
+  // fill the domain. The side of the root is at least `least_side` voxels, if the number of levels
+  // allows it. Throws `Error` if the image has more than 2^20 voxels in a row.
   Voxel_octree_3(const Voxel_pyramid_3& pyramid, double least_side)
       : m_pyramid(pyramid), m_tree(last_level(pyramid, least_side)) {
     const std::size_t margin = pyramid.margin(); // divides all side lengths
     for (int axis = 0; axis < 3; ++axis)
-      m_first[axis] = std::uint32_t((m_tree.side() - pyramid.size(0)[axis]) / 2 / margin * margin);
+      m_first[axis] = std::uint32_t(
+          pyramid.fills_domain() ? least_first(pyramid, axis)
+                                 : (m_tree.side() - pyramid.size(0)[axis]) / 2 / margin * margin);
     split_mixed_blocks();
     split_at_interfaces();
+    if (pyramid.fills_domain())
+      split_at_sides();
     m_tree.complete();
   }
 
   const Octree_3& tree() const { return m_tree; }
   // Returns the first coordinate of the box of labels.
   std::uint32_t first(int axis) const { return m_first[axis] + std::uint32_t(m_pyramid.margin()); }
+  // Returns the voxels along an axis.
+  const Padded_row& row(int axis) const { return m_pyramid.row(axis); }
 
   // Returns the component of a leaf.
   int component(unsigned level, const Place& block) const {
+    for (int axis = 0; axis < 3 && m_pyramid.fills_domain(); ++axis)
+      if (const std::uint32_t x = block[axis] << level;
+          x < first(axis) || x - first(axis) >= row(axis).size())
+        return 0;
     const unsigned known = (std::min)(level, m_pyramid.last_level());
     Voxel_pyramid_3::Place at;
     for (int axis = 0; axis < 3; ++axis) {
@@ -64,8 +74,17 @@ public:
   }
 
 private:
+  // Returns the least coordinate of the pyramid in the root for which the sides of the voxels lie
+  // between large blocks.
+  static std::size_t least_first(const Voxel_pyramid_3& pyramid, int axis) {
+    return (std::max)(pyramid.row(axis).block, pyramid.margin()) - pyramid.margin();
+  }
+
   static unsigned last_level(const Voxel_pyramid_3& pyramid, double least_side) {
-    const std::size_t longest = *std::max_element(pyramid.size(0).begin(), pyramid.size(0).end());
+    std::size_t longest = 0;
+    for (int axis = 0; axis < 3; ++axis)
+      longest = (std::max)(longest, pyramid.size(0)[axis] +
+                                        (pyramid.fills_domain() ? least_first(pyramid, axis) : 0));
     if (longest > (std::size_t(1) << Octree_3::most_levels))
       throw Error("the image has more than 2^20 voxels in a row: divide it");
     unsigned result = 1;
@@ -81,6 +100,29 @@ private:
     for (int axis = 0; axis < 3; ++axis)
       result[axis] = std::uint32_t((m_first[axis] >> from) + p[axis]) >> (level - from);
     return result;
+  }
+
+  // Splits blocks that lie on both sides of a side of the domain.
+  void split_at_sides() {
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::size_t block = row(axis).block;
+      unsigned level = 0;
+      while ((std::size_t(1) << level) < block)
+        ++level;
+      Voxel_pyramid_3::Place begin, size;
+      for (int i = 0; i < 3; ++i) {
+        begin[i] = first(i) >> level;
+        size[i] = ((first(i) + row(i).size() - 1) >> level) + 1 - begin[i];
+      }
+      const std::size_t last = size[axis] - 1;
+      size[axis] = last == 0 ? 1 : 2; // the first and the last layer
+      Voxel_pyramid_3::for_each_place(size, [&](const Voxel_pyramid_3::Place& p) {
+        Place parent;
+        for (int i = 0; i < 3; ++i)
+          parent[i] = std::uint32_t(begin[i] + (i == axis ? p[i] * last : p[i])) / 2;
+        m_tree.split(level + 1, parent);
+      });
+    }
   }
 
   void split_mixed_blocks() {
@@ -117,19 +159,19 @@ private:
 };
 
 // The frame in which a complex of voxels is built: p = translation + scale * q for a point p of the
-// image and the corresponding point q of the complex. The default domain is the cube with the
-// center of the box of labels and half side 2.5 r, where r is half the diagonal of that box.
-// Computations use side lengths of voxels as unit, so that small units of the image do not cause
-// underflow. If voxels fill the domain, the space around them is removed, and any domain is
-// allowed.
+// image and the corresponding point q of the complex. Computations use side lengths of voxels as
+// unit, so that small units of the image do not cause underflow. If voxels fill the domain, the
+// space around them is removed, and the domain that is given is not used.
 class Voxel_frame_3
 {
 public:
-  // Computes the frame. Normalization maps the default domain to [-1,1]^3. Throws `Error` if the
+  // Computes the frame. Normalization maps to [-1,1]^3 the cube with the center of the box of
+  // labels and half side 2.5 r, where r is half the diagonal of that box. Throws `Error` if the
   // size of the voxels is zero or not finite, or if the domain does not contain them in its
   // interior.
-  Voxel_frame_3(const Labeled_voxels_3& voxels, bool normalize,
-                const std::optional<Bbox_3>& domain) {
+  // \pre the voxels fill the domain, or a domain is given
+  Voxel_frame_3(const Labeled_voxels_3& voxels, bool normalize, const std::optional<Bbox_3>& domain)
+      : m_fills_domain(voxels.fills_domain) {
     double squared_diagonal = 0;
     for (int axis = 0; axis < 3; ++axis) {
       m_side[axis] = voxels.spacing[axis] / voxels.largest_spacing();
@@ -149,8 +191,7 @@ public:
       scale = m_unit;
     }
     for (int axis = 0; axis < 3; ++axis) {
-      const auto [low, high] =
-          voxels.fills_domain || !domain ? Limits{-1, 1} : limits(*domain, axis);
+      const auto [low, high] = voxels.fills_domain ? Limits{-1, 1} : limits(*domain, axis);
       m_low[axis] = low;
       m_high[axis] = high;
       const double half = m_half[axis] * m_side[axis];
@@ -178,8 +219,11 @@ public:
   // shape. The space between these voxels and the sides of the root is stretched to fill the
   // domain.
   double coordinate(const Voxel_octree_3& octree, int axis, std::uint32_t x) const {
-    const double first = octree.first(axis), last = first + 2 * m_half[axis],
-                 half = m_half[axis] * m_side[axis];
+    const double first = octree.first(axis);
+    if (m_fills_domain)
+      return in_complex((octree.row(axis).coordinate(x - first) - m_half[axis]) * m_side[axis],
+                        axis);
+    const double last = first + 2 * m_half[axis], half = m_half[axis] * m_side[axis];
     double result;
     if (x < first)
       result = x == 0 ? m_low[axis] : -half + (m_low[axis] + half) * ((first - x) / first);
@@ -189,10 +233,14 @@ public:
                    : half + (m_high[axis] - half) * ((x - last) / (octree.tree().side() - last));
     else
       result = (x - first - m_half[axis]) * m_side[axis];
-    return scale == m_unit ? result : m_center[axis] + m_unit * result;
+    return in_complex(result, axis);
   }
 
 private:
+  double in_complex(double x, int axis) const {
+    return scale == m_unit ? x : m_center[axis] + m_unit * x;
+  }
+
   struct Limits
   {
     double low, high;
@@ -202,10 +250,11 @@ private:
     return {(box.min(axis) - m_center[axis]) / m_unit, (box.max(axis) - m_center[axis]) / m_unit};
   }
 
-  double m_unit;                  // half the side of the default domain, in the unit of the image
-  std::array<double, 3> m_center; // of the box of labels, in the coordinates of the image
-  std::array<double, 3> m_half;   // half the side lengths of that box, in voxels
-  std::array<double, 3> m_side;   // of voxels, in `m_unit`
+  bool m_fills_domain;                 // whether the voxels do so
+  double m_unit;                       // half the side of that cube, in the unit of the image
+  std::array<double, 3> m_center;      // of the box of labels, in the coordinates of the image
+  std::array<double, 3> m_half;        // half the side lengths of that box, in voxels
+  std::array<double, 3> m_side;        // of voxels, in `m_unit`
   std::array<double, 3> m_low, m_high; // the domain relative to `m_center`, in `m_unit`
 };
 

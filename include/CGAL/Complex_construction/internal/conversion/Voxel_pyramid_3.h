@@ -95,6 +95,43 @@ private:
   }
 };
 
+// A row of voxels, with copies of its first and its last voxel so that large blocks can fill it.
+// The copies and the voxel itself together have the length of a voxel.
+struct Padded_row
+{
+  std::size_t number;                // of voxels
+  std::size_t before = 0, after = 0; // numbers of copies
+  std::size_t block = 1;             // power of two that divides the number of voxels and copies
+
+  // A row is padded if voxels fill the domain. Otherwise, the space around them has cells, too.
+  Padded_row(std::size_t number_of_voxels, bool is_padded) : number(number_of_voxels) {
+    static constexpr std::size_t most_copies = 8; // more would flatten cells at the interface
+    const auto copies = [&](std::size_t b) { return (b - number % b) % b; };
+    for (std::size_t b = 1; is_padded && b < 2 * number; b *= 2)
+      if (copies(b) <= (std::min)(most_copies, number / 4))
+        block = b;
+    before = copies(block) / 2;
+    after = copies(block) - before;
+  }
+
+  std::size_t size() const { return before + number + after; }
+
+  // Returns the index of the voxel at a place, counted from the first copy. Places outside have the
+  // nearest voxel.
+  std::size_t voxel(std::ptrdiff_t place) const {
+    return std::size_t(
+        std::clamp(place - std::ptrdiff_t(before), std::ptrdiff_t(0), std::ptrdiff_t(number) - 1));
+  }
+
+  // Returns a coordinate in voxels from the first voxel, for a coordinate from the first copy.
+  double coordinate(double x) const {
+    const double u = x - double(before), last = double(number) - 1;
+    return u < 1      ? 1 + (u - 1) / double(before + 1)
+           : u > last ? last + (u - last) / double(after + 1)
+                      : u;
+  }
+};
+
 // The components of voxels in blocks with sides of 2^l voxels, for levels l from 0. A block has a
 // component if its eight sub-blocks have the same one. It also has a component if sub-blocks can be
 // changed to the most frequent one, one at a time, without a change of topology. Otherwise the
@@ -108,6 +145,8 @@ public:
   // Builds all levels whose blocks have sides of at most `edge` voxels and fit into the box of
   // labels. Level 0 always exists.
   Voxel_pyramid_3(const Voxel_components_3& components, double edge) : m_components(components) {
+    for (const std::size_t n : components.size())
+      m_rows.emplace_back(n, components.fill_domain());
     std::size_t smallest = components.size()[0];
     for (const std::size_t n : components.size())
       smallest = (std::min)(smallest, n);
@@ -120,9 +159,13 @@ public:
   }
 
   unsigned last_level() const { return m_last; }
-  // Returns the number of outside voxels around the box of labels, which is the side of a block of
-  // the last level.
+  // Returns the number of further voxels around the box of labels, which is the side of a block of
+  // the last level. If voxels fill the domain, they are copies of the outermost voxels.
   std::size_t margin() const { return std::size_t(1) << m_last; }
+  // Returns the voxels along an axis.
+  const Padded_row& row(int axis) const { return m_rows[axis]; }
+  // Returns whether there are no cells outside the voxels.
+  bool fills_domain() const { return m_components.fill_domain(); }
   const Place& size(unsigned level) const { return m_levels[level].size; }
 
   int operator()(unsigned level, const Place& block) const {
@@ -163,11 +206,18 @@ private:
     Level& voxels = m_levels[0];
     const std::size_t margin = this->margin();
     for (int axis = 0; axis < 3; ++axis)
-      voxels.size[axis] = (m_components.size()[axis] + 3 * margin - 1) / margin * margin;
+      voxels.size[axis] = (m_rows[axis].size() + 3 * margin - 1) / margin * margin;
     voxels.components.assign(voxels.size[0] * voxels.size[1] * voxels.size[2], 0);
-    for_each_place(m_components.size(), [&](const Place& p) {
-      voxels.components[voxels.index({p[0] + margin, p[1] + margin, p[2] + margin})] =
-          m_components(p);
+    for_each_place(voxels.size, [&](const Place& p) {
+      Place voxel;
+      bool is_inside = true;
+      for (int axis = 0; axis < 3; ++axis) {
+        const std::ptrdiff_t place = std::ptrdiff_t(p[axis]) - std::ptrdiff_t(margin);
+        voxel[axis] = m_rows[axis].voxel(place);
+        is_inside = is_inside && std::size_t(place) < m_rows[axis].size();
+      }
+      if (is_inside || fills_domain())
+        voxels.components[voxels.index(p)] = m_components(voxel);
     });
   }
 
@@ -177,14 +227,17 @@ private:
       blocks.size[axis] = parts.size[axis] / 2;
     blocks.components.resize(blocks.size[0] * blocks.size[1] * blocks.size[2]);
     for_each_place(blocks.size, [&](const Place& p) {
+      bool is_inner = true; // otherwise, its neighbors are not known
+      for (int axis = 0; axis < 3; ++axis)
+        is_inner = is_inner && p[axis] > 0 && p[axis] + 1 < blocks.size[axis];
       blocks.components[blocks.index(p)] =
-          make_uniform(parts, {2 * p[0], 2 * p[1], 2 * p[2]}, level);
+          make_uniform(parts, {2 * p[0], 2 * p[1], 2 * p[2]}, level, is_inner);
     });
   }
 
   // Returns the component of a block. Changes its sub-blocks if they have several components but
   // can be made uniform.
-  int make_uniform(Level& parts, const Place& first, unsigned level) const {
+  int make_uniform(Level& parts, const Place& first, unsigned level, bool can_change) const {
     std::array<std::size_t, 8> at;
     std::array<int, 8> before;
     for (std::size_t i = 0; i < 8; ++i) {
@@ -193,7 +246,8 @@ private:
     }
     if (std::all_of(before.begin(), before.end(), [&](int c) { return c == before[0]; }))
       return before[0];
-    if (!std::all_of(before.begin(), before.end(), [&](int c) { return is_large(c, level); }))
+    if (!can_change ||
+        !std::all_of(before.begin(), before.end(), [&](int c) { return is_large(c, level); }))
       return mixed;
     const int most = most_frequent(before);
     for (bool is_changed = true; is_changed;) {
@@ -213,12 +267,11 @@ private:
   }
 
   // Returns whether a component has at least the volume of eight blocks. Smaller components keep
-  // their voxels, and so does the outside of a domain that voxels fill.
+  // their voxels.
   bool is_large(int component, unsigned level) const {
     static constexpr std::size_t blocks = 8;
-    if (component == 0)
-      return !m_components.fill_domain();
-    return (component != mixed && m_components.number_of_voxels(component) >= blocks << 3 * level);
+    return component == 0 ||
+           (component != mixed && m_components.number_of_voxels(component) >= blocks << 3 * level);
   }
 
   static int most_frequent(std::array<int, 8> components) {
@@ -253,6 +306,7 @@ private:
   }
 
   const Voxel_components_3& m_components;
+  std::vector<Padded_row> m_rows; // along each axis
   unsigned m_last = 0;
   std::vector<Level> m_levels;
 };

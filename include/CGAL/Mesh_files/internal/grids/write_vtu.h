@@ -11,6 +11,7 @@
 #include <CGAL/Interface_remeshing/internal/extraction/Extracted_facets.h>
 #include <CGAL/Mesh_files/Mesh_arrays.h>
 #include <CGAL/Mesh_files/internal/grids/Vtu_document.h>
+#include <CGAL/Mesh_files/internal/grids/Written_vertices.h>
 #include <CGAL/Mesh_files/internal/text/files.h>
 #include <CGAL/Mesh_files/replace_file.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
@@ -34,14 +35,14 @@ inline bool is_computed_vtu_array(const std::string& name) {
   return name == "label" || name == "quality" || name == "boundary_class" || name == "interface";
 }
 
-// Writes all cells and given arrays. The arrays have a row for each vertex or cell, in the order of
-// time stamps, which is also the order of the cells. On a flat torus, a cell that crosses the seam
-// is written next to its first vertex, with additional images of its other vertices. Throws if the
-// file cannot be written.
+// Writes all cells and given arrays. The arrays have a row for each vertex without copies, or for
+// each cell, in the order of time stamps, which is also the order of the cells. On a flat torus, a
+// cell that crosses the seam is written next to its first vertex, with additional images of its
+// other vertices. Throws if the file cannot be written.
 template <class Complex>
 void write_cells_vtu(const std::string& path, const Complex& dsc, const Mesh_arrays& arrays) {
   using Vertex_handle = typename Complex::Vertex_handle;
-  const Vertex_numbering<Vertex_handle> number(dsc.vertices());
+  const Written_vertices<Complex> number(dsc);
   std::vector<typename Complex::Approximate_point> points; // in the frame of the complex
   std::vector<Vertex_handle> vertices = number.vertices();
   for (const auto v : vertices)

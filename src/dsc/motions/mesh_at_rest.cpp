@@ -2,21 +2,27 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "motions/mesh_at_rest.h"
+
 #include "input/cell_regions.h"
 #include "input/files.h"
-#include "input/mesh_content.h"
-#include "motions/tracked_complex_3.h"
+#include "motions/tracked_complex.h"
+#include "output/complex_output_3.h"
 #include "programs/errors.h"
 
+#include <CGAL/Complex_construction/assign_solid_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/Solid_domain.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/parts/assign_part.h>
 #include <CGAL/Interface_remeshing/Carried_cell_averages.h>
 #include <CGAL/Interface_remeshing/Carried_vertex_values.h>
 #include <CGAL/Interface_remeshing/Number_rows.h>
 #include <CGAL/Interface_remeshing/improve_mesh.h>
 #include <CGAL/Mesh_files/MEDIT_3.h>
 #include <CGAL/Mesh_files/VTU_3.h>
+#include <CGAL/Mesh_files/internal/grids/Written_vertices.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <algorithm>
@@ -305,59 +311,39 @@ private:
 // The quality measure depends on angles, because the complex does not move.
 using Complex_at_rest =
     CGAL::Deformable_simplicial_complex_3<CGAL::Deformable_simplicial_complex_traits_3<>,
-                                          CGAL::Default, DSC::Biased_minimum_sine_3>;
+                                          CGAL::Default, DSC::Biased_minimum_sine_3,
+                                          DSC::Solid_domain>;
 using Cell_handle = Complex_at_rest::Cell_handle;
 using State = DSC::State<3>;
-
-double least_quality(const Complex_at_rest& complex) {
-  double result = 1;
-  for (const Cell_handle c : complex.cells())
-    result = std::min(result, complex.quality(c));
-  return result;
-}
-
-/// Calls `f(i, k)` for the k-th finite cell of a state, which has index i.
-template <class Function> void for_each_finite_cell(const State& state, const Function& f) {
-  std::size_t k = 0;
-  for (std::size_t i = 0; i < state.cells.size(); ++i)
-    if (std::find(state.cells[i].begin(), state.cells[i].end(), 0u) == state.cells[i].end())
-      f(i, k++);
-}
+using DSC::internal::assign_part;
+using DSC::internal::finite_state;
 
 /// Replaces the labels by regions, and fixes the boundary if necessary.
 void separate(State& state, const Separation<Complex_at_rest>& separation) {
-  for_each_finite_cell(state, [&](std::size_t i, std::size_t k) {
-    state.cell_labels[i] = separation.region_of_row()[k];
-    state.cell_components[i] = static_cast<std::uint32_t>(separation.region_of_row()[k]);
-  });
+  state.cell_labels.assign(separation.region_of_row().begin(), separation.region_of_row().end());
   if (separation.needs_boundary())
     for (std::uint8_t& sides : state.boundary_classes)
       if (sides != DSC::Boundary_class::inside)
         sides = DSC::Boundary_class::fixed;
 }
 
-/// Returns the state of a complex with other labels of the cells.
-State relabeled_state(const Complex_at_rest& complex, const std::vector<int>& labels) {
-  const std::vector<Cell_handle> cells = complex.cells();
-  std::vector<int> label_of_cell(complex.cell_id_bound());
-  for (std::size_t k = 0; k < cells.size(); ++k)
-    label_of_cell[cells[k]->id()] = labels[k];
-  const Cell_regions<Complex_at_rest> components(complex, [&](Cell_handle c, int i) {
-    return label_of_cell[c->id()] != label_of_cell[c->neighbor(i)->id()];
-  });
-  State state = complex.state();
-  for_each_finite_cell(state, [&](std::size_t i, std::size_t k) {
-    state.cell_labels[i] = labels[k];
-    state.cell_components[i] = static_cast<std::uint32_t>(components.of_cell[cells[k]->id()]);
-  });
-  return state;
-}
-
-std::vector<int> labels_by_time_stamp(const Complex_at_rest& complex) {
-  std::vector<int> result;
-  for (const Cell_handle c : complex.cells())
-    result.push_back(c->label());
-  return result;
+/// Leaves out the rows of copies of vertices, as files do.
+void leave_out_copies(Mesh_content& content, const Solid_complex& complex) {
+  const DSC::internal::Written_vertices<Solid_complex> written(complex);
+  const auto vertices = complex.vertices();
+  std::vector<std::size_t> rows, numbers;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    numbers.push_back(written(vertices[i]));
+    if (written.vertices()[numbers.back()] == vertices[i])
+      rows.push_back(i);
+  }
+  for (Mesh_array& array : content.arrays.points)
+    array = array.selected(rows);
+  const std::vector<int> references = content.entities.vertex_references;
+  content.entities.vertex_references.clear();
+  for (std::size_t k = 0; k < rows.size() && !references.empty(); ++k)
+    content.entities.vertex_references.push_back(references[rows[k]]);
+  renumber_vertices(content.entities, numbers);
 }
 
 /// Checks that all entities still exist after the improvement.
@@ -375,56 +361,77 @@ void require_entities(const Complex_at_rest& complex, const Mesh_entities& entit
 
 } // namespace
 
-Improvement_outcome Tracked_complex_3::improve(const Improvement_options& options,
-                                               Mesh_content& content) {
+Mesh_at_rest::Mesh_at_rest(const std::string& path, Labeled_tetrahedra& mesh) {
+  mesh.separate_touching_cells();
+  try {
+    m_vertices = DSC::assign_solid_3(m_complex, mesh.points, mesh.tetrahedra, mesh.labels);
+  } catch (const DSC::Invalid_cells_error& error) {
+    throw Input_error(path + ": " + error.what() + place_of(error, mesh));
+  }
+}
+
+Mesh_content Mesh_at_rest::content(Labeled_tetrahedra mesh, Unused_content& unused) const {
+  return content_of(std::move(mesh), m_complex, m_vertices, unused);
+}
+
+Statistics Mesh_at_rest::statistics() const {
+  Statistics result = statistics_of(m_complex);
+  result.vertices = DSC::internal::Written_vertices<Solid_complex>(m_complex).vertices().size();
+  return result;
+}
+
+Improvement_outcome Mesh_at_rest::improve(const Improvement_options& options,
+                                          Mesh_content& content) {
   DSC::Mesh_improvement_options<Complex_at_rest> improvement;
   improvement.aggressive = options.aggressive;
   improvement.quality_threshold = options.threshold;
   improvement.number_of_threads = options.threads;
   const auto start = Clock::now();
   Complex_at_rest at_rest;
-  State state = complex.state();
-  at_rest.restore(state);
+  State state = finite_state(m_complex.state());
+  assign_part(at_rest, state);
   Improvement_outcome outcome;
   outcome.worst_before = least_quality(at_rest);
   if (content.is_empty()) {
     outcome.changes = DSC::improve_mesh(at_rest, improvement);
-    state = at_rest.state();
+    state = finite_state(at_rest.state());
   } else {
-    const std::vector<int> labels = labels_by_time_stamp(at_rest);
+    const std::vector<int> labels = state.cell_labels;
     const Separation<Complex_at_rest> separation(at_rest, content);
     separate(state, separation);
-    at_rest.restore(state);
+    assign_part(at_rest, state);
     Content_visitor<Complex_at_rest> visitor(at_rest, content);
     DSC::Visitor_adaptor<Complex_at_rest, Content_visitor<Complex_at_rest>> adaptor(visitor);
     improvement.visitor = &adaptor;
     outcome.changes = DSC::improve_mesh(at_rest, improvement);
 
     std::vector<std::size_t> row_of_cell;
-    std::vector<int> new_labels;
-    for (const Cell_handle c : at_rest.cells()) {
-      row_of_cell.push_back(separation.row_of_region()[static_cast<std::size_t>(c->label())]);
-      new_labels.push_back(labels[row_of_cell.back()]);
+    state = finite_state(at_rest.state());
+    for (int& label : state.cell_labels) {
+      row_of_cell.push_back(separation.row_of_region()[static_cast<std::size_t>(label)]);
+      label = labels[row_of_cell.back()];
     }
     content = visitor.finish(row_of_cell);
     require_entities(at_rest, content.entities);
-    if (separation.needs_boundary())
-      at_rest.domain().classify_boundary(at_rest);
-    state = relabeled_state(at_rest, new_labels);
   }
   outcome.worst_after = least_quality(at_rest);
   // The failure counters belong to another quality measure.
   std::fill(state.failures.begin(), state.failures.end(), std::uint8_t(0));
-  complex.restore(state);
+  DSC::internal::classify_boundary(state);
+  assign_part(m_complex, state);
+  m_vertices.clear();
+  leave_out_copies(content, m_complex);
   outcome.seconds = seconds_since(start);
   return outcome;
 }
 
-void Tracked_complex_3::write(const std::string& path, const Mesh_content& content) const {
+void Mesh_at_rest::write(const std::string& path) const { write_complex(path, m_complex); }
+
+void Mesh_at_rest::write(const std::string& path, const Mesh_content& content) const {
   if (extension(path) == "vtu")
-    CGAL::IO::write_VTU(path, complex, content.arrays);
+    CGAL::IO::write_VTU(path, m_complex, content.arrays);
   else
-    CGAL::IO::write_MEDIT(path, complex, content.entities);
+    CGAL::IO::write_MEDIT(path, m_complex, content.entities);
 }
 
 } // namespace dsc

@@ -1,19 +1,18 @@
 // Copyright (c) 2026 The deformable simplicial complex authors.
 // All rights reserved.
 //
-// This file is part of the package Distributed_complexes, written for CGAL (www.cgal.org).
+// This file is part of the package Deformable_simplicial_complexes, written for CGAL
+// (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DISTRIBUTED_COMPLEXES_INTERNAL_PATCHES_ASSIGN_PART_H
-#define CGAL_DISTRIBUTED_COMPLEXES_INTERNAL_PATCHES_ASSIGN_PART_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PARTS_ASSIGN_PART_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PARTS_ASSIGN_PART_H
 
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Complex_builder.h>
-#include <CGAL/Distributed_complexes/Part_domain.h>
 #include <CGAL/Mesh_support/coordinates.h>
 
 #include <cstddef>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -45,12 +44,12 @@ void join_infinite_cells(typename Space::Triangulation_data_structure& tds,
   }
 }
 
-// Replaces a complex by some cells of another one. Time stamps follow the order of vertices and
-// cells. n log n in the number of cells. Returns the vertices, in their order.
-// \param state points, boundary classes and spacings of the vertices, where `Part_domain::cut` marks
-//        the vertices around which cells are missing; vertices, labels, noted qualities and
-//        failures of the finite cells, where `i + 1` is the vertex `i`; lengths and normalization
-//        of the other complex. Other members are not used.
+// Replaces a complex by given cells, such as a part of another complex. Time stamps follow the
+// order of vertices and cells. n log n in the number of cells. Returns the vertices, in their
+// order.
+// \param state points, boundary classes and spacings of the vertices; vertices, labels, noted
+//        qualities and failures of the finite cells, where `i + 1` is the vertex `i`; lengths and
+//        normalization. Other members are not used.
 // \throws Invalid_cells_error if more than two cells share a facet, or two cells overlap; the complex
 //         is then unchanged
 // \pre Each vertex has a cell. The cells are positively oriented. The cells around a vertex are
@@ -59,7 +58,7 @@ template <class Part>
 std::vector<typename Part::Vertex_handle> assign_part(Part& part,
                                                       const typename Part::State& state) {
   using Space = typename Part::Space;
-  static_assert(std::is_same_v<typename Part::Domain, Part_domain>);
+  static_assert(!Part::Domain::is_ball && Part::Domain::has_outside);
   Part result(part.geom_traits(), part.quality_measure(), part.domain());
   result.set_normalization(
       {vector_of<Part>(state.normalization_translation), state.normalization_scale});
@@ -87,4 +86,4 @@ std::vector<typename Part::Vertex_handle> assign_part(Part& part,
 
 } // namespace CGAL::Deformable_simplicial_complexes::internal
 
-#endif // CGAL_DISTRIBUTED_COMPLEXES_INTERNAL_PATCHES_ASSIGN_PART_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PARTS_ASSIGN_PART_H

@@ -1,12 +1,13 @@
 // Copyright (c) 2026 The deformable simplicial complex authors.
 // All rights reserved.
 //
-// This file is part of the package Distributed_complexes, written for CGAL (www.cgal.org).
+// This file is part of the package Deformable_simplicial_complexes, written for CGAL
+// (www.cgal.org).
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DISTRIBUTED_COMPLEXES_INTERNAL_PATCHES_SEPARATE_TOUCHING_CELLS_H
-#define CGAL_DISTRIBUTED_COMPLEXES_INTERNAL_PATCHES_SEPARATE_TOUCHING_CELLS_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PARTS_SEPARATE_TOUCHING_CELLS_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PARTS_SEPARATE_TOUCHING_CELLS_H
 
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/assemble_triangulation.h>
 #include <CGAL/Mesh_support/internal/sets/Disjoint_sets.h>
@@ -57,4 +58,4 @@ separate_touching_cells(std::size_t number_of_vertices,
 
 } // namespace CGAL::Deformable_simplicial_complexes::internal
 
-#endif // CGAL_DISTRIBUTED_COMPLEXES_INTERNAL_PATCHES_SEPARATE_TOUCHING_CELLS_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PARTS_SEPARATE_TOUCHING_CELLS_H

@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DSC_MESH_AT_REST_H
+#define DSC_MESH_AT_REST_H
+
+#include "input/mesh_content.h"
+#include "output/statistics.h"
+#include "programs/threads_option.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dsc {
+
+/// The options of the improvement of tetrahedra.
+struct Improvement_options
+{
+  bool aggressive = false;         ///< whether more expensive operations are used
+  std::optional<double> threshold; ///< in (0, 1]; the library's default if not set
+  unsigned threads = default_number_of_threads();
+};
+
+/// The labeled tetrahedra of a file, which do not move. They are the domain and can have any shape.
+class Mesh_at_rest
+{
+public:
+  /// \param path file of the tetrahedra, for messages
+  /// \param mesh the tetrahedra; points at which the domain touches itself are copied
+  /// \throws Input_error if the tetrahedra do not define a complex
+  Mesh_at_rest(const std::string& path, Labeled_tetrahedra& mesh);
+
+  /// Returns the content of the mesh that changes of the complex preserve, see content_of().
+  Mesh_content content(Labeled_tetrahedra mesh, Unused_content& unused) const;
+
+  Statistics statistics() const;
+
+  /// Improves the tetrahedra. The interface and the boundary keep their shape.
+  /// \param content the content of the vertices and cells, which is updated: entities are
+  /// preserved, averages over cells keep their integrals, values at vertices are interpolated, and
+  /// integers of cells keep their regions. Afterwards, it is the content of the vertices of a file.
+  Improvement_outcome improve(const Improvement_options& options, Mesh_content& content);
+
+  /// Writes the tetrahedra or the interface, in the format of the extension.
+  void write(const std::string& path) const;
+
+  /// Writes the tetrahedra (.mesh, .vtu) with their content after an improvement.
+  void write(const std::string& path, const Mesh_content& content) const;
+
+private:
+  Solid_complex m_complex;
+  std::vector<Solid_complex::Vertex_handle> m_vertices; ///< of the points of the file
+};
+
+} // namespace dsc
+
+#endif // DSC_MESH_AT_REST_H

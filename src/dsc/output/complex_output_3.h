@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The deformable simplicial complex authors
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DSC_COMPLEX_OUTPUT_3_H
+#define DSC_COMPLEX_OUTPUT_3_H
+
+#include "input/files.h"
+#include "output/angle_statistics.h"
+#include "output/picture.h"
+#include "output/statistics.h"
+#include "programs/option_values.h"
+
+#include <CGAL/Interface_remeshing/extract_interface_3.h>
+#include <CGAL/Mesh_files/MEDIT_3.h>
+#include <CGAL/Mesh_files/VTU_3.h>
+#include <CGAL/Mesh_files/labeled_surface_3.h>
+#include <CGAL/Mesh_support/coordinates.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace dsc {
+
+/// Returns the least quality of a cell, by the measure of the complex.
+template <class Complex> double least_quality(const Complex& complex) {
+  double result = 1;
+  for (const typename Complex::Cell_handle c : complex.finite_cells())
+    result = std::min(result, complex.quality(c));
+  return result;
+}
+
+/// Returns the statistics of a complex in space.
+template <class Complex> Statistics statistics_of(const Complex& complex) {
+  const double scale = complex.normalization().scale;
+  Statistics statistics = {};
+  statistics.dimension = 3;
+  statistics.vertices = complex.number_of_vertices();
+  statistics.cells = complex.number_of_cells();
+  statistics.interface_facets = complex.interface_facets().size();
+  for (const auto& [label, area, euler_characteristic] : complex.label_interfaces())
+    statistics.labels.push_back(
+        {label, complex.number_of_cells(label), complex.volume(label) * scale * scale * scale,
+         area * scale * scale, complex.number_of_components(label), euler_characteristic});
+  set_angles(complex, statistics);
+  statistics.min_quality = least_quality(complex);
+  return statistics;
+}
+
+template <class Complex> void write_picture_png(const std::string& path, const Complex& complex) {
+  Picture picture;
+  picture.is_in_space = true;
+  for (const auto& f : complex.interface_facets()) {
+    Picture_polygon triangle = {{}, color_of_label(f.first->label())};
+    for (const auto v : complex.facet_vertices(f))
+      triangle.corners.push_back(
+          CGAL::Deformable_simplicial_complexes::coordinates_of<3>(complex.user_position(v)));
+    picture.polygons.push_back(std::move(triangle));
+  }
+  write_picture(path, picture);
+}
+
+/// Writes the cells or the interface of a complex in space, in the format of the extension.
+/// \param arrays arrays of a .vtu file
+template <class Complex>
+void write_complex(const std::string& path, const Complex& complex,
+                   const CGAL::Deformable_simplicial_complexes::Mesh_arrays& arrays = {}) {
+  require_extension(path, {"off", "obj", "ply", "stl", "vtu", "mesh", "png"});
+  const std::string format = extension(path);
+  if (format == "vtu")
+    CGAL::IO::write_VTU(path, complex, arrays);
+  else if (format == "png")
+    write_picture_png(path, complex);
+  else if (format == "mesh")
+    CGAL::IO::write_MEDIT(path, complex);
+  else
+    CGAL::IO::write_interface(path,
+                              CGAL::Deformable_simplicial_complexes::extract_interface(complex));
+}
+
+} // namespace dsc
+
+#endif // DSC_COMPLEX_OUTPUT_3_H
