@@ -11,6 +11,7 @@
 #include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Mesh_support/internal/cgal/cgal_compat.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
+#include <CGAL/Triangle_soup_repair/internal/soups/near_points_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/soup_intersections_3.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -35,6 +36,27 @@ namespace CGAL::Deformable_simplicial_complexes::internal {
 struct Split_soup_3 : Triangle_soup_3
 {
   std::vector<std::size_t> origins;
+};
+
+// Traits of triangulations whose flips wait for certainty: points that nearly lie on a circle count
+// as points on it. The triangulation is then nearly Delaunay, and no exact number is computed for
+// it.
+template <class Kernel> struct Nearly_delaunay_traits_2 : Kernel
+{
+  struct Side_of_oriented_circle_2
+  {
+    using result_type = Oriented_side;
+
+    template <class Point>
+    Oriented_side operator()(const Point& p, const Point& q, const Point& r, const Point& s) const {
+      const Protect_FPU_rounding<true> interval_arithmetic;
+      const auto side = typename Kernel::Approximate_kernel().side_of_oriented_circle_2_object()(
+          approx(p), approx(q), approx(r), approx(s));
+      return is_certain(side) ? get_certain(side) : ON_ORIENTED_BOUNDARY;
+    }
+  };
+
+  Side_of_oriented_circle_2 side_of_oriented_circle_2_object() const { return {}; }
 };
 
 // A triangle to be triangulated again, with points and segments inserted into it. All computations
@@ -99,12 +121,13 @@ private:
     int m_index = unknown;
   };
 
-  using Vertex = Vertex_of_split<Triangulation_vertex_base_2<Kernel>>;
-  using Face = Constrained_triangulation_face_base_2<Kernel>;
+  using Traits = Nearly_delaunay_traits_2<Kernel>;
+  using Vertex = Vertex_of_split<Triangulation_vertex_base_2<Traits>>;
+  using Face = Constrained_triangulation_face_base_2<Traits>;
   // The triangulation of the constraints. Intersections of segments are computed from the segments
   // as they were inserted.
   using Triangulation = Constrained_triangulation_plus_2<Constrained_Delaunay_triangulation_2<
-      Kernel, Triangulation_data_structure_2<Vertex, Face>, Exact_intersections_tag>>;
+      Traits, Triangulation_data_structure_2<Vertex, Face>, Exact_intersections_tag>>;
 
   Point exact_corner(std::size_t i) const {
     return {m_points[i][0], m_points[i][1], m_points[i][2]};
@@ -244,31 +267,58 @@ Split_soup_3 split_pairs(const Split_soup_3& soup,
   return result;
 }
 
+// Returns the pairs of intersecting triangles that do not have the same corners.
+inline std::vector<std::pair<std::size_t, std::size_t>> pairs_to_split(const Split_soup_3& soup) {
+  auto pairs = crossing_triangles(soup);
+  pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
+                             [&soup](const auto& pair) {
+                               return have_same_corners(soup.triangles[pair.first],
+                                                        soup.triangles[pair.second]);
+                             }),
+              pairs.end());
+  return pairs;
+}
+
+// Splits intersecting triangles and merges points closer to each other than a distance, repeatedly,
+// until no triangles intersect. Returns `nullopt` if the number of intersections increases twice in
+// succession, or after the maximum number of repetitions.
+template <class Kernel>
+std::optional<Split_soup_3> split_and_merge(Split_soup_3 soup, double distance) {
+  static constexpr int most_rounds = 30; // two or three are usual
+  static constexpr int most_increases = 1;
+  std::size_t number = std::size_t(-1); // of intersections
+  int increases = 0;
+  for (int round = 0; round < most_rounds && increases <= most_increases; ++round) {
+    tidy_up<Kernel>(soup);
+    const auto pairs = pairs_to_split(soup);
+    if (pairs.empty())
+      return soup;
+    increases = pairs.size() > number ? increases + 1 : 0;
+    number = pairs.size();
+    soup = split_pairs<Kernel>(soup, pairs);
+    static_cast<Triangle_soup_3&>(soup) = merge_points(soup);
+    merge_near_points(soup, distance, Merged_points::ALL);
+  }
+  return std::nullopt;
+}
+
 // Splits triangles where they intersect. In the result, triangles meet in common vertices and edges
 // only, or have the same three corners. Intersection points are computed exactly and then rounded.
-// Rounding may create new intersections, so the splitting is repeated. Degenerate triangles are
-// removed. A soup without intersections is returned bitwise unchanged.
+// Rounding may create new intersections, so the splitting is repeated. Points much closer to each
+// other than the mean edge length are merged, because needles between them would intersect many
+// triangles. Surfaces at about the distance of merging are split again with a larger one.
+// Degenerate triangles are removed. A soup without intersections is returned bitwise unchanged.
 //
-// Returns `nullopt` if triangles still intersect after the maximum number of repetitions.
+// Returns `nullopt` if triangles still intersect at the end.
 template <class Kernel = Exact_predicates_exact_constructions_kernel>
 std::optional<Split_soup_3> split_at_crossings(const Triangle_soup_3& input) {
-  static constexpr int most_rounds = 30; // two or three are usual
+  static constexpr double distances[] = {1e-9, 1e-6}; // in mean edges
   Split_soup_3 soup{input, {}};
   for (std::size_t t = 0; t < input.triangles.size(); ++t)
     soup.origins.push_back(t);
-  for (int round = 0; round < most_rounds; ++round) {
-    tidy_up<Kernel>(soup);
-    auto pairs = crossing_triangles(soup);
-    pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
-                               [&soup](const auto& pair) {
-                                 return have_same_corners(soup.triangles[pair.first],
-                                                          soup.triangles[pair.second]);
-                               }),
-                pairs.end());
-    if (pairs.empty())
-      return soup;
-    soup = split_pairs<Kernel>(soup, pairs);
-  }
+  for (double distance : distances)
+    if (auto result = split_and_merge<Kernel>(soup, distance * mean_side(soup)))
+      return result;
   return std::nullopt;
 }
 
