@@ -13,6 +13,7 @@
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
 #include <CGAL/Triangle_soup_repair/Labeled_surface_3.h>
+#include <CGAL/Triangle_soup_repair/internal/arrangement/Flat_simplifier_3.h>
 #include <CGAL/Triangle_soup_repair/internal/arrangement/divide_space_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
 
@@ -104,14 +105,14 @@ std::vector<int> labels_of_cells(const std::vector<std::size_t>& surface_of_cell
   return result;
 }
 
-// Returns the patches between cells of different labels.
-template <class Point>
-std::vector<Labeled_patch_3<Point>> patches_of(const Divided_space_3& space,
-                                               const std::vector<int>& labels) {
+// Returns the triangles between cells of different labels. The larger label is behind each
+// triangle.
+inline Walls_3 walls_between(const Divided_space_3& space, const std::vector<int>& labels) {
   const auto label_of = [&](std::size_t cell) {
     return cell == Covering_cells_3::none ? 0 : labels[cell];
   };
-  std::map<std::array<int, 2>, Triangle_soup_3> walls; // by the labels behind and in front
+  Walls_3 result;
+  result.points = space.soup.points;
   for (std::size_t t = 0; t < space.sides.size(); ++t) {
     std::array<int, 2> sides = {label_of(space.sides[t].behind), label_of(space.sides[t].in_front)};
     auto triangle = space.soup.triangles[t];
@@ -119,13 +120,23 @@ std::vector<Labeled_patch_3<Point>> patches_of(const Divided_space_3& space,
       std::swap(sides[0], sides[1]);
       std::swap(triangle[1], triangle[2]);
     }
-    if (sides[0] != sides[1])
-      walls[sides].triangles.push_back(triangle);
+    if (sides[0] != sides[1]) {
+      result.triangles.push_back(triangle);
+      result.labels.push_back(sides);
+    }
   }
+  return result;
+}
+
+// Returns the patches that walls consist of.
+template <class Point> std::vector<Labeled_patch_3<Point>> patches_of(const Walls_3& walls) {
+  std::map<std::array<int, 2>, Triangle_soup_3> soups; // by labels
+  for (std::size_t t = 0; t < walls.triangles.size(); ++t)
+    soups[walls.labels[t]].triangles.push_back(walls.triangles[t]);
   std::vector<Labeled_patch_3<Point>> result;
-  for (auto& [sides, wall] : walls) {
-    wall.points = space.soup.points;
-    const auto merged = merge_points(wall);
+  for (auto& [sides, soup] : soups) {
+    soup.points = walls.points;
+    const auto merged = merge_points(soup);
     Labeled_patch_3<Point> patch;
     for (const auto& p : merged.points)
       patch.points.push_back(Point(p[0], p[1], p[2]));
@@ -159,7 +170,8 @@ in the order of their first triangles.
 Features that are nearer to each other than the weld distance are merged. Then triangles are split
 where they meet, with exact arithmetic. Points where they meet are rounded, and features are merged
 again, until triangles meet in common vertices and edges only. So rounding opens no gap, and a wall
-that two surfaces divide differently has the triangles of both.
+that two surfaces divide differently has the vertices of both, except where edges of a flat part or
+a straight line are short beside others: needles are removed there.
 
 \tparam Point a point type with `double` coordinates, such as that of `Labeled_surface_3`
 
@@ -184,7 +196,9 @@ Patches_of_surfaces_3<Point> make_patches_3(const std::vector<Labeled_surface_3<
                              space.overlaps.front()[0], space.overlaps.front()[1], {}, {});
   const std::vector<int> labels = internal::labels_of_cells(space.surfaces, surfaces);
   Patches_of_surfaces_3<Point> result;
-  result.patches = internal::patches_of<Point>(space, labels);
+  const internal::Walls_3 walls = internal::walls_between(space, labels);
+  result.patches =
+      internal::patches_of<Point>(internal::simplify_flat_parts(walls, space.weld_distance));
   result.labels.resize(surfaces.size());
   for (std::size_t c = 0; c < labels.size(); ++c)
     result.labels[space.surfaces[c]].push_back(labels[c]);
