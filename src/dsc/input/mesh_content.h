@@ -9,6 +9,8 @@
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 
+#include <string>
+
 namespace dsc {
 
 /// The contents of a file of tetrahedra other than points and labels. Arrays are ordered by the
@@ -22,13 +24,18 @@ struct Mesh_content
   bool is_empty() const;
 };
 
+/// Returns the arrays of a file that can follow changes of a complex.
+/// \param unused receives the others: numbers of points and cells, and arrays with names of computed
+/// arrays
+Mesh_arrays carried_arrays(Mesh_arrays arrays, Unused_content& unused);
+
 /// Returns the content of a mesh for the complex that was built from it.
-/// \param unused receives the content that cannot follow changes of the complex: edges and
-/// triangles that are not in the complex, arrays of integers that differ nearly everywhere, and
-/// arrays with names of computed arrays
+/// \param format extension of the output file: `vtu` for arrays, `mesh` for entities
+/// \param unused receives the rest of the file: what this format cannot store, and what cannot follow
+/// changes of the complex, such as edges that are not in the complex
 Mesh_content content_of(Labeled_tetrahedra mesh,
                         const CGAL::Deformable_simplicial_complex_3<>& complex,
-                        Unused_content& unused);
+                        const std::string& format, Unused_content& unused);
 
 /// Replaces the vertex indices of edges, triangles, corners and required vertices by new indices.
 void renumber_vertices(Mesh_entities& entities, const std::vector<std::size_t>& new_indices);

@@ -5,6 +5,9 @@
 #include "motions/tracked_complex_3.h"
 
 #include "input/files.h"
+#include "input/unused.h"
+#include "motions/arrays_on.h"
+#include "motions/saved_arrays.h"
 #include "motions/tracked_whole_impl.h"
 #include "output/angle_statistics.h"
 #include "output/picture.h"
@@ -19,6 +22,7 @@
 #include <CGAL/Mesh_support/coordinates.h>
 
 #include <array>
+#include <optional>
 #include <utility>
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
@@ -77,9 +81,48 @@ subdivided_velocities(DSC::Interface_surface_3<Tracked_complex_3::Complex> surfa
 
 } // namespace
 
+void Tracked_complex_3::carry(Mesh_arrays carried) {
+  m_carried = std::move(carried);
+  arrays.of_cells = [this] { return m_carried; };
+}
+
+void Tracked_complex_3::grow_domain() {
+  const std::optional<Labeled_tetrahedra> before =
+      carries_arrays() ? std::make_optional(tetrahedra_of(complex, m_carried)) : std::nullopt;
+  Tracked_whole::grow_domain();
+  if (before)
+    m_carried = arrays_on(complex, *before);
+}
+
+void Tracked_complex_3::keep() {
+  Tracked_whole::keep();
+  m_kept_arrays = m_carried;
+}
+
+void Tracked_complex_3::forget() {
+  Tracked_whole::forget();
+  m_kept_arrays.reset();
+}
+
+void Tracked_complex_3::go_back() {
+  Tracked_whole::go_back();
+  if (m_kept_arrays)
+    m_carried = std::move(*m_kept_arrays);
+  m_kept_arrays.reset();
+}
+
+void Tracked_complex_3::write_checkpoint(const std::string& path,
+                                         const std::string& metadata) const {
+  Tracked_whole::write_checkpoint(path, with_arrays(metadata, m_carried));
+}
+
 void Tracked_complex_3::write(const std::string& path) const {
   require_extension(path, {"off", "obj", "ply", "stl", "vtu", "mesh", "png"});
   const std::string format = extension(path);
+  if (format != "vtu" && format != "png")
+    for (const auto* list : {&m_carried.points, &m_carried.cells})
+      for (const DSC::Mesh_array& array : *list)
+        print_note(path, "does not contain the array '" + array.name + "'; write .vtu");
   if (format == "vtu")
     write_volume_vtu(path);
   else if (format == "png")

@@ -42,9 +42,19 @@ public:
                                                       const Labeled_tetrahedra& mesh);
 
   Step_outcome advance(const Step_options& options, double time, unsigned threads) override;
+  void grow_domain() override;
+  void keep() override;
+  void forget() override;
+  void go_back() override;
   Statistics statistics() const override;
+  void write_checkpoint(const std::string& path, const std::string& metadata) const override;
   void write(const std::string& path) const override;
   void write_subdivided(const std::string& path, int subdivisions) const override;
+
+  /// Carries arrays through all changes of the complex, and writes them to its files.
+  /// \param carried by increasing time stamps of the vertices and cells
+  void carry(Mesh_arrays carried);
+  bool carries_arrays() const { return !m_carried.points.empty() || !m_carried.cells.empty(); }
 
   /// Improves the tetrahedra. The interface and the boundary keep their shape.
   /// \param content the content of the vertices and cells, which is updated: entities are
@@ -54,6 +64,10 @@ public:
 
   /// Writes the tetrahedra (.mesh, .vtu) with their content.
   void write(const std::string& path, const Mesh_content& content) const;
+
+private:
+  Mesh_arrays m_carried;
+  std::optional<Mesh_arrays> m_kept_arrays; // for go_back()
 };
 
 } // namespace dsc

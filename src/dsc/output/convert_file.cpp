@@ -26,6 +26,7 @@
 #include <cstddef>
 #include <fstream>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace dsc {
@@ -80,12 +81,16 @@ void convert_tetrahedra(const std::string& input, const std::string& output,
                  {"vtu", "mesh", "off", "obj", "ply", "stl", "png", "vtk"});
   Labeled_tetrahedra mesh = read_tetrahedra(input, labels);
   const auto complex = Tracked_complex_3::from_mesh(input, mesh);
-  mesh.leave_out_arrays();
-  mesh.leave_out_entities();
-  print_unused(input, mesh.unused);
   const bool is_foreign_format = extension(output) == "vtk";
   const std::string path = is_foreign_format ? temporary_file("cells.vtu") : output;
-  complex->write(path);
+  Unused_content unused;
+  const Mesh_content content =
+      content_of(std::move(mesh), complex->complex, extension(path), unused);
+  print_unused(input, unused);
+  if (is_one_of(extension(path), {"vtu", "mesh"}))
+    complex->write(path, content);
+  else
+    complex->write(path);
   if (is_foreign_format)
     write_foreign(path, output);
 }
