@@ -3,7 +3,9 @@
 import os
 import pathlib
 import re
+import struct
 import subprocess
+import zlib
 
 import pytest
 
@@ -11,7 +13,7 @@ DSC = os.environ["DSC_PROGRAM"]
 HAS_VTK = (pathlib.Path(DSC).parent / "dsc-files").exists()
 MANUAL = pathlib.Path(__file__).parents[2] / "doc/Dsc_program/Dsc_program.txt"
 COLUMNS = ("geometry", "labels", "arrays")
-WITH_VTK = {".vtk", ".csv", ".geojson"}
+NATIVE = {".off", ".obj", ".ply", ".stl", ".mesh", ".vtu", ".inr", ".wkt", ".poly", ".pgm", ".png", ".svg", ".dsc"}
 
 
 def table():
@@ -34,10 +36,26 @@ def text(rows):
     return "".join(" ".join(map(str, row)) + "\n" for row in rows)
 
 
-def vtu():
-    def array(kind, name, rows, components=1):
-        return f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{components}">{text(rows)}</DataArray>'
+def array(kind, name, rows, components=1):
+    return (
+        f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{components}" format="ascii">'
+        f"{text(rows)}</DataArray>"
+    )
 
+
+def vtp():
+    return (
+        '<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian"><PolyData>'
+        '<Piece NumberOfPoints="4" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys="4">'
+        + f"<PointData>{array('Float64', 'heat', [(7,)] * 4)}</PointData>"
+        + f"<Points>{array('Float64', 'Points', POINTS, 3)}</Points><Polys>"
+        + array("Int64", "connectivity", FACES)
+        + array("Int64", "offsets", [(3,), (6,), (9,), (12,)])
+        + "</Polys></Piece></PolyData></VTKFile>"
+    )
+
+
+def vtu():
     return (
         '<VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian"><UnstructuredGrid>'
         '<Piece NumberOfPoints="8" NumberOfCells="6"><PointData>'
@@ -57,10 +75,30 @@ def vtu():
 
 def inr():
     header = "#INRIMAGE-4#{\nXDIM=4\nYDIM=4\nZDIM=4\nVDIM=1\nTYPE=unsigned fixed\nPIXSIZE=8 bits\nCPU=decm\nVX=1\nVY=1\nVZ=1\n"
-    voxels = bytes(9 if {x, y, z} <= {1, 2} else 0 for z in range(4) for y in range(4) for x in range(4))
-    return (header.ljust(252, "\n") + "##}\n").encode() + voxels
+    return (header.ljust(252, "\n") + "##}\n").encode() + VOXELS
 
 
+def png():
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    rows = b"".join(b"\0" + PIXELS[4 * y : 4 * y + 4] for y in range(4))
+    header = struct.pack(">2I5B", 4, 4, 8, 0, 0, 0, 0)
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b"")
+
+
+def meshb():
+    """Returns the cube in version 2 of the format: each section begins with the place of the next one."""
+    vertices = b"".join(struct.pack("<3di", *p, 0) for p in CUBE)
+    cells = b"".join(struct.pack("<5i", *(v + 1 for v in t), 3) for t in TETRAHEDRA)
+    result = struct.pack("<2i3i", 1, 2, 3, 20, 3)
+    for keyword, number, data in (4, 8, vertices), (8, 6, cells):
+        result += struct.pack("<3i", keyword, len(result) + 12 + len(data), number) + data
+    return result + struct.pack("<2i", 54, 0)
+
+
+VOXELS = bytes(9 if {x, y, z} <= {1, 2} else 0 for z in range(4) for y in range(4) for x in range(4))
+PIXELS = bytes(5 if 4 < i < 11 and i % 4 in (1, 2) else 0 for i in range(16))
 STL = "".join(
     "facet normal 0 0 0\nouter loop\n"
     + "".join("vertex {} {} {}\n".format(*POINTS[v]) for v in face)
@@ -85,23 +123,43 @@ SAMPLES = {
     ".inr": inr(),
     ".wkt": "POLYGON((0 0,1 0,1 1,0 1,0 0))\n",
     ".poly": "4 2 1 0\n0 0 0 3.5\n1 1 0 3.5\n2 1 1 3.5\n3 0 1 3.5\n4 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n0\n1\n0 .5 .5 4\n",
-    ".pgm": b"P5 4 4 255\n" + bytes(5 if 4 < i < 11 and i % 4 in (1, 2) else 0 for i in range(16)),
+    ".pgm": b"P5 4 4 255\n" + PIXELS,
+    ".ppm": b"P6\n4 4\n255\n" + bytes(x for pixel in PIXELS for x in (pixel, pixel, 0)),
+    ".png": png(),
+    ".vtp": vtp(),
+    ".meshb": meshb(),
+    ".nrrd": b"NRRD0004\ntype: uint8\ndimension: 3\nsizes: 12 4 4\nspacings: 1 1 1\nencoding: raw\n\n"
+    + b"".join(VOXELS[4 * i : 4 * i + 4] + bytes(8) for i in range(16)),
+    ".msh": "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n8\n"
+    + text((i + 1,) + p for i, p in enumerate(CUBE))
+    + "$EndNodes\n$Elements\n6\n"
+    + text((i + 1, 4, 2, 3, 1) + tuple(v + 1 for v in t) for i, t in enumerate(TETRAHEDRA))
+    + '$EndElements\n$ElementData\n1\n"density"\n1\n0.0\n3\n0\n1\n1\n1 2.5\n$EndElementData\n',
+    ".pcd": "VERSION .7\nFIELDS x y z heat\nSIZE 4 4 4 4\nTYPE F F F F\nCOUNT 1 1 1 1\nWIDTH 3\nHEIGHT 1\n"
+    "POINTS 3\nDATA ascii\n0 0 0 4\n1 0 0 4\n0 1 0 4\n",
     ".csv": "x,y,z,heat\n0,0,0,4\n1,0,0,4\n0,1,0,4\n",
     ".geojson": '{"type":"FeatureCollection","features":[{"type":"Feature","properties":{"heat":3},'
     f'"geometry":{{"type":"Polygon","coordinates":[{POLYGON}]}}}}]}}',
 }
-LABELS = {".mesh": 3, ".vtu": 3, ".vtk": 3, ".dsc": 3, ".inr": 9, ".poly": 4, ".pgm": 5}
-VOLUMES = {".off": 1 / 6, ".obj": 1 / 6, ".ply": 1 / 6, ".stl": 1 / 6, ".inr": 8, ".pgm": 4}
+VOXEL_IMAGES = (".inr", ".vti", ".nii", ".mha", ".tif", ".nrrd")
+CELL_FORMATS = (".mesh", ".vtu", ".vtk", ".dsc", ".meshb", ".msh")
+LABELS = dict.fromkeys(VOXEL_IMAGES, 9) | dict.fromkeys(CELL_FORMATS, 3)
+LABELS |= {".poly": 4, ".pgm": 5, ".png": 5, ".ppm": 1}  # .ppm: the colors in their order
+VOLUMES = dict.fromkeys((".off", ".obj", ".ply", ".stl", ".vtp"), 1 / 6) | dict.fromkeys(VOXEL_IMAGES, 8)
+VOLUMES |= dict.fromkeys((".pgm", ".png", ".ppm"), 4)
 # What the program names if it does not use the arrays of a format
 NAMED = {
     ".off": "4 colors of points",
     ".ply": "4 values 'heat' of points",
     ".poly": "4 point attributes",
     ".csv": "1 column (heat)",
+    ".pcd": "1 column (heat)",
+    ".vtp": "1 point array (heat)",
+    ".msh": "1 view with values",
     ".geojson": "1 properties of features",
 }
-# A format that can be converted to a format, and a format that is then read
-SOURCES = {".vtk": ".vtu", ".svg": ".poly", ".png": ".dsc", ".dsc": ".vtu", ".vtp": ".off"}
+# The formats from which the program writes the samples of other formats
+SOURCES = {".vtk": ".vtu", ".vti": ".inr", ".nii": ".inr", ".mha": ".inr", ".tif": ".inr"}
 
 
 def run(*arguments):
@@ -109,7 +167,7 @@ def run(*arguments):
 
 
 def need(name):
-    if name in WITH_VTK and not HAS_VTK:
+    if name not in NATIVE and not HAS_VTK:
         pytest.skip("dsc-files is not built: VTK is missing")
 
 
@@ -173,10 +231,12 @@ def require(column, name, path, tmp_path):
 @pytest.mark.parametrize(("name", "column"), CELLS)
 def test_what_is_read(name, column, sample, tmp_path):
     cell = TABLE[name][column]
-    if cell == "written":
+    if "read" not in TABLE[name]["geometry"]:
         return
     path = sample(name)
-    if name == ".csv":  # points only
+    if name == ".msh" and "without Gmsh" in run("info", path).stderr:
+        pytest.skip("Gmsh is missing")
+    if name in (".csv", ".pcd"):  # points only
         output = run("reconstruct", path, "-o", tmp_path / "out.off")
         assert (NAMED[name] if column == "arrays" else "points") in output.stderr
         return
@@ -195,13 +255,13 @@ def test_what_is_written(name, column, sample, tmp_path):
     path = tmp_path / f"written{name}"
     if name == ".dsc":
         return require(column, name, sample(name), tmp_path)
-    in_plane, is_image = name in (".wkt", ".poly", ".svg"), name == ".inr"
-    source = ".poly" if in_plane else name if is_image else ".vtu" if name == ".vtk" else ".dsc"
+    in_plane, is_image = name in (".wkt", ".poly", ".svg"), name in VOXEL_IMAGES
+    source = ".poly" if in_plane else ".inr" if is_image else {".vtk": ".vtu", ".vtp": ".off"}.get(name, ".dsc")
     assert run("convert", sample(source), path).returncode == 0
     if name in (".svg", ".png"):
         assert path.stat().st_size > 500
     elif name in (".off", ".obj", ".ply", ".stl"):
-        assert measure(path) == pytest.approx(1, rel=1e-5)
+        assert measure(path) == pytest.approx(1, rel=1e-5)  # the cube
     else:
         require(column, name, path, tmp_path)
 

@@ -83,7 +83,7 @@ TEST_F(Inputs, may_be_inequalities_of_any_length) {
     ASSERT_EQ(result.size(), 2u);
     EXPECT_NEAR(result.at(1), 1.481, .01);
     const std::string name(length, 'a');
-    for (const char* extension : {".off", ".vtu", ".msh", ".inr", ".wkt"})
+    for (const char* extension : {".off", ".vtu", ".msh", ".inr"})
       expect_refusal(name + extension, 1, "cannot open " + name);
   }
 }
