@@ -176,6 +176,16 @@ TEST_F(Arrays, follow_motions) {
   }
 }
 
+TEST_F(Arrays, on_points_are_on_the_interface) {
+  moved("offset layers.vtu --distance 0.02 --steps 1", "1");
+  const Vtu_reader file(path("out/interface_000000.vtu").string());
+  const std::vector<double> p = file.array("Points", "", file.number_of_points(), 3),
+                            heat = file.array("PointData", "heat", file.number_of_points());
+  ASSERT_FALSE(heat.empty());
+  for (std::size_t i = 0; i < heat.size(); ++i)
+    EXPECT_NEAR(heat[i], 2 * p[3 * i] + p[3 * i + 2], 1e-6);
+}
+
 TEST_F(Arrays, that_cannot_follow_are_told) {
   EXPECT_EQ(run("offset layers.vtu --labels material --distance 0.01 --steps 1").err,
             "dsc: layers.vtu: not used: 1 array of cell numbers, which change ('id'), 1 array of "

@@ -15,15 +15,19 @@
 #include "programs/option_values.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
 #include <CGAL/Interface_remeshing/extract_interface_3.h>
 #include <CGAL/Interface_remeshing/subdivide_interface_3.h>
 #include <CGAL/Mesh_files/MEDIT_3.h>
+#include <CGAL/Mesh_files/VTU_3.h>
 #include <CGAL/Mesh_files/labeled_surface_3.h>
 #include <CGAL/Mesh_support/coordinates.h>
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
@@ -109,6 +113,19 @@ void Tracked_complex_3::go_back() {
   if (m_kept_arrays)
     m_carried = std::move(*m_kept_arrays);
   m_kept_arrays.reset();
+}
+
+void Tracked_complex_3::write_interface_vtu(const std::string& path) const {
+  if (m_carried.points.empty())
+    return Tracked_whole::write_interface_vtu(path);
+  const DSC::Vertex_numbers numbers(complex, complex.vertices());
+  std::vector<std::size_t> rows;
+  for (const auto v : complex.interface_vertices())
+    rows.push_back(numbers(v));
+  Mesh_arrays on_interface;
+  for (const DSC::Mesh_array& array : m_carried.points)
+    on_interface.points.push_back(array.selected(rows));
+  CGAL::IO::write_interface_VTU(path, complex, on_interface);
 }
 
 void Tracked_complex_3::write_checkpoint(const std::string& path,

@@ -47,6 +47,7 @@ public:
   void forget() override;
   void go_back() override;
   Statistics statistics() const override;
+  void write_interface_vtu(const std::string& path) const override;
   void write_checkpoint(const std::string& path, const std::string& metadata) const override;
   void write(const std::string& path) const override;
   void write_subdivided(const std::string& path, int subdivisions) const override;
