@@ -240,6 +240,8 @@ Mesh_at_rest::Mesh_at_rest(const std::string& path, Labeled_tetrahedra& mesh) {
   }
 }
 
+Mesh_at_rest::Mesh_at_rest(const State& state) { assign_part(m_complex, finite_state(state)); }
+
 Mesh_content Mesh_at_rest::content(Labeled_tetrahedra mesh, const std::string& format,
                                    Unused_content& unused) const {
   return content_of(std::move(mesh), m_complex, m_vertices, format, unused);

@@ -9,6 +9,8 @@
 #include "output/statistics.h"
 #include "programs/threads_option.h"
 
+#include <CGAL/Deformable_simplicial_complexes/State.h>
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,7 +25,8 @@ struct Improvement_options
   unsigned threads = default_number_of_threads();
 };
 
-/// The labeled tetrahedra of a file, which do not move. They are the domain and can have any shape.
+/// Labeled tetrahedra, for example of a file, which do not move. They are the domain and can have
+/// any shape.
 class Mesh_at_rest
 {
 public:
@@ -31,6 +34,9 @@ public:
   /// \param mesh the tetrahedra; points at which the domain touches itself are copied
   /// \throws Input_error if the tetrahedra do not define a complex
   Mesh_at_rest(const std::string& path, Labeled_tetrahedra& mesh);
+
+  /// Copies the tetrahedra of a complex, which has the state.
+  explicit Mesh_at_rest(const CGAL::Deformable_simplicial_complexes::State<3>& state);
 
   /// Returns the content of the mesh that changes of the complex preserve, see content_of().
   Mesh_content content(Labeled_tetrahedra mesh, const std::string& format,
