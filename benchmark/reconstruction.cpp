@@ -1,5 +1,5 @@
-// Reconstructs solids from points of known surfaces by this package and by two methods of CGAL, and
-// prints a row of a table for each method.
+// Reconstructs solids and sheets from points of known surfaces by this package and by two methods
+// of CGAL, and prints a row of a table for each method.
 
 #include "Triangle_distances.h"
 #include "clouds.h"
@@ -13,6 +13,7 @@
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Solid_reconstruction_3/reconstruct_point_set_3.h>
+#include <CGAL/Solid_reconstruction_3/reconstruct_sheet_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/compute_average_spacing.h>
 #include <CGAL/jet_estimate_normals.h>
@@ -59,7 +60,7 @@ using Method = std::function<Reconstruction(const std::vector<Point>&)>;
 Reconstruction by_complex(const std::vector<Point>& points, unsigned threads) {
   CGAL::Deformable_simplicial_complexes::Reconstruction_report_3<Complex> report;
   const Complex complex = DSC::reconstruct_point_set_3<Complex>(
-      points, parameters::number_of_threads(threads).keep_open(true).report(std::ref(report)));
+      points, parameters::number_of_threads(threads).report(std::ref(report)));
   Reconstruction result;
   DSC::interface_to_surface_mesh(DSC::extract_interface(complex), result.mesh);
   const auto tell = [&](std::size_t number, const char* what) {
@@ -93,16 +94,34 @@ Reconstruction by_poisson(const std::vector<Point>& points) {
   return result;
 }
 
+Reconstruction of_soup(std::vector<Point> points,
+                       std::vector<std::array<std::size_t, 3>> triangles) {
+  namespace PMP = CGAL::Polygon_mesh_processing;
+  PMP::orient_polygon_soup(points, triangles);
+  Reconstruction result;
+  PMP::polygon_soup_to_polygon_mesh(points, triangles, result.mesh);
+  return result;
+}
+
+Reconstruction by_sheet(const std::vector<Point>& points, unsigned threads) {
+  CGAL::Deformable_simplicial_complexes::Sheet_report_3 report;
+  const auto sheet = DSC::reconstruct_sheet_3(
+      points, parameters::number_of_threads(threads).report(std::ref(report)));
+  std::vector<Point> used;
+  for (const auto& p : sheet.points)
+    used.emplace_back(p.x(), p.y(), p.z());
+  Reconstruction result = of_soup(used, sheet.triangles);
+  result.told = std::to_string(report.number_of_components) + " components, " +
+                std::to_string(report.number_of_boundaries) + " boundaries, " +
+                (report.is_complete ? "complete" : "not complete");
+  return result;
+}
+
 Reconstruction by_advancing_front(const std::vector<Point>& points) {
   std::vector<std::array<std::size_t, 3>> triangles;
   CGAL::advancing_front_surface_reconstruction(points.begin(), points.end(),
                                                std::back_inserter(triangles));
-  std::vector<Point> used = points;
-  namespace PMP = CGAL::Polygon_mesh_processing;
-  PMP::orient_polygon_soup(used, triangles);
-  Reconstruction result;
-  PMP::polygon_soup_to_polygon_mesh(used, triangles, result.mesh);
-  return result;
+  return of_soup(points, triangles);
 }
 
 /// Root mean square and maximum.
@@ -211,7 +230,7 @@ struct Options
   unsigned seed = 1, threads = 1;
   std::size_t points = 20000;
   double width = 0; // in spacings
-  bool with_peers = false;
+  bool is_open = false, with_peers = false;
 };
 
 Cloud make_cloud(const Options& options) {
@@ -284,12 +303,15 @@ int main(int argc, char** argv) {
   app.add_option("--width", options.width,
                  "Of what the cloud is named for, in mean distances of a point from its neighbors");
   app.add_option("--threads", options.threads);
+  app.add_flag("--open", options.is_open, "Reconstruct an open sheet");
   app.add_flag("--peers", options.with_peers, "Measure CGAL's Poisson and advancing front, too");
   CLI11_PARSE(app, argc, argv);
   const Cloud cloud = make_cloud(options);
   const std::string row = name_of_row(options);
-  measure(row, cloud, "this package",
-          [&](const auto& points) { return by_complex(points, options.threads); });
+  measure(row, cloud, "this package", [&](const auto& points) {
+    return options.is_open ? by_sheet(points, options.threads)
+                           : by_complex(points, options.threads);
+  });
   if (options.with_peers) {
     measure(row, cloud, "Poisson", by_poisson);
     measure(row, cloud, "advancing front", by_advancing_front);

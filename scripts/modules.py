@@ -118,6 +118,7 @@ MODULES = {
     "Solid_reconstruction_3": {
         "clouds": "point clouds: neighbors, local planes, sides",
         "reconstruction": "octree shell, approach to the points, sharp edges, checks of the result",
+        "sheets": "advancing front, seams and checks of sheets",
     },
     "Cut_loci_2": {"geodesics": "geodesics, their intersections, checks of cut loci"},
     "Incompressible_fluids_3": {

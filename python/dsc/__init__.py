@@ -54,7 +54,7 @@ from ._progress import ProgressLine
 from ._report import Cells, Changes, Grain, Interface, LabelChange, Report, TopologyEvent
 from ._segmentation import Boundary, Phase, Segmentation, segment
 from ._solids import Body, Motion
-from ._surfaces import CutLocus, Reconstruction, cut_locus, reconstruct
+from ._surfaces import CutLocus, Reconstruction, Sheet, cut_locus, reconstruct, reconstruct_sheet
 from ._tori import Torus, Torus2, Torus3
 from ._values import Values
 
@@ -102,6 +102,7 @@ __all__ = [
     "Report",
     "Scheme",
     "Segmentation",
+    "Sheet",
     "Side",
     "Source",
     "Tension",
@@ -117,5 +118,6 @@ __all__ = [
     "Voronoi",
     "cut_locus",
     "reconstruct",
+    "reconstruct_sheet",
     "segment",
 ]

@@ -1,4 +1,4 @@
-"""Reconstruction of solids from points, and cut loci of surfaces."""
+"""Reconstruction of solids and sheets from points, and cut loci of surfaces."""
 
 from __future__ import annotations
 
@@ -51,7 +51,6 @@ def reconstruct(
     normals: npt.ArrayLike | None = None,
     *,
     tolerance: float | None = None,
-    keep_open: bool | None = None,
     maximum_steps: int | None = None,
     threads: int | None = None,
     progress: Progress | None = None,
@@ -62,12 +61,10 @@ def reconstruct(
     normals: of any length and sign, shape (n, 3); normals that are 0 or not finite are estimated. By
         default, all normals are estimated.
     tolerance: of the interface to the points, in spacings; default 0.03
-    keep_open: whether points of an open sheet are accepted. The solid is closed by
-        `facets_without_points`.
     maximum_steps: largest number of steps
     threads: number of threads; the result does not depend on it
 
-    Raises `InvalidPointsError` if the points are not finite or enclose no solid.
+    Raises `InvalidPointsError` if the points are not finite, enclose no solid or sample an open sheet.
     """
     options = _given(locals(), "points", "normals")
     _not_masked(points, "points")
@@ -75,6 +72,64 @@ def reconstruct(
     directions = None if normals is None else np.asarray(normals, dtype=float)
     compiled, report = _dsc.reconstruct(positions, directions, options, progress)
     return Reconstruction(Complex3(compiled), **report)
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """Result of `reconstruct_sheet()`. Lengths are in the unit of the points."""
+
+    points: Points
+    """Vertices of the sheet, shape (n, 3)."""
+    triangles: Indices
+    """Triangles of the sheet as indices into `points`, shape (m, 3)."""
+    complete: bool
+    """Whether there are no `unfit_points` and no `doubtful_places`."""
+    components: int
+    """Number of connected components of the sheet."""
+    euler_characteristic: int
+    """Euler characteristic of the sheet."""
+    boundaries: int
+    """Number of connected components of the boundary."""
+    boundary_length: float
+    """Length of all boundaries."""
+    orientable: bool
+    """Whether the sheet has two sides."""
+    used_points: int
+    """Number of points without duplicates and outliers."""
+    duplicates: int
+    """Number of points that are equal to others."""
+    outliers: int
+    """Number of points that were not used, since they do not lie on the surface."""
+    spacing: float
+    """Mean distance of the points from their six nearest neighbors."""
+    noise: float
+    """Median distance of the points from quadrics through their neighbors."""
+    root_mean_square: float
+    """Root mean square of the distances of the points from the sheet."""
+    maximum_distance: float
+    """Largest distance of a point from the sheet."""
+    unfit_points: Indices
+    """Points that are farther from the sheet than half a spacing and six times the noise."""
+    doubtful_places: Points
+    """Places where the sheet contradicts the points, shape (k, 3)."""
+
+
+def reconstruct_sheet(
+    points: npt.ArrayLike,
+    *,
+    threads: int | None = None,
+    progress: Progress | None = None,
+) -> Sheet:
+    """Reconstructs a surface with boundaries from points on it, such as a terrain.
+
+    points: shape (n, 3)
+    threads: number of threads; the result does not depend on it
+
+    Raises `InvalidPointsError` if the points are not finite or sample no surface.
+    """
+    options = _given(locals(), "points")
+    _not_masked(points, "points")
+    return Sheet(**_dsc.reconstruct_sheet(np.asarray(points, dtype=float), options, progress))
 
 
 @dataclass(frozen=True)

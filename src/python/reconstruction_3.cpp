@@ -8,6 +8,7 @@
 #include "options.h"
 
 #include <CGAL/Solid_reconstruction_3/compiled_3.h>
+#include <CGAL/Solid_reconstruction_3/reconstruct_sheet_3.h>
 
 #include <memory>
 #include <utility>
@@ -46,13 +47,20 @@ std::vector<std::size_t> facets_without_points(const Report& report, const Compl
   return result;
 }
 
-py::dict report_to_dict(const Report& report, const Complex& complex) {
-  const auto indices = [](const std::vector<std::size_t>& values) {
-    return array_of<std::int64_t>(values.size(), [&](std::size_t i) { return values[i]; });
-  };
+py::object indices(const std::vector<std::size_t>& values) {
+  return array_of<std::int64_t>(values.size(), [&](std::size_t i) { return values[i]; });
+}
+
+/// Points are in units of the user already.
+template <class Points> py::object coordinates(const Points& points) {
+  return array_of<double>(points.size(), 3,
+                          [&](std::size_t i, std::size_t j) { return points[i][int(j)]; });
+}
+
+/// Returns the entries that the reports of solids and sheets share.
+template <class Any_report> py::dict common_entries(const Any_report& report) {
   py::dict result;
   result["complete"] = report.is_complete;
-  result["steps"] = report.number_of_steps;
   result["used_points"] = report.number_of_points;
   result["duplicates"] = report.number_of_duplicates;
   result["outliers"] = report.number_of_outliers;
@@ -61,12 +69,14 @@ py::dict report_to_dict(const Report& report, const Complex& complex) {
   result["root_mean_square"] = report.root_mean_square;
   result["maximum_distance"] = report.maximum_distance;
   result["unfit_points"] = indices(report.unfit_points);
-  // In units of the user already.
-  result["doubtful_places"] =
-      array_of<double>(report.doubtful_places.size(), 3, [&](std::size_t i, std::size_t j) {
-        return report.doubtful_places[i][int(j)];
-      });
-  result["facets_without_points"] = indices(facets_without_points(report, complex));
+  result["doubtful_places"] = coordinates(report.doubtful_places);
+  return result;
+}
+
+DSC::internal::Collected_points points_of(const Array<double>& array) {
+  DSC::internal::Collected_points result;
+  for (const auto& row : rows_of<double, 3>(array, "points"))
+    result.points.emplace_back(row[0], row[1], row[2]);
   return result;
 }
 
@@ -76,9 +86,7 @@ py::tuple reconstruct(const Array<double>& points, const py::object& normals,
   Options(options).read_all(
       reconstruction, {{"fit_tolerance", "tolerance"}, {"number_of_iterations", "maximum_steps"}});
   reconstruction.check();
-  DSC::internal::Collected_points cloud;
-  for (const auto& row : rows_of<double, 3>(points, "points"))
-    cloud.points.emplace_back(row[0], row[1], row[2]);
+  DSC::internal::Collected_points cloud = points_of(points);
   cloud.normals = normals_of(normals, cloud.points.size());
   Report report;
   reconstruction.report = &report;
@@ -89,12 +97,42 @@ py::tuple reconstruct(const Array<double>& points, const py::object& normals,
     result = std::make_unique<Complex_object<Complex>>(
         DSC::internal::reconstruct_collected(cloud, reconstruction));
   }
-  py::dict dictionary = report_to_dict(report, result->read());
+  py::dict dictionary = common_entries(report);
+  dictionary["steps"] = report.number_of_steps;
+  dictionary["facets_without_points"] = indices(facets_without_points(report, result->read()));
   return py::make_tuple(py::cast(std::move(result)), dictionary);
+}
+
+py::dict reconstruct_sheet(const Array<double>& points, const py::dict& options,
+                           const py::object& progress) {
+  DSC::Sheet_options_3 reconstruction;
+  Options(options).read_all(reconstruction, {});
+  const DSC::internal::Collected_points cloud = points_of(points);
+  DSC::Sheet_report_3 report;
+  reconstruction.report = &report;
+  DSC::Reconstructed_sheet_3 sheet;
+  {
+    const Long_function function(progress);
+    sheet = DSC::internal::reconstruct_sheet(cloud, reconstruction);
+  }
+  py::dict result = common_entries(report);
+  result["points"] = coordinates(sheet.points);
+  result["triangles"] =
+      array_of<std::int64_t>(sheet.triangles.size(), 3,
+                             [&](std::size_t i, std::size_t j) { return sheet.triangles[i][j]; });
+  result["components"] = report.number_of_components;
+  result["euler_characteristic"] = report.euler_characteristic;
+  result["boundaries"] = report.number_of_boundaries;
+  result["boundary_length"] = report.boundary_length;
+  result["orientable"] = report.is_orientable;
+  return result;
 }
 
 } // namespace
 
-void bind_reconstruction_3(py::module_& module) { module.def("reconstruct", &reconstruct); }
+void bind_reconstruction_3(py::module_& module) {
+  module.def("reconstruct", &reconstruct);
+  module.def("reconstruct_sheet", &reconstruct_sheet);
+}
 
 } // namespace dsc_python

@@ -61,9 +61,35 @@ TEST_F(Reconstruction, tells_outliers_and_refuses_open_sheets) {
   const Outcome refused = run(command);
   EXPECT_EQ(refused.exit_code, 1);
   EXPECT_PRED2(contains, refused.err, "open sheet");
-  EXPECT_EQ(run(command + " --open").exit_code, 0);
-  EXPECT_TRUE(fs::exists(path("hills.off")));
-  EXPECT_EQ(run(command + " --open --picture " + path("hills.png").string()).exit_code, 2);
+  const Outcome opened = run(command + " --open --report " + path("report.json").string());
+  EXPECT_EQ(opened.exit_code, 0) << opened.err;
+  EXPECT_PRED2(contains, opened.out,
+               "900 points, 0 outliers, 1682 triangles, 1 component, Euler characteristic 1, 1 "
+               "boundary");
+  const Json report = Json::parse(contents(path("report.json")));
+  EXPECT_TRUE(report["is_complete"]);
+  EXPECT_EQ(report["boundaries"], 1);
+  const Outcome info = run("info " + path("hills.off").string());
+  EXPECT_PRED2(contains, info.out + info.err, "1682");
+  for (const std::string option : {"--picture a.png", "--steps 3", "--tolerance 1", "--output a"})
+    EXPECT_EQ(run(command + " --open " + option).exit_code, 2) << option;
+}
+
+TEST_F(Reconstruction, tells_where_a_result_is_not_complete) {
+  write("sphere.xyz", sphere(800));
+  const std::string off = " -o " + path("a.off").string();
+  const Outcome moving = run("reconstruct --steps 1 " + path("sphere.xyz").string() + off);
+  EXPECT_EQ(moving.exit_code, 1);
+  EXPECT_PRED2(contains, moving.err, "not complete: the surface still moves after 1 step");
+  EXPECT_TRUE(fs::exists(path("a.off")));
+  // Two planes that cross each other are no manifold.
+  std::ostringstream planes;
+  for (int i = 0; i < 900; ++i)
+    planes << i % 30 << ' ' << i / 30 << " 14.5\n" << i % 30 << " 14.5 " << i / 30 << '\n';
+  write("planes.xyz", planes.str());
+  const Outcome crossing = run("reconstruct --open --quiet " + path("planes.xyz").string() + off);
+  EXPECT_EQ(crossing.exit_code, 1);
+  EXPECT_PRED2(contains, crossing.err, "not complete: the sheet contradicts the points at");
 }
 
 TEST_F(Reconstruction, refuses_points_that_bound_nothing) {

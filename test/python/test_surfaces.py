@@ -34,14 +34,17 @@ def test_open_sheets():
     half = points[points[:, 2] > 0]
     with pytest.raises(dsc.InvalidPointsError):
         dsc.reconstruct(half)
-    result = dsc.reconstruct(half, keep_open=True)
-    facets = result.complex.interface()
-    middles = facets.points[facets.facets[result.facets_without_points]].mean(axis=1)
-    assert len(middles) > 0
-    sheet = np.delete(np.arange(len(facets.facets)), result.facets_without_points)
-    on_torus = np.hypot(np.hypot(*facets.points[facets.facets[sheet]].mean(axis=1).T[:2]) - 2,
-                        facets.points[facets.facets[sheet]].mean(axis=1)[:, 2])  # fmt: skip
-    assert np.median(np.abs(on_torus - 1)) < 0.05
+    sheet = dsc.reconstruct_sheet(half)
+    assert sheet.complete and sheet.orientable
+    assert (sheet.components, sheet.euler_characteristic, sheet.boundaries) == (1, 0, 2)
+    edges = {tuple(sorted(e)) for t in sheet.triangles.tolist() for e in zip(t, t[1:] + t[:1])}
+    assert len(sheet.points) - len(edges) + len(sheet.triangles) == 0
+    assert sheet.boundary_length == pytest.approx(8 * np.pi, rel=0.2)
+    middles = sheet.points[sheet.triangles].mean(axis=1)
+    assert np.max(np.abs(np.hypot(np.hypot(*middles.T[:2]) - 2, middles[:, 2]) - 1)) < 0.05
+    assert sheet.maximum_distance < 0.5 * sheet.spacing
+    with pytest.raises(dsc.InvalidPointsError):
+        dsc.reconstruct_sheet(np.arange(30.0).reshape(10, 3))  # on a line
 
 
 def test_reconstruction_refuses_bad_points():

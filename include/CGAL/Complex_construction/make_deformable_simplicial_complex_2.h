@@ -59,6 +59,7 @@ Complex fill_box(Complex dsc, const Curve_soup_2& soup, const Bbox_2& box,
                  const Construction_options<2>& options, const Label& label) {
   Planar_filling_2 filling = fill_planar_box(soup, box);
   const auto labels = label(filling);
+  filling.locate = nullptr; // releases the triangulation
   if constexpr (!Complex::Domain::has_outside)
     join_sides(box, filling.points, filling.triangles);
   return assign_and_improve(std::move(dsc), filling.points, filling.triangles, labels, options);

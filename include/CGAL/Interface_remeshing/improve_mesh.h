@@ -215,8 +215,10 @@ Improves the cells of a complex (Algorithm 3 of the paper; insertion: Klingner a
 The operations are reconnection, smoothing, collapses, insertion of vertices, and splits of long
 edges. Except for splits, each operation is done only if it raises the worst quality of the cells it
 replaces. If the quality of a cell stays low, the cells around it are improved beyond the threshold,
-to give it room. The interface is bitwise unchanged unless `smooth_interface` is set. Some passes
-over the cells, then n log n in the number of cells below the threshold.
+to give it room, unless the number of cells of low quality has more than doubled. It grows in a mesh
+that is squeezed in a direction, where no operation helps: scale such a mesh. The interface is
+bitwise unchanged unless `smooth_interface` is set. Some passes over the cells, then n log n in the
+number of cells below the threshold.
 
 The quality is that of the complex's quality measure. If dihedral angles are important in 3D, choose
 `Biased_minimum_sine_3`. The result is deterministic: random numbers come from generators with fixed

@@ -15,79 +15,14 @@
 #include <CGAL/Mesh_support/named_parameters.h>
 #include <CGAL/Mesh_support/parameter_values.h>
 #include <CGAL/Solid_reconstruction_3/Reconstruction_report_3.h>
-
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/Solid_reconstruction_3/internal/clouds/Collected_points.h>
 
 #include <cmath>
 #include <cstddef>
 #include <functional>
 #include <type_traits>
-#include <vector>
 
-namespace CGAL {
-
-template <typename Point, typename Vector> class Point_set_3;
-
-namespace Deformable_simplicial_complexes {
-namespace internal {
-
-// Points of any kernel, and their normals. There are no normals, or as many as points.
-struct Collected_points
-{
-  std::vector<Simple_cartesian<double>::Point_3> points;
-  std::vector<Simple_cartesian<double>::Vector_3> normals;
-
-  template <class P> void add_point(const P& p) {
-    points.emplace_back(to_double(p.x()), to_double(p.y()), to_double(p.z()));
-  }
-  template <class V> void add_normal(const V& v) {
-    normals.emplace_back(to_double(v.x()), to_double(v.y()), to_double(v.z()));
-  }
-};
-
-// The points and normals of a range if no maps are given. Only a `Point_set_3` has normals.
-template <class Range> struct Own_maps
-{
-  template <class Key> static void add_point(const Range&, const Key& key, Collected_points& to) {
-    to.add_point(key);
-  }
-  template <class Key> static void add_normal(const Range&, const Key&, Collected_points&) {}
-};
-
-template <class Point, class Vector> struct Own_maps<Point_set_3<Point, Vector>>
-{
-  using Set = Point_set_3<Point, Vector>;
-
-  static void add_point(const Set& set, typename Set::Index i, Collected_points& to) {
-    to.add_point(set.point(i));
-  }
-  static void add_normal(const Set& set, typename Set::Index i, Collected_points& to) {
-    if (set.has_normal_map())
-      to.add_normal(set.normal(i));
-  }
-};
-
-template <class Range, class NamedParameters>
-Collected_points collect_points(const Range& range, const NamedParameters& np) {
-  using CGAL::parameters::get_parameter;
-  using CGAL::parameters::is_default_parameter;
-  Collected_points result;
-  for (const auto& key : range) {
-    Progress_scope::check();
-    if constexpr (is_default_parameter<NamedParameters, CGAL::internal_np::point_t>::value)
-      Own_maps<Range>::add_point(range, key, result);
-    else
-      result.add_point(get(get_parameter(np, CGAL::internal_np::point_map), key));
-    if constexpr (is_default_parameter<NamedParameters, CGAL::internal_np::normal_t>::value)
-      Own_maps<Range>::add_normal(range, key, result);
-    else
-      result.add_normal(get(get_parameter(np, CGAL::internal_np::normal_map), key));
-  }
-  return result;
-}
-
-} // namespace internal
+namespace CGAL::Deformable_simplicial_complexes {
 
 /// \ingroup PkgSolidReconstruction3Ref
 ///
@@ -116,9 +51,6 @@ template <class Complex> struct Reconstruction_options_3
   /// the noise. The target edge length is at least 2 spacings plus 14 times the noise, at sharp
   /// edges at least 3 spacings plus 24 times the noise.
   double fit_tolerance = .03;
-  /// Whether points that sample an open sheet are accepted. The result is still closed. The sheet
-  /// is its interface without `Reconstruction_report_3::facets_without_points`.
-  bool keep_open = false;
   /// Largest number of steps. Long narrow tunnels take many steps.
   unsigned number_of_iterations = 80;
   /// Number of threads if linked with TBB. The result does not depend on it.
@@ -193,9 +125,8 @@ neighbors of each point.
         it.
 \throws Invalid_points_error if coordinates are not finite, the extent of the points is not between
         1e-30 and 1e30, there are fewer than four different points, all points lie in a plane, or
-        the points enclose no volume or a volume that is too thin. Unless `keep_open` is `true`,
-        also if the points sample an open sheet: more than a quarter of the boundary of the enclosed
-        volume has no points.
+        the points enclose no volume or a volume that is too thin. Also if the points sample an
+        open sheet: more than a quarter of the boundary of the enclosed volume has no points.
 \throws Error if a named parameter is out of its range.
 \throws Interrupted_error if the callback of a `Progress_scope` returns `false`.
 
@@ -204,6 +135,8 @@ If an exception is thrown, also by the observer or a map, the report is unchange
 If the Delaunay triangulation of the points has linear size, its construction takes n log n time in
 the number n of points. Each step takes one query for each point and one deformation of the
 interface.
+
+\sa `reconstruct_sheet_3()`
 */
 template <class Complex, class PointRange, class NP = parameters::Default_named_parameters>
 Complex reconstruct_point_set_3(const PointRange& points,
@@ -218,8 +151,7 @@ Complex reconstruct_point_set_3(const PointRange& points,
   }
 }
 
-} // namespace Deformable_simplicial_complexes
-} // namespace CGAL
+} // namespace CGAL::Deformable_simplicial_complexes
 
 // The header of the component Compiled only declares the function.
 #ifndef CGAL_DSC_RECONSTRUCTION_IS_COMPILED

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "commands/commands.h"
+#include "commands/reconstruct_sheet.h"
 #include "input/files.h"
 #include "input/native_file.h"
 #include "input/translations.h"
@@ -16,8 +17,6 @@
 #include "programs/interrupt.h"
 #include "programs/threads_option.h"
 
-#include <CGAL/Interface_remeshing/extract_interface_3.h>
-#include <CGAL/Mesh_files/labeled_surface_3.h>
 #include <CGAL/Mesh_files/point_set_3.h>
 #include <CGAL/Solid_reconstruction_3/compiled_3.h>
 #include <CGAL/property_map.h>
@@ -40,20 +39,6 @@ namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc {
 namespace {
-
-struct Reconstruct_options
-{
-  std::string input;       ///< point file
-  std::string output;      ///< file of a surface or of tetrahedra
-  double tolerance = .03;  ///< in units of the point spacing
-  bool keeps_open = false; ///< writes the sampled sheet, not the closed surface
-  unsigned steps = 80;     ///< maximum number
-  unsigned threads = default_number_of_threads();
-  std::string folder;  ///< output folder of the steps; empty for none
-  std::string report;  ///< file; empty for none
-  std::string picture; ///< file; empty for none
-  bool quiet = false;
-};
 
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 using CGAL::IO::Point_and_normal_3;
@@ -124,42 +109,23 @@ void warn_of_openness(const Reconstruction_report& report, std::size_t triangles
         n, triangles);
 }
 
-/// Prints a warning if the surface contradicts the points.
-void warn_of_doubts(const Reconstruction_report& report) {
-  if (report.doubtful_places.empty())
-    return;
+/// Prints why the result is not complete. Returns the exit code.
+int tell_completeness(const Reconstruction_report& report) {
+  if (report.is_complete)
+    return 0;
+  if (report.doubtful_places.empty()) {
+    std::fprintf(stderr,
+                 "dsc: not complete: the surface still moves after %zu %s; use more --steps\n",
+                 report.number_of_steps, noun(report.number_of_steps, "step", "steps"));
+    return 1;
+  }
   const auto& p = report.doubtful_places.front();
   std::fprintf(stderr,
-               "dsc: the surface contradicts the points at %zu %s, such as (%.6g, %.6g, %.6g): a "
-               "tunnel or component is missing or extra; add points there\n",
+               "dsc: not complete: the surface contradicts the points at %zu %s, such as (%.6g, "
+               "%.6g, %.6g): a tunnel or component is missing or extra; add points there\n",
                report.doubtful_places.size(),
                noun(report.doubtful_places.size(), "place", "places"), p.x(), p.y(), p.z());
-}
-
-/// Returns why the result is not complete, as the end of a message; an empty string if it is
-/// complete.
-const char* what_is_incomplete(const Reconstruction_report& report) {
-  if (report.is_complete)
-    return "";
-  return report.doubtful_places.empty() ? "; not converged" : "; not complete";
-}
-
-/// Writes the triangles that are sampled by points.
-void write_sheet(const std::string& path, const Complex& complex,
-                 const Reconstruction_report& report) {
-  std::vector<Complex::Facet> facets = complex.interface_facets();
-  auto without = report.facets_without_points.begin(); // both lists have the same order
-  facets.erase(std::remove_if(facets.begin(), facets.end(),
-                              [&](const Complex::Facet& f) {
-                                const bool has_none =
-                                    without != report.facets_without_points.end() && f == *without;
-                                without += has_none;
-                                return has_none;
-                              }),
-               facets.end());
-  CGAL::IO::write_interface(
-      path,
-      CGAL::Deformable_simplicial_complexes::internal::interface_surface(complex, facets, false));
+  return 1;
 }
 
 void print_summary(const Reconstruction_report& report, std::size_t normals,
@@ -168,15 +134,14 @@ void print_summary(const Reconstruction_report& report, std::size_t normals,
   std::printf(
       "dsc: %zu points, %zu %s, %zu %s used, %zu triangles, %zu %s, Euler characteristic %d; "
       "distances of points: root mean square %.3g, maximum %.3g (spacing %.3g); %zu unfit %s, %zu "
-      "%s without points%s; %.3g s\n",
+      "%s without points; %.3g s\n",
       report.number_of_points, report.number_of_outliers,
       noun(report.number_of_outliers, "outlier", "outliers"), normals,
       noun(normals, "normal", "normals"), statistics.interface_facets, solid.components,
       noun(solid.components, "component", "components"), solid.euler_characteristic,
       report.root_mean_square, report.maximum_distance, report.spacing, report.unfit_points.size(),
       noun(report.unfit_points.size(), "point", "points"), report.facets_without_points.size(),
-      noun(report.facets_without_points.size(), "triangle", "triangles"),
-      what_is_incomplete(report), seconds);
+      noun(report.facets_without_points.size(), "triangle", "triangles"), seconds);
 }
 
 void write_report(const Reconstruct_options& options, const Reconstruction_report& report,
@@ -206,7 +171,12 @@ int execute(const Reconstruct_options& options) {
   require_extension(input, {"xyz", "pwn", "ply", "off"});
   std::vector<Point_and_normal_3> points = CGAL::IO::read_point_set(input, &unused);
   leave_out_points(points, unused);
+  const std::size_t normals = number_of_normals(points);
+  if (options.is_open)
+    unused.add(noun(normals, "normal", "normals"), normals);
   print_unused(options.input, unused);
+  if (options.is_open)
+    return reconstruct_open_sheet(options, points);
   const auto begin = Clock::now();
   Progress_line progress(options.steps, options.quiet);
   const auto observe = [&](const Complex& complex, std::size_t step) {
@@ -220,7 +190,6 @@ int execute(const Reconstruct_options& options) {
       points, parameters::point_map(CGAL::First_of_pair_property_map<Point_and_normal_3>())
                   .normal_map(CGAL::Second_of_pair_property_map<Point_and_normal_3>())
                   .fit_tolerance(options.tolerance)
-                  .keep_open(options.keeps_open)
                   .number_of_iterations(options.steps)
                   .number_of_threads(options.threads)
                   .observer(observe)
@@ -228,24 +197,18 @@ int execute(const Reconstruct_options& options) {
   progress.clear();
   interruptible.reset();
 
-  if (options.keeps_open)
-    write_sheet(options.output, tracked.complex, report);
-  else
-    tracked.write(options.output);
+  tracked.write(options.output);
   if (!options.picture.empty())
     tracked.write(options.picture);
   const double seconds = seconds_since(begin);
   const Statistics statistics = tracked.statistics();
-  const std::size_t normals = number_of_normals(points);
   if (!options.report.empty())
     write_report(options, report, tracked, normals, seconds);
   if (!options.quiet) {
-    if (!options.keeps_open)
-      warn_of_openness(report, statistics.interface_facets);
-    warn_of_doubts(report);
+    warn_of_openness(report, statistics.interface_facets);
     print_summary(report, normals, statistics, seconds);
   }
-  return 0;
+  return tell_completeness(report);
 }
 
 void check(const Reconstruct_options& options) {
@@ -254,11 +217,8 @@ void check(const Reconstruct_options& options) {
   require_extension(options.output, {"off", "obj", "ply", "stl", "vtu", "mesh"});
   if (!options.picture.empty())
     require_extension(options.picture, {"png"});
-  if (options.keeps_open) {
+  if (options.is_open)
     require_extension(options.output, {"off", "obj", "ply", "stl"});
-    if (!options.picture.empty())
-      throw Usage_error("--picture draws only closed surfaces; leave out --picture or --open");
-  }
 }
 
 } // namespace
@@ -278,8 +238,9 @@ void add_reconstruct(CLI::App& app, int& exit_code) {
             "Tolerance of triangles to their points, in mean distances of a point from its "
             "neighbors")
       ->default_str("0.03");
-  command->add_flag("--open", options->keeps_open,
-                    "Accept points of an open sheet; write only the triangles with points");
+  CLI::Option* open = command->add_flag(
+      "--open", options->is_open,
+      "Reconstruct an open sheet, such as a terrain; its boundaries and holes stay open");
   command->add_option("--steps", options->steps, "Maximum number of steps")
       ->check(CLI::Range(1, INT_MAX))
       ->capture_default_str();
@@ -291,6 +252,8 @@ void add_reconstruct(CLI::App& app, int& exit_code) {
       "JSON file with distances, components, and points and triangles that do not fit");
   command->add_option("--picture", options->picture, "Picture of the surface (.png)");
   command->add_flag("--quiet", options->quiet, "Print only errors");
+  for (const char* name : {"--tolerance", "--steps", "--output", "--picture"})
+    open->excludes(command->get_option(name));
   command->callback([options, &exit_code] {
     check(*options);
     exit_code = execute(*options);

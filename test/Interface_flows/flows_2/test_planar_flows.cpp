@@ -163,6 +163,29 @@ TEST(Make_2, of_long_segments_beside_short_ones) {
   EXPECT_NEAR(dsc.area(1), 3.2 * 3 - .2 * .2, 1e-12);
 }
 
+// The mesh is coarse away from the segments.
+TEST(Make_2, of_few_triangles_for_many_segments) {
+  for (std::size_t n : {1000, 1400, 2000}) {
+    const Complex dsc = make({circle(0, 0, 1, n)});
+    EXPECT_EQ(dsc.interface_vertices().size(), n);
+    EXPECT_LT(dsc.number_of_cells(), 10 * n);
+    EXPECT_GE(smallest_quality(dsc), .3);
+  }
+}
+
+// The bounding boxes of most pairs of segments overlap.
+TEST(Make_2, of_many_long_needles) {
+  constexpr std::size_t n = 3000;
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double angle = 2 * pi * double(i) / n, radius = i % 2 == 0 ? 1 : .1;
+    points.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+  }
+  const Complex dsc = make({polygon(points)});
+  EXPECT_EQ(dsc.interface_vertices().size(), n);
+  EXPECT_NEAR(dsc.area(1), n / 2. * .1 * std::sin(2 * pi / n), 1e-12);
+}
+
 TEST(Make_2, of_polygons_with_holes_in_a_flat_box) {
   CGAL::Polygon_with_holes_2<CGAL::Epick> polygon;
   for (const Point& p : circle(0, 0, .3, 64).points)

@@ -78,6 +78,17 @@ TEST(Improve_mesh, removes_most_bad_cells) {
   EXPECT_GT(report.smoothed, 0u);
 }
 
+// No operation helps in a mesh that is squeezed in a direction.
+TEST(Improve_mesh, gives_squeezed_meshes_up_soon) {
+  Labeled_mesh mesh = grid(4, small_meshes::two_boxes);
+  for (Point& p : mesh.points)
+    p = Point(p.x(), p.y(), 1e-4 * p.z());
+  Complex dsc = make_complex(mesh);
+  const std::size_t before = dsc.number_of_cells();
+  improve(dsc, parameters::default_values());
+  EXPECT_LT(dsc.number_of_cells(), 5 * before);
+}
+
 TEST(Improve_mesh, is_deterministic) {
   const auto run = [] {
     Complex dsc = jittered_grid(4, small_meshes::ball, .45, 2);

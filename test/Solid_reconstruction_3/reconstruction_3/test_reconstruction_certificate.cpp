@@ -67,7 +67,7 @@ struct Torus
 };
 
 TEST(Reconstruction_certificate, finds_balls_on_the_wrong_side) {
-  const internal::Sampled_surface_3 surface(sphere(1000), {}, false, 1);
+  const internal::Sampled_surface_3 surface(sphere(1000), {}, 1);
   EXPECT_GT(surface.known_balls().size(), 100);
   EXPECT_TRUE(internal::misplaced_balls(surface, octahedron(Point(0, 0, 0), 1.2)).empty());
   // A solid at another position does not contain the ball.
@@ -86,7 +86,7 @@ TEST(Reconstruction_certificate, does_not_know_balls_in_holes) {
   for (const Point& p : sphere(2000))
     if (p.z() < .8)
       points.push_back(p);
-  const internal::Sampled_surface_3 surface(points, {}, false, 1);
+  const internal::Sampled_surface_3 surface(points, {}, 1);
   const auto balls = surface.known_balls();
   EXPECT_FALSE(balls.empty());
   for (const auto& ball : balls) {

@@ -75,7 +75,7 @@ TEST(Reconstruction_of_creases, finds_concave_corners) {
     if (face >= 6 || x[0] <= .5 || x[1] <= .5)
       bracket.emplace_back(x[0], x[1], x[2]);
   }
-  const internal::Sampled_surface_3 surface(bracket, {}, false, 1);
+  const internal::Sampled_surface_3 surface(bracket, {}, 1);
   const internal::Crease_planes_3 planes(surface);
   const double a = .4 * surface.cloud().spacing();
   // In the plane of the top, but outside both inner walls.
@@ -96,7 +96,7 @@ TEST(Reconstruction_of_creases, finds_where_planes_meet) {
     x[k % 3] = k % 2;
     cube.emplace_back(x[0], x[1], x[2]);
   }
-  const internal::Sampled_surface_3 surface(cube, {}, false, 1);
+  const internal::Sampled_surface_3 surface(cube, {}, 1);
   const internal::Crease_planes_3 planes(surface);
   const double spacing = surface.cloud().spacing();
   const auto expect = [&](const Place& from, const Place& to) {

@@ -367,6 +367,43 @@ TEST(Surface_repair, unites_parts_that_cross) {
                both + .25 * .25 * (3 - 1.7));
 }
 
+// A torus that overlaps itself around its axis: a regular polygon turned about an axis through it.
+Surface spindle_torus(int meridians, int corners) {
+  Surface surface;
+  const auto point = [&](int i, int j) {
+    const double a = 2 * CGAL_PI * (i % meridians) / meridians,
+                 b = 2 * CGAL_PI * (j % corners) / corners, r = .4 + .5 * std::cos(b);
+    return Point(r * std::cos(a), r * std::sin(a), .5 * std::sin(b));
+  };
+  for (int i = 0; i < meridians; ++i)
+    for (int j = 0; j < corners; ++j) {
+      add(surface, point(i, j), point(i + 1, j), point(i + 1, j + 1));
+      add(surface, point(i, j), point(i + 1, j + 1), point(i, j + 1));
+    }
+  return surface;
+}
+
+TEST(Surface_repair, unites_parts_that_nearly_meet_in_a_point) {
+  Surface surface = spindle_torus(12, 8);
+  const auto report = DSC::repair_surface_3(surface);
+  EXPECT_EQ(report.united_parts, 1u);
+  EXPECT_FALSE(report.is_wrapped);
+  EXPECT_NEAR(report.distance(), 0, 1e-15);
+  EXPECT_NEAR(volume(surface), 1.7, .01); // nearly that of frusta of pyramids
+}
+
+TEST(Surface_repair, unites_parts_that_nearly_coincide) {
+  for (double angle : {1e-15, 1e-12, 1e-10, 1e-8, 1e-4}) {
+    Surface surface = cube(), turned = cube();
+    for (Point& p : turned.points)
+      p = Point(p.x() + angle * (p.y() - .7 * p.z()), p.y() + angle * (.3 * p.z() - p.x()),
+                p.z() + angle * (.7 * p.x() - .3 * p.y()));
+    append(surface, turned);
+    EXPECT_FALSE(DSC::repair_surface_3(surface).is_wrapped) << angle;
+    EXPECT_NEAR(volume(surface), 1, 10 * angle + 1e-7) << angle;
+  }
+}
+
 TEST(Surface_repair, keeps_cavities_of_parts_that_cross) {
   const Surface a = box(Point(0, 0, 0), Point(2, 1, 1)),
                 b = box(Point(1.1, .2, .3), Point(3, 2, 1.7));

@@ -10,6 +10,7 @@
 
 #include <CGAL/Complex_construction/internal/building/Curve_soup_2.h>
 #include <CGAL/Complex_construction/internal/building/label_cells.h>
+#include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Mesh_support/internal/cgal/cgal_compat.h>
 #include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
@@ -60,8 +61,8 @@ template <class Kernel> bool meet(const Curve_soup_2& soup, const Wall<2>& s, co
                             Segment(point(t.vertices[0]), point(t.vertices[1])));
 }
 
-// Throws `Invalid_surface_error` if segments cross or overlap. Complexity: O(n log n) if few
-// bounding boxes of segments overlap.
+// Throws `Invalid_surface_error` if segments cross or overlap. Takes time O(n log n) if few
+// bounding boxes of segments overlap, and otherwise up to O(n^2).
 template <class Kernel> void check_crossings(const Curve_soup_2& soup) {
   using Box = Box_intersection_d::Box_with_info_d<double, 2, std::size_t>;
   using Reason = Invalid_surface_error::Reason;
@@ -121,8 +122,8 @@ public:
              p.y() == box.ymax();
     });
     const double width = box.xmax() - box.xmin(), height = box.ymax() - box.ymin();
-    const double side =
-        (std::min)((std::max)(width, height) / least_parts, (std::min)(width, height));
+    const double side = side_before_refinement(
+        (std::min)((std::max)(width, height) / least_parts, (std::min)(width, height)));
     m_columns = number_of_parts(width / side);
     m_rows = number_of_parts(height / side);
     for (int i = 0; i < m_columns; ++i)
@@ -145,14 +146,30 @@ private:
   static constexpr int most_parts = 1000;
   // maximum number of halvings, since coordinates are of type `double`
   static constexpr int most_divisions = 40;
-  static constexpr double densest = 1.2; // spacing at a curve, in lengths of the nearest segment
+  static constexpr double densest = 3; // spacing at a curve, in lengths of the nearest segment
   // minimum distance of a point from a curve, in the same unit
-  static constexpr double clearance = .6;
+  static constexpr double clearance = 1;
   // maximum ratio of the spacing to the distance from the curves
-  static constexpr double gradation = .6;
+  static constexpr double gradation = 1;
+
+  // Returns the largest length up to `largest` whose halvings give the spacing at a segment of
+  // median length; `largest` if this spacing is larger.
+  double side_before_refinement(double largest) const {
+    if (m_segments.empty())
+      return largest;
+    std::vector<double> squared_lengths;
+    for (const auto& s : m_segments)
+      squared_lengths.push_back(s.squared_length());
+    const auto median = squared_lengths.begin() + squared_lengths.size() / 2;
+    std::nth_element(squared_lengths.begin(), median, squared_lengths.end());
+    const double spacing = densest * std::sqrt(*median);
+    return spacing < largest ? spacing * std::exp2(std::floor(std::log2(largest / spacing)))
+                             : largest;
+  }
 
   static int number_of_parts(double n) {
-    return int(std::lround((std::max)(1., (std::min)(double(most_parts), n))));
+    static constexpr double rounding = 1e-9;
+    return int(std::ceil((std::max)(1., (std::min)(double(most_parts), n)) - rounding));
   }
 
   double x(int i) const { return at(m_box.xmin(), m_box.xmax(), i, m_columns); }
@@ -267,9 +284,42 @@ insert_points(const std::vector<typename Kernel::Point_2>& points,
   return vertices;
 }
 
-// Triangulates a box like `fill_planar_box()`, without a test for crossings. Curves may end on the
-// box. There may be no curve.
-// \pre Segments of the curves do not cross.
+// An error: segments of curves cross or overlap.
+struct Crossing_segments : Error
+{
+  Crossing_segments() : Error("segments cross or overlap: they may meet only in common ends") {}
+};
+
+// Inserts the segments of curves, each once, although several curves may contain it. Throws
+// `Crossing_segments` if a segment crosses another one or passes through a point, or a curve
+// contains a segment twice. Takes little more time if all bounding boxes of segments overlap.
+template <class Kernel>
+std::vector<typename Planar_triangulation_2<Kernel>::Vertex_handle>
+insert_curves(const Curve_soup_2& soup, Planar_triangulation_2<Kernel>& triangulation) {
+  const auto handles = insert_points(soup.points, triangulation);
+  std::set<std::array<std::size_t, 2>> segments;
+  std::set<std::pair<std::array<std::size_t, 2>, std::size_t>> segments_of_curves;
+  for (const auto& wall : soup.walls) {
+    Progress_scope::check();
+    if (!segments_of_curves.emplace(wall.vertices, wall.surface).second)
+      throw Crossing_segments();
+    if (!segments.insert(wall.vertices).second)
+      continue;
+    const auto v = handles[wall.vertices[0]], w = handles[wall.vertices[1]];
+    try {
+      triangulation.insert_constraint(v, w);
+    } catch (
+        const typename Planar_triangulation_2<Kernel>::Intersection_of_constraints_exception&) {
+      throw Crossing_segments();
+    }
+    if (!triangulation.is_edge(v, w))
+      throw Crossing_segments();
+  }
+  return handles;
+}
+
+// Triangulates a box like `fill_planar_box()`. Curves may end on the box. There may be no curve.
+// Throws `Crossing_segments` if segments cross or overlap.
 template <class Kernel = Planar_kernel>
 Planar_filling_2 fill_box_between(const Curve_soup_2& soup, const Bbox_2& box) {
   using Point = typename Kernel::Point_2;
@@ -278,14 +328,7 @@ Planar_filling_2 fill_box_between(const Curve_soup_2& soup, const Bbox_2& box) {
 
   const Progress_phase phase("filling the box with triangles");
   const auto triangulation = std::make_shared<Triangulation>();
-  const auto handles = insert_points(soup.points, *triangulation);
-  // without duplicates, because several curves may contain the same segment
-  std::set<std::array<std::size_t, 2>> segments;
-  for (const auto& wall : soup.walls) {
-    Progress_scope::check();
-    if (segments.insert(wall.vertices).second)
-      triangulation->insert_constraint(handles[wall.vertices[0]], handles[wall.vertices[1]]);
-  }
+  const auto handles = insert_curves<Kernel>(soup, *triangulation);
   insert_points(Graded_points_2(soup, box).points(), *triangulation);
 
   Planar_filling_2 filling;
@@ -319,11 +362,15 @@ Planar_filling_2 fill_box_between(const Curve_soup_2& soup, const Bbox_2& box) {
 }
 
 // Triangulates a box with curves in it. Throws `Invalid_surface_error` if segments cross or
-// overlap. Complexity: O(n log n) if few bounding boxes of segments overlap.
+// overlap.
 template <class Kernel = Planar_kernel>
 Planar_filling_2 fill_planar_box(const Curve_soup_2& soup, const Bbox_2& box) {
-  check_crossings<Kernel>(soup);
-  return fill_box_between<Kernel>(soup, box);
+  try {
+    return fill_box_between<Kernel>(soup, box);
+  } catch (const Crossing_segments&) {
+    check_crossings<Kernel>(soup);
+    throw;
+  }
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes::internal

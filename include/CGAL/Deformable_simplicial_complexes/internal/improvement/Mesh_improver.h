@@ -91,19 +91,27 @@ public:
   // Improves all cells below a threshold. The remaining cells often have neighbors that are only
   // slightly better. Therefore, in `number_of_attempts` further attempts, the cells around the
   // remaining cells are improved to higher thresholds. A cell whose shape smoothing has changed is
-  // tried again.
+  // tried again. There are no further attempts if the number of cells below the threshold has grown
+  // much: in a mesh that is squeezed, inserted vertices divide cells that stay flat.
   void improve_all(double threshold, unsigned rounds, int number_of_attempts) {
     static constexpr double higher = 1.1;
+    static constexpr std::size_t most_growth = 2, few = 100; // of the number of cells
     m_threshold = threshold;
     m_is_at_rest = true;
     Cells cells;
     for (Cell_handle c : m_complex.finite_cells())
       push_afresh(c, cells);
+    const std::size_t most =
+        number_of_attempts == 0 ? 0 : few + most_growth * stuck_cells(threshold).size();
     improve(std::move(cells), rounds);
     for (int i = 0; i < number_of_attempts; ++i) {
+      const std::vector<Cell_handle> stuck = stuck_cells(threshold);
+      if (stuck.empty() || stuck.size() > most)
+        break;
       m_threshold = (std::min)(1., higher * m_threshold);
       cells.clear();
-      push_neighbors_of_stuck(threshold, cells);
+      for (Cell_handle c : star_union(m_complex, vertices_of(m_complex, stuck)))
+        push_afresh(c, cells);
       improve(std::move(cells), rounds);
     }
   }
@@ -350,14 +358,13 @@ private:
     });
   }
 
-  // Adds the cells below the threshold around cells that remain below `bound`.
-  void push_neighbors_of_stuck(double bound, Cells& cells) {
-    std::vector<Cell_handle> stuck;
+  // Returns the cells that remain below `bound`.
+  std::vector<Cell_handle> stuck_cells(double bound) const {
+    std::vector<Cell_handle> result;
     for (Cell_handle c : m_complex.finite_cells())
       if (c->quality() < bound && !has_dictated_angle(m_complex, c))
-        stuck.push_back(c);
-    for (Cell_handle c : star_union(m_complex, vertices_of(m_complex, stuck)))
-      push_afresh(c, cells);
+        result.push_back(c);
+    return result;
   }
 
   // Adds a cell below the threshold. Clears a recorded failure of the cell first.

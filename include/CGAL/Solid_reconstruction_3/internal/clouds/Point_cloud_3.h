@@ -76,6 +76,7 @@ struct Fitted_quadric_3
   double residual;  // root mean square of distances, corrected for the number of unknowns
   double curvature; // largest absolute principal curvature, in the middle
   Cloud_kernel::Vector_3 normal; // at the first point, of unit length
+  Cloud_kernel::Point_3 foot;    // of the first point, along the normal of the plane
 };
 
 template <class Points>
@@ -83,7 +84,7 @@ Fitted_quadric_3 fit_quadric(const Points& points, const Fitted_plane_3& plane) 
   static constexpr Eigen::Index unknowns = 6;
   const auto n = Eigen::Index(points.size());
   if (n <= unknowns)
-    return {plane.residual, 0, plane.normal};
+    return {plane.residual, 0, plane.normal, points[0] - plane.height(points[0]) * plane.normal};
   const Cloud_kernel::Vector_3 axis = plane.normal.x() * plane.normal.x() < .5
                                           ? Cloud_kernel::Vector_3(1, 0, 0)
                                           : Cloud_kernel::Vector_3(0, 1, 0);
@@ -107,7 +108,8 @@ Fitted_quadric_3 fit_quadric(const Points& points, const Fitted_plane_3& plane) 
       plane.normal - (q[1] + 2 * q[3] * x + q[4] * y) * u - (q[2] + q[4] * x + 2 * q[5] * y) * v;
   return {extent * (heights - terms * q).norm() / std::sqrt(double(n - unknowns)),
           (std::abs(q[3] + q[5]) + std::hypot(q[3] - q[5], q[4])) / extent,
-          normal / std::sqrt(normal.squared_length())};
+          normal / std::sqrt(normal.squared_length()),
+          points[0] - extent * (heights[0] - terms.row(0) * q) * plane.normal};
 }
 
 // The reach of a point, in distances to its sixth neighbor. Facets within this distance touch the
@@ -146,7 +148,7 @@ public:
 
   // Sorts the points. Of equal points, the point with the greatest vector is kept, if there are
   // vectors; the null vector is the smallest. Throws Invalid_points_error if coordinates are not
-  // finite, the extent is too large or too small, or the points lie in a plane.
+  // finite, the extent is too large or too small, or there are too few points.
   Point_cloud_3(const std::vector<Point>& points, const std::vector<Vector>& vectors,
                 unsigned number_of_threads)
       : m_for_each(number_of_threads) {
@@ -184,8 +186,7 @@ public:
   // Returns the function that loops over many points or facets, with threads.
   const For_each_index& for_each() const { return m_for_each; }
 
-  // Removes the points that are not marked. Throws Invalid_points_error if the remaining points lie
-  // in a plane.
+  // Removes the points that are not marked. Throws Invalid_points_error if too few remain.
   void keep(const std::vector<char>& is_kept) {
     const auto number = std::size_t(std::count(is_kept.begin(), is_kept.end(), 1));
     if (number == size())
@@ -197,6 +198,19 @@ public:
     require_extent();
     plant();
     m_spacing = mean_distance();
+  }
+
+  // Throws Invalid_points_error if the points lie in a plane.
+  void require_volume() const {
+    static constexpr double thinnest = 1e-9; // of the extent
+    const Fitted_plane_3 plane = fit_plane(m_points);
+    double thickness = 0, extent = 0;
+    for (const Point& p : m_points) {
+      thickness = (std::max)(thickness, std::abs(plane.height(p)));
+      extent = (std::max)(extent, std::sqrt((p - plane.center).squared_length()));
+    }
+    if (!(thickness > thinnest * extent))
+      throw Invalid_points_error(Reason::flat, "all points lie in a plane: they bound no solid");
   }
 
   // Returns the mean distance of points from their six nearest neighbors.
@@ -251,7 +265,6 @@ private:
 
   void require_extent() const {
     static constexpr std::size_t least = 4;
-    static constexpr double thinnest = 1e-9; // of the extent
     if (m_points.size() < least)
       throw Invalid_points_error(
           Reason::too_few,
@@ -266,14 +279,6 @@ private:
       throw Invalid_points_error(
           Reason::out_of_range,
           "the extent of the points is not between 1e-30 and 1e30: scale them");
-    const Fitted_plane_3 plane = fit_plane(m_points);
-    double thickness = 0, extent = 0;
-    for (const Point& p : m_points) {
-      thickness = (std::max)(thickness, std::abs(plane.height(p)));
-      extent = (std::max)(extent, std::sqrt((p - plane.center).squared_length()));
-    }
-    if (!(thickness > thinnest * extent))
-      throw Invalid_points_error(Reason::flat, "all points lie in a plane: they bound no solid");
   }
 
   // Builds the tree of the points.

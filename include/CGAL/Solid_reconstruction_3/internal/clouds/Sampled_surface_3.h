@@ -10,15 +10,13 @@
 
 #include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Mesh_support/internal/cgal/cgal_compat.h>
-#include <CGAL/Mesh_support/internal/sets/Disjoint_sets.h>
 #include <CGAL/Solid_reconstruction_3/Invalid_points_error.h>
 #include <CGAL/Solid_reconstruction_3/internal/clouds/Cloud_sides_3.h>
 #include <CGAL/Solid_reconstruction_3/internal/clouds/Point_cloud_3.h>
+#include <CGAL/Solid_reconstruction_3/internal/clouds/cloud_properties_3.h>
 
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Origin.h>
-#include <CGAL/jet_smooth_point_set.h>
-#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,80 +29,6 @@
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
-
-// Returns the clusters of a point cloud: for each point, the smallest index of its cluster. Two
-// points are adjacent if their distance is small compared with the distances of both from their
-// sixth neighbors.
-inline std::vector<std::size_t> clusters_of(const Point_cloud_3& cloud) {
-  const std::vector<Point_cloud_3::Point>& points = cloud.points();
-  std::vector<std::vector<std::size_t>> adjacent(points.size());
-  cloud.for_each()(points.size(), [&](std::size_t i) {
-    Progress_scope::check();
-    for (std::size_t k : cloud.nearest(points[i], Point_cloud_3::ring + 1)) {
-      const double reach = reach_of_points * (std::min)(cloud.reach(i), cloud.reach(k));
-      if (k != i && (points[k] - points[i]).squared_length() <= reach * reach)
-        adjacent[i].push_back(k);
-    }
-  });
-  Disjoint_sets sets(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    for (std::size_t k : adjacent[i])
-      sets.join(i, k);
-  std::vector<std::size_t> result(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    result[i] = sets.find(i);
-  return result;
-}
-
-// Returns the median of some values.
-inline double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-// Marks the points that lie on surfaces. The points of a cluster are outliers if there are few of
-// them, or if they fill a volume. The largest cluster is a surface.
-inline std::vector<char> surface_points(const Point_cloud_3& cloud) {
-  static constexpr unsigned neighbors = 16; // about two rings, as for normals
-  static constexpr double filled = .25;     // of the width; thinner: a layer
-  static constexpr double noisy = 4;        // residuals of the largest cluster; thicker: no noise
-  const std::vector<std::size_t> clusters = clusters_of(cloud);
-  std::map<std::size_t, std::vector<std::size_t>> members;
-  for (std::size_t i = 0; i < clusters.size(); ++i)
-    members[clusters[i]].push_back(i);
-  std::vector<char> result(cloud.size(), 1);
-  if (members.size() == 1)
-    return result;
-
-  std::vector<Fitted_plane_3> planes(cloud.size());
-  cloud.for_each()(cloud.size(), [&](std::size_t i) {
-    Progress_scope::check();
-    std::vector<Point_cloud_3::Point> near;
-    for (std::size_t k : cloud.nearest(cloud.points()[i], neighbors + 1)) // and itself
-      near.push_back(cloud.points()[k]);
-    planes[i] = fit_plane(near);
-  });
-  const auto median = [&](const std::vector<std::size_t>& cluster, double Fitted_plane_3::*value) {
-    std::vector<double> values;
-    for (std::size_t i : cluster)
-      values.push_back(planes[i].*value);
-    return median_of(std::move(values));
-  };
-  const auto& largest = std::max_element(members.begin(), members.end(), [](auto& a, auto& b) {
-                          return a.second.size() < b.second.size();
-                        })->second;
-  const double thickness = noisy * median(largest, &Fitted_plane_3::residual);
-  for (const auto& [first, cluster] : members) {
-    const double residual = median(cluster, &Fitted_plane_3::residual);
-    const bool has_volume =
-        residual > thickness && residual > filled * median(cluster, &Fitted_plane_3::width);
-    if (first != largest.front() && (cluster.size() <= neighbors || has_volume))
-      for (std::size_t i : cluster)
-        result[i] = 0;
-  }
-  return result;
-}
 
 // The holes of a point cloud: Delaunay facets between the inside and the outside with an edge that
 // is long compared with the distances of its points from their sixth neighbors.
@@ -165,11 +89,12 @@ public:
 
   // Analyzes the points. Normals, if there are any, have any length and sign, and the order of the
   // points. Throws Invalid_points_error if the points bound no solid, or if they sample an open
-  // sheet that is not accepted.
+  // sheet.
   Sampled_surface_3(const std::vector<Point>& points, const std::vector<Vector>& normals,
-                    bool accepts_sheets, unsigned number_of_threads)
+                    unsigned number_of_threads)
       : m_cloud(points, normals, number_of_threads) {
     m_cloud.keep(surface_points(m_cloud));
+    m_cloud.require_volume();
     find_sides();
     if (drop_outliers()) { // outliers influence the sides
       find_sides();
@@ -179,8 +104,7 @@ public:
       throw Invalid_points_error(Invalid_points_error::Reason::open,
                                  "the points do not enclose a volume: they bound no solid");
     m_holes = std::make_unique<Cloud_holes_3>(m_sides->boundary(m_cloud.reaches()));
-    if (!accepts_sheets)
-      require_solid();
+    require_solid();
     measure_rooms();
     for (std::size_t i = 0; i < m_cloud.size(); ++i) {
       if (!normals.empty())
@@ -230,8 +154,6 @@ public:
   double noise() const { return m_noise; }
 
 private:
-  static constexpr unsigned few = 10; // smallest ratio of all points to smoothed ones
-
   static Vector vector_of(const Cloud_sides_3::Vector& v) { return {v.x(), v.y(), v.z()}; }
 
   // Returns the unit vector of v, or `otherwise` if v has no direction.
@@ -242,31 +164,6 @@ private:
     const Vector w = v / largest;
     const double squared = w.squared_length();
     return std::isfinite(squared) ? w / std::sqrt(squared) : otherwise;
-  }
-
-  static unsigned neighbors_to_smooth(double layer) {
-    static constexpr double around = 24, most = 200; // points: at thickness 1; bound
-    return unsigned((std::min)(most, around * layer * layer));
-  }
-
-  // Returns the points of a layer of noise, projected to a surface. The points are moved to the
-  // origin, because CGAL loses digits far from it.
-  std::vector<Point> smoothed(double layer) const {
-    static constexpr int rounds = 3;
-    const Vector shift = m_cloud.points().front() - ORIGIN;
-    std::vector<Point> points;
-    for (const Point& p : m_cloud.points())
-      points.push_back(p - shift);
-    const std::function<bool(double)> go_on = [](double) {
-      Progress_scope::check();
-      return true;
-    };
-    for (int i = 0; i < rounds; ++i)
-      jet_smooth_point_set<Sequential_tag>(points, neighbors_to_smooth(layer),
-                                           CGAL::parameters::callback(go_on));
-    for (Point& p : points)
-      p = p + shift;
-    return points;
   }
 
   void require_solid() const {
@@ -280,16 +177,15 @@ private:
             " % of the boundary of the enclosed volume has no points, and at most " +
             percent(most) +
             " % can be closed; add points on the missing sides, or reconstruct the sheet "
-            "(keep_open, --open)");
+            "(reconstruct_sheet_3(), --open)");
   }
 
   void find_sides() {
     static constexpr double noisy = .25; // in spacings; thicker layers are smoothed first
     m_sides = std::make_unique<Cloud_sides_3>(m_cloud.points());
     fit();
-    const double layer = m_noise / (noisy * m_cloud.spacing());
-    if (layer > 1 && m_cloud.size() > few * neighbors_to_smooth(layer)) {
-      auto sides = std::make_unique<Cloud_sides_3>(smoothed(layer));
+    if (can_be_smoothed(m_cloud, m_noise, noisy)) {
+      auto sides = std::make_unique<Cloud_sides_3>(smoothed_points(m_cloud, m_noise));
       if (sides->encloses_anything())
         m_sides.swap(sides);
       fit();
@@ -314,6 +210,7 @@ private:
     if (std::find(is_kept.begin(), is_kept.end(), 0) == is_kept.end())
       return false;
     m_cloud.keep(is_kept);
+    m_cloud.require_volume();
     m_sides->keep(is_kept);
     keep_marked(m_normals, is_kept);
     keep_marked(m_residuals, is_kept);
@@ -351,20 +248,13 @@ private:
       m_residuals[i] = quadric.residual;
       m_curvatures[i] = quadric.curvature;
     });
-    std::vector<double> residuals = m_residuals;
-    const auto middle = residuals.begin() + std::ptrdiff_t(residuals.size() / 2);
-    std::nth_element(residuals.begin(), middle, residuals.end());
-    m_noise = *middle;
+    m_noise = median_of(m_residuals);
     static constexpr double rounding = 1e-12; // in spacings
     static constexpr double in_plane = 2;     // in residuals
-    static constexpr double off_plane = 3;    // in residuals; at least a spacing
     m_is_off.resize(points.size());
     m_cloud.for_each()(points.size(), [&](std::size_t i) {
       Progress_scope::check();
-      m_is_off[i] = std::all_of(neighbors[i].begin(), neighbors[i].end(), [&](std::size_t k) {
-        return std::abs(planes[k].height(points[i])) >
-               (std::max)(m_cloud.spacing(), off_plane * planes[k].residual);
-      });
+      m_is_off[i] = is_off_planes(m_cloud, i, neighbors[i], planes);
       if (!is_rough(i))
         return;
       std::size_t best = i;

@@ -39,18 +39,13 @@ public:
   using Vector = Sampled_surface_3::Vector;
   using Triangle = Cloud_kernel::Triangle_3;
 
-  template <class Facets>
-  Cloud_triangles_3(const Sampled_surface_3& surface, const Facets& facets,
-                    const std::vector<Point>& positions) {
-    for (const auto& f : facets)
-      m_triangles.emplace_back(positions[f.vertices[0]], positions[f.vertices[1]],
-                               positions[f.vertices[2]]);
+  Cloud_triangles_3(const Point_cloud_3& cloud, std::vector<Triangle> triangles)
+      : m_triangles(std::move(triangles)) {
     if (m_triangles.empty())
       return;
     Tree tree(m_triangles.begin(), m_triangles.end());
     tree.build(); // before threads query the tree
     tree.accelerate_distance_queries();
-    const Point_cloud_3& cloud = surface.cloud();
     m_feet.resize(cloud.size());
     m_nearest.resize(cloud.size());
     cloud.for_each()(cloud.size(), [&](std::size_t i) {
@@ -62,10 +57,10 @@ public:
   }
 
   // Returns the root mean square of the distances of points.
-  double residual(const Sampled_surface_3& surface) const {
+  double residual(const Point_cloud_3& cloud) const {
     double sum = 0;
     for (std::size_t i = 0; i < m_feet.size(); ++i)
-      sum += (m_feet[i] - surface.cloud().points()[i]).squared_length();
+      sum += (m_feet[i] - cloud.points()[i]).squared_length();
     return std::sqrt(sum / double(m_feet.size()));
   }
 

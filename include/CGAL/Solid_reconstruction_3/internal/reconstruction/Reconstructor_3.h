@@ -103,7 +103,7 @@ private:
     if (m_report.number_of_steps % steps_to_coarsen == 0)
       control_detail(m_complex);
     if (fits) {
-      m_residuals.push_back(front.triangles.residual(m_surface));
+      m_residuals.push_back(front.triangles.residual(m_surface.cloud()));
       m_free.push_back(std::size_t(free));
     }
     return !has_settled();
@@ -187,7 +187,7 @@ private:
 
     Front(const Complex& complex, const Sampled_surface_3& surface)
         : snapshot(complex), positions(cloud_points(snapshot.positions(complex))),
-          triangles(surface, snapshot.facets(), positions) {
+          triangles(surface.cloud(), triangles_at(positions)) {
       if (positions.empty())
         throw Invalid_points_error(
             Invalid_points_error::Reason::open,
@@ -195,6 +195,13 @@ private:
     }
 
     const auto& facets() const { return snapshot.facets(); }
+
+    std::vector<Cloud_triangles_3::Triangle> triangles_at(const std::vector<Point>& points) const {
+      std::vector<Cloud_triangles_3::Triangle> result;
+      for (const auto& f : facets())
+        result.emplace_back(points[f.vertices[0]], points[f.vertices[1]], points[f.vertices[2]]);
+      return result;
+    }
   };
 
   auto fit(const Front& front) const {
@@ -322,7 +329,7 @@ private:
     report.number_of_outliers = cloud.number_of_outliers();
     report.spacing = cloud.spacing();
     report.noise = m_surface.noise();
-    report.root_mean_square = front.triangles.residual(m_surface);
+    report.root_mean_square = front.triangles.residual(m_surface.cloud());
     const double bound = (std::max)(report.spacing, unfit * report.noise);
     for (std::size_t i = 0; i < cloud.size(); ++i) {
       Progress_scope::check();

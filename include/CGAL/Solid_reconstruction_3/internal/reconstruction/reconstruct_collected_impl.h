@@ -169,8 +169,7 @@ template <class Complex> Complex complex_of_shell(const Cloud_shell_3& shell) {
 template <class Complex>
 Complex reconstruct_collected(const Collected_points& points,
                               const Reconstruction_options_3<Complex>& options) {
-  const Sampled_surface_3 surface(points.points, points.normals, options.keep_open,
-                                  options.number_of_threads);
+  const Sampled_surface_3 surface(points.points, points.normals, options.number_of_threads);
   const Cloud_shell_3 shell(surface);
   Complex complex = complex_of_shell<Complex>(shell);
   Reconstructor_3<Complex> reconstructor(complex, surface, shell.edge(), options.fit_tolerance,

@@ -63,12 +63,6 @@ inline Joined_soup_3 join_surfaces(const std::vector<Triangle_soup_3>& surfaces)
   return join(merged);
 }
 
-inline Split_soup_3 undivided(const Triangle_soup_3& soup) {
-  Split_soup_3 result{soup, std::vector<std::size_t>(soup.triangles.size())};
-  std::iota(result.origins.begin(), result.origins.end(), std::size_t(0));
-  return result;
-}
-
 // Returns whether features of surfaces are nearer to each other than the weld distance.
 inline bool have_contacts(const std::vector<Triangle_soup_3>& surfaces,
                           const std::optional<double>& weld_distance) {

@@ -31,6 +31,27 @@
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
+// Traits of triangulations whose flips wait for certainty: points that nearly lie on a circle count
+// as points on it. The triangulation is then nearly Delaunay, and no exact number is computed for
+// it.
+template <class Kernel> struct Nearly_delaunay_traits_2 : Kernel
+{
+  struct Side_of_oriented_circle_2
+  {
+    using result_type = Oriented_side;
+
+    template <class Point>
+    Oriented_side operator()(const Point& p, const Point& q, const Point& r, const Point& s) const {
+      const Protect_FPU_rounding<true> interval_arithmetic;
+      const auto side = typename Kernel::Approximate_kernel().side_of_oriented_circle_2_object()(
+          approx(p), approx(q), approx(r), approx(s));
+      return is_certain(side) ? get_certain(side) : ON_ORIENTED_BOUNDARY;
+    }
+  };
+
+  Side_of_oriented_circle_2 side_of_oriented_circle_2_object() const { return {}; }
+};
+
 // A triangle to be triangulated again, with points and segments inserted into it. All computations
 // are exact, in the projection along an axis that is not parallel to the triangle.
 template <class Kernel_> class Split_triangle_3
@@ -93,12 +114,13 @@ private:
     int m_index = unknown;
   };
 
-  using Vertex = Vertex_of_split<Triangulation_vertex_base_2<Kernel>>;
-  using Face = Constrained_triangulation_face_base_2<Kernel>;
+  using Traits = Nearly_delaunay_traits_2<Kernel>;
+  using Vertex = Vertex_of_split<Triangulation_vertex_base_2<Traits>>;
+  using Face = Constrained_triangulation_face_base_2<Traits>;
   // The triangulation of the constraints. Intersections of segments are computed from the segments
   // as they were inserted.
   using Triangulation = Constrained_triangulation_plus_2<Constrained_Delaunay_triangulation_2<
-      Kernel, Triangulation_data_structure_2<Vertex, Face>, Exact_intersections_tag>>;
+      Traits, Triangulation_data_structure_2<Vertex, Face>, Exact_intersections_tag>>;
 
   Point exact_corner(std::size_t i) const {
     return {m_points[i][0], m_points[i][1], m_points[i][2]};
@@ -234,35 +256,44 @@ Split_soup_3 split_pairs(const Split_soup_3& soup,
   return result;
 }
 
+// Returns the pairs of intersecting triangles that do not have the same corners.
+inline std::vector<std::pair<std::size_t, std::size_t>> pairs_to_split(const Split_soup_3& soup) {
+  auto pairs = crossing_triangles(soup);
+  pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
+                             [&soup](const auto& pair) {
+                               return have_same_corners(soup.triangles[pair.first],
+                                                        soup.triangles[pair.second]);
+                             }),
+              pairs.end());
+  return pairs;
+}
+
 // Splits triangles where they intersect. In the result, triangles meet in common vertices and edges
 // only, or have the same three corners. Intersection points are computed exactly and then rounded.
 // Rounding may create new intersections, so the splitting is repeated. Degenerate triangles are
-// removed. A soup without intersections is returned bitwise unchanged.
+// removed. A soup without intersections and contacts is returned bitwise unchanged.
 //
-// If a distance is given, features nearer than this are welded, see `weld()`, at the start and
-// whenever triangles were split.
+// Features nearer than a distance are welded, see `weld()`, at the start and whenever triangles
+// were split, because needles between them would intersect many triangles.
 //
-// Returns `nullopt` if triangles still intersect after the maximum number of repetitions, or cannot
-// be welded.
+// Returns `nullopt` if triangles cannot be welded, if the number of intersections increases twice
+// in succession, or if triangles still intersect after the maximum number of repetitions.
 template <class Kernel = Exact_predicates_exact_constructions_kernel>
-std::optional<Split_soup_3> split_at_crossings(const Triangle_soup_3& input, double distance = 0) {
+std::optional<Split_soup_3> split_at_crossings(const Triangle_soup_3& input, double distance) {
   static constexpr int most_rounds = 30; // two or three are usual
-  Split_soup_3 soup{input, {}};
-  for (std::size_t t = 0; t < input.triangles.size(); ++t)
-    soup.origins.push_back(t);
-  for (int round = 0; round < most_rounds; ++round) {
-    if (distance > 0 && !weld(soup, distance))
+  static constexpr int most_increases = 1;
+  Split_soup_3 soup = undivided(input);
+  std::size_t number = std::size_t(-1); // of intersections
+  int increases = 0;
+  for (int round = 0; round < most_rounds && increases <= most_increases; ++round) {
+    if (!weld(soup, distance))
       return std::nullopt;
     tidy_up<Kernel>(soup);
-    auto pairs = crossing_triangles(soup);
-    pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
-                               [&soup](const auto& pair) {
-                                 return have_same_corners(soup.triangles[pair.first],
-                                                          soup.triangles[pair.second]);
-                               }),
-                pairs.end());
+    const auto pairs = pairs_to_split(soup);
     if (pairs.empty())
       return soup;
+    increases = pairs.size() > number ? increases + 1 : 0;
+    number = pairs.size();
     soup = split_pairs<Kernel>(soup, pairs);
   }
   return std::nullopt;

@@ -11,18 +11,17 @@
 #include <CGAL/license/Triangle_soup_repair.h>
 
 #include <CGAL/Mesh_support/Progress_scope.h>
-#include <CGAL/Mesh_support/internal/sets/Disjoint_sets.h>
 #include <CGAL/Triangle_soup_repair/internal/arrangement/Soup_contacts_3.h>
 #include <CGAL/Triangle_soup_repair/internal/arrangement/Triangle_division_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
-
-#include <CGAL/box_intersection_d.h>
+#include <CGAL/Triangle_soup_repair/internal/soups/near_points_3.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <iterator>
 #include <map>
+#include <numeric>
 #include <set>
 #include <utility>
 #include <vector>
@@ -36,6 +35,13 @@ struct Split_soup_3 : Triangle_soup_3
   std::vector<std::size_t> origins;
 };
 
+// Returns a soup whose triangles are those of the input.
+inline Split_soup_3 undivided(const Triangle_soup_3& soup) {
+  Split_soup_3 result{soup, std::vector<std::size_t>(soup.triangles.size())};
+  std::iota(result.origins.begin(), result.origins.end(), std::size_t(0));
+  return result;
+}
+
 // Removes the triangles that are not kept.
 inline void keep(Split_soup_3& soup, const std::vector<char>& is_kept) {
   std::size_t kept = 0;
@@ -48,22 +54,10 @@ inline void keep(Split_soup_3& soup, const std::vector<char>& is_kept) {
   soup.origins.resize(kept);
 }
 
-// Moves points that are nearer to each other than a distance to the one with the least index, and
-// removes triangles that thus lose a corner.
-// \post points are distinct
+// Merges points nearer to each other than a distance, and removes triangles that thus lose a
+// corner.
 inline void merge_near_points(Split_soup_3& soup, double distance) {
-  using Box = Box_intersection_d::Box_with_info_d<double, 3, std::size_t>;
-  std::vector<Box> boxes;
-  for (std::size_t v = 0; v < soup.points.size(); ++v)
-    boxes.emplace_back(enlarged(exact_point(soup.points[v]).bbox(), distance / 2), v);
-  Disjoint_sets sets(soup.points.size());
-  box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
-    if (squared_distance(exact_point(soup.points[a.info()]), exact_point(soup.points[b.info()])) <=
-        distance * distance)
-      sets.join(a.info(), b.info());
-  });
-  for (std::size_t v = 0; v < soup.points.size(); ++v)
-    soup.points[v] = soup.points[sets.find(v)];
+  merge_near_points(soup, distance, Merged_points::ALL);
   static_cast<Triangle_soup_3&>(soup) = merge_points(soup);
   std::vector<char> has_corners;
   for (const Triangle_indices& t : soup.triangles)

@@ -20,6 +20,7 @@
 #include <CGAL/Triangle_soup_repair/internal/repair/split_at_t_junctions_3.h>
 #include <CGAL/Triangle_soup_repair/internal/repair/unite_components_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
+#include <CGAL/Triangle_soup_repair/internal/soups/near_points_3.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Polygon_mesh_processing/border.h>
@@ -319,21 +320,6 @@ private:
     m_report.removed_triangles += united->removed_triangles;
     m_input = m_soup = united->soup;
     append(m_input, united->sheets);
-    merge_rounded_points();
-  }
-
-  // Merges intersection points that nearly coincide with others after rounding. Such points would
-  // make tetrahedralizers fail.
-  void merge_rounded_points() {
-    static constexpr double distance = 1e-9; // in mean edges
-    const Triangle_soup_3 soup = m_soup;
-    const Surface_repair_report_3 report = m_report;
-    if (merge_near_points(m_soup, distance * m_report.mean_edge, Merged_points::ALL) == 0)
-      return;
-    merge_equal_points();
-    if (flaw())
-      m_soup = soup;
-    m_report = report;
   }
 
   static std::size_t remove_flat(Triangle_soup_3& soup) {

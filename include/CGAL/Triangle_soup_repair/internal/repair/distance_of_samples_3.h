@@ -29,13 +29,24 @@ inline double distance_of_samples(const Triangle_soup_3& soup, const Triangle_so
   using Kernel = Predicates_kernel;
   using Triangles = std::vector<Kernel::Triangle_3>;
   static constexpr double most_parts = 20; // maximum along an edge, for needles
+  static constexpr std::size_t none = std::size_t(-1);
+  using Tree = AABB_tree<Tree_traits_3<Kernel, Triangles::const_iterator>>;
+  const Triangle_soup_3 merged = merge_points(other);
   Triangles triangles;
-  for (std::size_t t = 0; t < other.triangles.size(); ++t)
-    if (!exact_triangle(other, t).is_degenerate())
-      triangles.push_back(exact_triangle(other, t));
-  AABB_tree<Tree_traits_3<Kernel, Triangles::const_iterator>> tree(triangles.cbegin(),
-                                                                   triangles.cend());
-  tree.do_not_accelerate_distance_queries(); // does not terminate for many equal corners
+  std::vector<std::size_t> corner_of(merged.points.size(), none); // a triangle of each point
+  for (std::size_t t = 0; t < merged.triangles.size(); ++t)
+    if (!exact_triangle(merged, t).is_degenerate()) {
+      for (std::size_t v : merged.triangles[t])
+        corner_of[v] = triangles.size();
+      triangles.push_back(exact_triangle(merged, t));
+    }
+  Tree tree(triangles.cbegin(), triangles.cend());
+  // Distinct points, because a search tree of many equal points is never completed.
+  std::vector<Tree::Point_and_primitive_id> corners;
+  for (std::size_t v = 0; v < corner_of.size(); ++v)
+    if (corner_of[v] != none)
+      corners.emplace_back(exact_point(merged.points[v]), triangles.cbegin() + corner_of[v]);
+  tree.accelerate_distance_queries(corners.begin(), corners.end());
 
   double largest = 0;
   for (std::size_t t = 0; t < soup.triangles.size(); ++t) {

@@ -8,11 +8,12 @@
 #ifndef CGAL_TRIANGLE_SOUP_REPAIR_INTERNAL_REPAIR_UNITE_COMPONENTS_3_H
 #define CGAL_TRIANGLE_SOUP_REPAIR_INTERNAL_REPAIR_UNITE_COMPONENTS_3_H
 
+#include <CGAL/Triangle_soup_repair/internal/arrangement/split_at_crossings_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/Soup_regions_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
+#include <CGAL/Triangle_soup_repair/internal/soups/near_points_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/soup_intersections_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/soup_rays_3.h>
-#include <CGAL/Triangle_soup_repair/internal/arrangement/split_at_crossings_3.h>
 
 #include <algorithm>
 #include <array>
@@ -279,6 +280,16 @@ inline United_surface_3 boundary_of_solid(const Split_soup_3& split,
   return result;
 }
 
+// Splits components where they intersect. Features much nearer to each other than the mean edge
+// length are welded. Surfaces at about this distance are split again with a larger one.
+inline std::optional<Split_soup_3> split_components(const Triangle_soup_3& soup) {
+  static constexpr double distances[] = {1e-9, 1e-6}; // in mean edges
+  for (double distance : distances)
+    if (auto result = split_at_crossings(soup, distance * mean_side(soup)))
+      return result;
+  return std::nullopt;
+}
+
 // Makes one solid of components that intersect each other or themselves, and removes all triangles
 // that do not bound the solid. A closed component is a solid or, if it is nested in an odd number
 // of components that it does not intersect, a cavity. A point is in the result if more solids than
@@ -290,7 +301,7 @@ inline United_surface_3 boundary_of_solid(const Split_soup_3& split,
 // \pre no triangle is degenerate
 inline std::optional<United_surface_3> unite_components(const Triangle_soup_3& input) {
   const Surface_components_3 components(input);
-  const std::optional<Split_soup_3> split = split_at_crossings(components.oriented_soup());
+  const auto split = split_components(components.oriented_soup());
   if (!split)
     return std::nullopt;
   United_surface_3 result =

@@ -1,0 +1,140 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Solid_reconstruction_3, written for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_SHEETS_SHEET_FRONT_3_H
+#define CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_SHEETS_SHEET_FRONT_3_H
+
+#include <CGAL/Mesh_support/Progress_scope.h>
+#include <CGAL/Solid_reconstruction_3/internal/clouds/Point_cloud_3.h>
+
+#include <CGAL/Advancing_front_surface_reconstruction.h>
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Spatial_sort_traits_adapter_3.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Deformable_simplicial_complexes::internal {
+
+// The triangles of a sheet through points, by the advancing front of CGAL. It selects Delaunay
+// facets within clusters of points, whose empty balls are small compared with the distances of
+// their points. Larger balls are holes of the sheet.
+class Sheet_front_3
+{
+  using Kernel = Exact_predicates_inexact_constructions_kernel;
+
+public:
+  using Triangle = std::array<std::size_t, 3>;
+
+  struct Ball_facet // a Delaunay facet that the front did not select
+  {
+    double squared_radius; // of its smallest empty ball
+    Triangle triangle;
+  };
+
+  std::vector<Triangle> triangles;      // consistently oriented
+  std::vector<Ball_facet> other_facets; // with small balls
+
+  // \param unit the unit of length of the front; its constants are for points at distance 1
+  // \param radii largest radii of the balls at the points
+  // \param clusters the cluster of each point
+  Sheet_front_3(const std::vector<Cloud_kernel::Point_3>& points, double unit,
+                const std::vector<double>& radii, const std::vector<std::size_t>& clusters) {
+    std::vector<double> bounds;
+    for (double radius : radii)
+      bounds.push_back(radius / unit * (radius / unit));
+    Delaunay delaunay;
+    triangulate(points, unit, delaunay);
+    const Priority priority{bounds, clusters};
+    Front front(delaunay, priority);
+    front.run();
+    write_triple_indices(std::back_inserter(triangles), front);
+    for (const auto& f : delaunay.finite_facets()) {
+      const double squared_radius = priority(front, f.first, f.second);
+      if (squared_radius != front.infinity() && !front.has_on_surface(f) &&
+          !front.has_on_surface(delaunay.mirror_facet(f)))
+        other_facets.push_back({squared_radius, triangle_of(f)});
+    }
+  }
+
+private:
+  using Delaunay = Delaunay_triangulation_3<
+      Kernel,
+      Triangulation_data_structure_3<Advancing_front_surface_reconstruction_vertex_base_3<Kernel>,
+                                     Advancing_front_surface_reconstruction_cell_base_3<Kernel>>>;
+
+  static Triangle triangle_of(const Delaunay::Facet& f) {
+    Triangle result;
+    for (int k = 0; k < 3; ++k)
+      result[std::size_t(k)] = f.first->vertex((f.second + 1 + k) & 3)->id();
+    return result;
+  }
+
+  static constexpr std::size_t box_corner = static_cast<std::size_t>(-1);
+
+  // The squared radius of the smallest empty ball of a facet. It is infinite if it is too large, or
+  // if the facet joins clusters or has a corner of the box.
+  struct Priority
+  {
+    const std::vector<double>& bounds; // of squared radii
+    const std::vector<std::size_t>& clusters;
+
+    template <class Front>
+    double operator()(const Front& front, const Delaunay::Cell_handle& c, int i) const {
+      Progress_scope::check();
+      const Triangle t = triangle_of({c, i});
+      if (std::find(t.begin(), t.end(), box_corner) != t.end())
+        return front.infinity();
+      const double result = front.smallest_radius_delaunay_sphere(c, i);
+      const bool is_within = clusters[t[0]] == clusters[t[1]] && clusters[t[0]] == clusters[t[2]];
+      return is_within && result <= (std::max)({bounds[t[0]], bounds[t[1]], bounds[t[2]]})
+                 ? result
+                 : front.infinity();
+    }
+  };
+  using Front = Advancing_front_surface_reconstruction<Delaunay, Priority>;
+
+  // Triangulates the points and the corners of a box around them. Without these corners, the front
+  // would find no facets where the points lie in a plane up to rounding errors.
+  static void triangulate(const std::vector<Cloud_kernel::Point_3>& points, double unit,
+                          Delaunay& delaunay) {
+    using Vertex = std::pair<Kernel::Point_3, std::size_t>;
+    static constexpr double away = 2; // in extents of the points
+    std::vector<Vertex> vertices;     // with their indices
+    Bbox_3 box;
+    for (const auto& p : points) {
+      const auto v = (p - points.front()) / unit;
+      vertices.emplace_back(Kernel::Point_3(v.x(), v.y(), v.z()), vertices.size());
+      box += vertices.back().first.bbox();
+    }
+    const double margin = away * (std::max)({box.x_span(), box.y_span(), box.z_span()});
+    for (double x : {box.xmin() - margin, box.xmax() + margin})
+      for (double y : {box.ymin() - margin, box.ymax() + margin})
+        for (double z : {box.zmin() - margin, box.zmax() + margin})
+          vertices.emplace_back(Kernel::Point_3(x, y, z), box_corner);
+    spatial_sort(vertices.begin(), vertices.end(),
+                 Spatial_sort_traits_adapter_3<Kernel, First_of_pair_property_map<Vertex>>());
+    Delaunay::Vertex_handle last;
+    for (const auto& [point, index] : vertices) {
+      Progress_scope::check();
+      last = delaunay.insert(point, last);
+      last->info() = index;
+    }
+  }
+};
+
+} // namespace CGAL::Deformable_simplicial_complexes::internal
+
+#endif // CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_SHEETS_SHEET_FRONT_3_H
