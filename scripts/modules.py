@@ -148,7 +148,7 @@ SEAM = {
         traversal/Work_list traversal/cell_corners traversal/local_edge_length""",
     "Interface_remeshing": """
         extraction/Extracted_facets interface/Curvature_lengths
-        remeshing/Detail_controller remeshing/Interface_improver""",
+        remeshing/Detail_controller remeshing/Interface_improver values/overlap_measure""",
     "Triangle_soup_repair": """
         checks/check_surfaces_3 checks/refuse_surface soups/Soup_bisector_3 soups/Triangle_soup_3
         soups/soup_intersections_3""",

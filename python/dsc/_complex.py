@@ -724,6 +724,7 @@ class Complex3(Complex):
         progress: Progress | None = None,
     ) -> Complex3:
         """Makes a complex of labeled tetrahedra, of shapes (n, 3), (m, 4) and (m,).
+        Equal points are merged.
 
         surround: whether the space around the tetrahedra is filled with tetrahedra of label 0, up to a
             box; otherwise, the tetrahedra are the domain
@@ -877,6 +878,7 @@ class Complex2(Complex):
         progress: Progress | None = None,
     ) -> Complex2:
         """Makes a complex of labeled triangles, of shapes (n, 2), (m, 3) and (m,), which are the domain.
+        Equal points are merged.
 
         improve: whether the triangles are improved at the end
         edge_per_thickness: longest edge of the interface in thicknesses of the part or the gap at it;

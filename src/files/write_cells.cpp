@@ -240,6 +240,28 @@ Merged_points merge_points(vtkPoints* points) {
   return result;
 }
 
+/// Removes the arrays of points that have different values at repeated points.
+void leave_out_ambiguous_arrays(vtkPointData* arrays, const Merged_points& merged,
+                                Translation& result) {
+  for (int k = arrays->GetNumberOfArrays(); k-- > 0;) {
+    vtkDataArray* const array = arrays->GetArray(k);
+    bool is_unique = true;
+    for (vtkIdType i = 0; array != nullptr && i < vtkIdType(merged.index.size()); ++i)
+      for (int c = 0; c < array->GetNumberOfComponents(); ++c) {
+        const double a = array->GetComponent(i, c),
+                     b = array->GetComponent(
+                         merged.original[std::size_t(merged.index[std::size_t(i)])], c);
+        is_unique = is_unique && (a == b || (std::isnan(a) && std::isnan(b)));
+      }
+    if (is_unique)
+      continue;
+    const char* const name = array->GetName();
+    result.unused.push_back(std::string("point array with several values at a point ('") +
+                            (name == nullptr ? "" : name) + "')");
+    arrays->RemoveArray(k);
+  }
+}
+
 /// Returns the cells of a dimension, with their arrays and without repeated points.
 vtkSmartPointer<vtkUnstructuredGrid> cells_of(vtkDataSet* data, int dimension,
                                               Translation& translation) {
@@ -252,6 +274,8 @@ vtkSmartPointer<vtkUnstructuredGrid> cells_of(vtkDataSet* data, int dimension,
   if (const std::size_t repeated = merged.index.size() - merged.original.size(); repeated > 0)
     translation.notes.push_back("merged " + std::to_string(repeated) + " repeated " +
                                 (repeated == 1 ? "point" : "points"));
+  if (dimension == 3) // others leave out all arrays
+    leave_out_ambiguous_arrays(all->GetPointData(), merged, translation);
   auto result = vtkSmartPointer<vtkUnstructuredGrid>::New();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();

@@ -26,7 +26,7 @@ def gray_voxels():
 # VTK
 
 
-def _named(array, name):
+def named(array, name):
     from vtk.util.numpy_support import numpy_to_vtk
 
     result = numpy_to_vtk(np.ascontiguousarray(array), deep=True)
@@ -58,9 +58,49 @@ def vtk_grid(hexahedra=False):
     grid.Update()
     result = grid.GetOutput()
     labels = (np.linalg.norm(_centers(result), axis=1) < 0.6).astype(np.int32)
-    result.GetCellData().AddArray(_named(labels, "label"))
+    result.GetCellData().AddArray(named(labels, "label"))
     x = vtk_to_numpy(result.GetPoints().GetData())[:, 0]
-    result.GetPointData().AddArray(_named(x, "temperature"))
+    result.GetPointData().AddArray(named(x, "temperature"))
+    return result
+
+
+def three_materials():
+    """Returns a cube of tetrahedra of three materials, with arrays of several types."""
+    from vtk.util.numpy_support import vtk_to_numpy
+
+    result = vtk_grid()
+    result.GetCellData().RemoveArray("label")
+    centers = _centers(result)
+    number = np.arange(len(centers))
+    arrays = {
+        "material": (1 + (centers[:, 2] > 0) + (centers[:, 2] > 0.5)).astype(np.int32),
+        "density": 1 + number % 5 / 4,
+        "mask": (number % 2).astype(np.uint8),
+        "ids": number[::-1].astype(np.int64),
+    }
+    for name, values in arrays.items():
+        result.GetCellData().AddArray(named(values, name))
+    points = vtk_to_numpy(result.GetPoints().GetData()).astype(np.float64)
+    result.GetPointData().AddArray(named(np.roll(points, 1, axis=1), "velocity"))
+    return result
+
+
+def with_repeated_points(grid):
+    """Returns a grid of tetrahedra whose cells have points of their own, and an array that differs there."""
+    import vtk
+    from vtk.util.numpy_support import vtk_to_numpy
+
+    corners = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
+    result = vtk.vtkUnstructuredGrid()
+    points = vtk.vtkPoints()
+    points.SetData(named(vtk_to_numpy(grid.GetPoints().GetData())[corners], "points"))
+    result.SetPoints(points)
+    for i in range(0, len(corners), 4):
+        result.InsertNextCell(vtk.VTK_TETRA, 4, [i, i + 1, i + 2, i + 3])
+    result.GetCellData().ShallowCopy(grid.GetCellData())
+    temperature = vtk_to_numpy(grid.GetPointData().GetArray("temperature"))
+    result.GetPointData().AddArray(named(temperature[corners], "temperature"))
+    result.GetPointData().AddArray(named(np.arange(len(corners)) // 4 % 3, "several"))
     return result
 
 
@@ -121,7 +161,7 @@ def write_plane(path):
     data = triangles.GetOutput()
     c = _centers(data)
     labels = (np.hypot(c[:, 0], c[:, 1]) < 0.3).astype(np.int32)
-    data.GetCellData().AddArray(_named(labels, "label"))
+    data.GetCellData().AddArray(named(labels, "label"))
     grid = vtk.vtkAppendFilter()
     grid.AddInputData(data)
     grid.Update()
@@ -154,7 +194,7 @@ def vtk_image(values, spacing=(0.5, 0.5, 1.0), origin=(3.0, 4.0, 5.0)):
     image.SetDimensions(*values.shape)
     image.SetSpacing(*spacing)
     image.SetOrigin(*origin)
-    image.GetPointData().SetScalars(_named(values.ravel(order="F"), "values"))
+    image.GetPointData().SetScalars(named(values.ravel(order="F"), "values"))
     return image
 
 
@@ -179,7 +219,7 @@ def write_picture(path):
     colors[np.hypot(X + 0.4, Y) < 0.3] = (0, 0, 255)
     image = vtk.vtkImageData()
     image.SetDimensions(60, 60, 1)
-    image.GetPointData().SetScalars(_named(colors.transpose(1, 0, 2).reshape(-1, 3), "colors"))
+    image.GetPointData().SetScalars(named(colors.transpose(1, 0, 2).reshape(-1, 3), "colors"))
     writer = vtk.vtkPNGWriter()
     writer.SetInputData(image)
     writer.SetFileName(str(path))

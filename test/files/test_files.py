@@ -57,6 +57,64 @@ def test_pieces_are_put_together(tmp_path):
     assert info(path)[0] == BALL
 
 
+def arrays_of(path):
+    """Returns the cells of a grid and its arrays on points and cells, as VTK reads them."""
+    from vtk.util.numpy_support import vtk_to_numpy
+
+    reader = vtk.vtkXMLUnstructuredGridReader() if path.suffix == ".vtu" else vtk.vtkUnstructuredGridReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    grid = reader.GetOutput()
+    points, cells = (
+        {data.GetArrayName(i): vtk_to_numpy(data.GetArray(i)) for i in range(data.GetNumberOfArrays())}
+        for data in (grid.GetPointData(), grid.GetCellData())
+    )
+    coordinates = vtk_to_numpy(grid.GetPoints().GetData())
+    corners = coordinates[vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(-1, 4)]
+    volumes = np.linalg.det(corners[:, 1:] - corners[:, :1]) / 6
+    return coordinates, volumes, points, cells
+
+
+@pytest.mark.parametrize("compressor", ["None", "ZLib"])
+def test_arrays_follow_a_motion_from_vtk_to_vtk(tmp_path, compressor):
+    files.write_vtu(tmp_path / "in.vtu", "Appended", compressor, grid=files.three_materials())
+    _, volumes, points, cells = arrays_of(tmp_path / "in.vtu")
+    assert set(points) == {"temperature", "velocity"} and set(cells) == {"material", "density", "mask", "ids"}
+    output = ("--output", tmp_path / "out", "--steps", 2)
+    result = run("offset", tmp_path / "in.vtu", "--labels", "material", "--distance", 0.02, *output)
+    assert result.returncode == 0, result.stderr
+    assert "1 array of cell numbers, which change ('ids')" in result.stderr
+    assert run("convert", tmp_path / "out/volume_000002.vtu", tmp_path / "out.vtk").returncode == 0
+    for path in tmp_path / "out/volume_000002.vtu", tmp_path / "out.vtk":
+        coordinates, new_volumes, new_points, new_cells = arrays_of(path)
+        assert set(points) <= set(new_points) and {"material", "density", "mask"} <= set(new_cells)
+        assert np.array_equal(new_cells["material"], new_cells["label"])
+        assert set(new_cells["material"]) == {0, 1, 2, 3}
+        assert set(new_cells["mask"]) == {0, 1}
+        for name in "temperature", "velocity", "density", "mask":
+            before = {**points, **cells}[name]
+            after = {**new_points, **new_cells}[name]
+            assert after.dtype == before.dtype and after.shape[1:] == before.shape[1:]
+        assert np.dot(new_volumes, new_cells["density"]) == pytest.approx(np.dot(volumes, cells["density"]))
+        assert new_points["temperature"].min() >= -1 and new_points["temperature"].max() <= 1
+        # The solid is displaced by 0.04 at most, and the values move with it.
+        inside = np.abs(coordinates).max(axis=1) < 1
+        assert np.abs(new_points["temperature"] - coordinates[:, 0])[inside].max() < 0.1
+
+
+def test_repeated_points_with_several_values(tmp_path):
+    grid = files.three_materials()
+    apart = files.with_repeated_points(grid)
+    for compressor in "None", "ZLib":
+        files.write_vtu(tmp_path / "in.vtu", "Appended", compressor, grid=apart)
+        result = run("improve", tmp_path / "in.vtu", "-o", tmp_path / "out.vtu", "--labels", "material")
+        assert result.returncode == 0, result.stderr
+        assert "1 point array with several values at a point ('several')" in result.stderr
+        coordinates, _, points, _ = arrays_of(tmp_path / "out.vtu")
+        assert len(coordinates) == grid.GetNumberOfPoints()
+        assert points["temperature"] == pytest.approx(coordinates[:, 0], abs=1e-6)
+
+
 @pytest.mark.parametrize("binary", [False, True])
 def test_legacy_grids(tmp_path, binary):
     path = tmp_path / "grid.vtk"

@@ -672,24 +672,32 @@ TEST_F(Improve, keeps_the_content_where_a_domain_touches_itself) {
   text += "Edges\n1\n" + edge + " 7\nTriangles\n2\n" + before + edge + " 8\n" + edge + after +
           " 9\nCorners\n1\n" + number(1, 1, 0) + "\nEnd\n";
   write("edge.mesh", text);
-  expect_success("improve edge.mesh -o out.mesh");
-  const std::string out = contents(path("out.mesh"));
-  EXPECT_EQ(simplices(out, "Edges", 2), simplices(text, "Edges", 2));
-  EXPECT_EQ(simplices(out, "Triangles", 3), simplices(text, "Triangles", 3));
-  EXPECT_EQ(simplices(out, "Corners", 1), simplices(text, "Corners", 1));
+  for (const std::string command :
+       {"improve edge.mesh -o out.mesh", "convert edge.mesh out.mesh"}) {
+    SCOPED_TRACE(command);
+    expect_success(command);
+    const std::string out = contents(path("out.mesh"));
+    EXPECT_EQ(simplices(out, "Edges", 2), simplices(text, "Edges", 2));
+    EXPECT_EQ(simplices(out, "Triangles", 3), simplices(text, "Triangles", 3));
+    EXPECT_EQ(simplices(out, "Corners", 1), simplices(text, "Corners", 1));
+  }
   std::vector<double> heat;
   for (const auto& p : mesh.points)
     heat.push_back(p[0] + 10 * p[1] + 100 * p[2]);
   write("heat.vtu",
         vtu(mesh, "label", "", vtu_grid::Grid().array("PointData", "Float64", "heat", heat)));
   expect_success("improve heat.vtu -o heat.vtu");
-  const Vtu_reader file(path("heat.vtu").string());
-  const auto values = array_of(file, "heat");
-  const std::vector<double> points = points_of(file);
-  ASSERT_EQ(values.size(), 14u);
-  ASSERT_EQ(points.size(), 42u);
-  for (std::size_t i = 0; i < values.size(); ++i)
-    EXPECT_EQ(values[i], points[3 * i] + 10 * points[3 * i + 1] + 100 * points[3 * i + 2]);
+  expect_success("convert heat.vtu converted.vtu");
+  for (const char* name : {"heat.vtu", "converted.vtu"}) {
+    SCOPED_TRACE(name);
+    const Vtu_reader file(path(name).string());
+    const auto values = array_of(file, "heat");
+    const std::vector<double> points = points_of(file);
+    ASSERT_EQ(values.size(), 14u);
+    ASSERT_EQ(points.size(), 42u);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      EXPECT_EQ(values[i], points[3 * i] + 10 * points[3 * i + 1] + 100 * points[3 * i + 2]);
+  }
 }
 
 // An inner surface between cells of one label, like a crack or a membrane.

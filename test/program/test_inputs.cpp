@@ -74,6 +74,21 @@ TEST_F(Inputs, may_be_inequalities) {
   EXPECT_NEAR(result.at(2), half, .01 * half);
 }
 
+// No file can have a name of more than 255 characters, and no path one of more than 4096.
+TEST_F(Inputs, may_be_inequalities_of_any_length) {
+  for (const std::size_t length : {std::size_t(300), std::size_t(5000)}) {
+    std::string inequality = "x^2+y^2+z^2<0.5";
+    while (inequality.size() < length)
+      inequality += "||x^2+y^2+z^2<0.25";
+    const auto result = volumes("'" + inequality + "' --domain -1,-1,-1,1,1,1 --edge 0.1");
+    ASSERT_EQ(result.size(), 2u);
+    EXPECT_NEAR(result.at(1), 1.481, .01);
+    const std::string name(length, 'a');
+    for (const char* extension : {".off", ".vtu", ".msh", ".inr"})
+      expect_refusal(name + extension, 1, "cannot open " + name);
+  }
+}
+
 TEST_F(Inputs, may_be_tetrahedra_without_space_around) {
   write("cube.mesh", cube);
   const auto result = volumes(path("cube.mesh").string());

@@ -66,6 +66,20 @@ def test_cells_make_the_same_complex(round_complex):
     assert again.number_of_cells == round_complex.number_of_cells
 
 
+@pytest.mark.parametrize("shape", ["triangles", "tetrahedra"])
+def test_points_repeated_for_each_cell_are_merged(shape):
+    if shape == "triangles":
+        points, cells = np.array([(0, 0), (1, 0), (0, 1), (1, 1)]), np.array([(0, 1, 2), (1, 3, 2)])
+    else:
+        points = np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 1)])
+        cells = np.array([(0, 1, 2, 3), (1, 2, 3, 4)])
+    make = getattr(dsc.Complex2 if shape == "triangles" else dsc.Complex3, "from_" + shape)
+    repeated = np.arange(cells.size).reshape(cells.shape)
+    c = make(points[cells].reshape(-1, points.shape[1]).astype(float), repeated, [1, 2], improve=False)
+    assert c.number_of_vertices == len(points)
+    assert c.number_of_cells == 2
+
+
 def test_space_around_tetrahedra_is_filled():
     points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
     c = dsc.Complex3.from_tetrahedra(points, [[0, 1, 2, 3]], [4], surround=True)

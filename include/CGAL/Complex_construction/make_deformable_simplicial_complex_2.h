@@ -23,6 +23,7 @@
 #include <CGAL/Complex_construction/internal/thin_parts/improve_new_mesh.h>
 #include <CGAL/Deformable_simplicial_complex_2.h>
 #include <CGAL/Mesh_support/Error.h>
+#include <CGAL/Mesh_support/internal/sets/equal_points.h>
 #include <CGAL/Mesh_support/named_parameters.h>
 
 #include <CGAL/Bbox_2.h>
@@ -223,7 +224,7 @@ triangles, plus the improvement.
 
 \tparam Complex an instance of `Deformable_simplicial_complex_2`
 
-\param points the vertices; each is in a triangle
+\param points the vertices; each is in a triangle. Equal points are merged.
 \param triangles indices into `points`
 \param labels one label for each triangle
 \param np named parameters: `improve`, `edge_per_thickness`, `most_new_facets`,
@@ -233,12 +234,13 @@ triangles, plus the improvement.
         is degenerate, or the union is not a disk
 */
 template <class Complex, class NP = parameters::Default_named_parameters>
-Complex make_deformable_simplicial_complex_2(const std::vector<typename Complex::Point_2>& points,
+Complex make_deformable_simplicial_complex_2(std::vector<typename Complex::Point_2> points,
                                              std::vector<std::array<std::size_t, 3>> triangles,
                                              const std::vector<typename Complex::Label>& labels,
                                              const NP& np = parameters::default_values()) {
   const auto options = construction_options<2>(np);
   Complex dsc;
+  internal::merge_equal_points(points, triangles);
   const auto orientation = dsc.orientation();
   const bool has_numbers = std::all_of(points.begin(), points.end(), [](const auto& p) {
     return has_finite_coordinates(coordinates_of<2>(p));

@@ -21,6 +21,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Mesh_support/Error.h>
+#include <CGAL/Mesh_support/internal/sets/equal_points.h>
 #include <CGAL/Mesh_support/named_parameters.h>
 #include <CGAL/Mesh_support/parameter_values.h>
 #include <CGAL/Triangle_soup_repair/Labeled_surface_3.h>
@@ -209,7 +210,7 @@ tetrahedra, plus the improvement.
 \tparam Complex an instance of `Deformable_simplicial_complex_3`
 \tparam NP a sequence of named parameters
 
-\param points the vertices; each is in a tetrahedron
+\param points the vertices; each is in a tetrahedron. Equal points are merged.
 \param tetrahedra indices into `points`
 \param labels one label for each tetrahedron
 \param np named parameters: `improve`, `edge_per_thickness`, `most_new_facets`,
@@ -219,12 +220,13 @@ tetrahedra, plus the improvement.
         tetrahedron is degenerate, or the union is not a ball
 */
 template <class Complex, class NP = parameters::Default_named_parameters>
-Complex make_deformable_simplicial_complex_3(const std::vector<typename Complex::Point_3>& points,
+Complex make_deformable_simplicial_complex_3(std::vector<typename Complex::Point_3> points,
                                              std::vector<std::array<std::size_t, 4>> tetrahedra,
                                              const std::vector<typename Complex::Label>& labels,
                                              const NP& np = parameters::default_values()) {
   const auto options = construction_options<3>(np);
   Complex dsc;
+  internal::merge_equal_points(points, tetrahedra);
   internal::orient_tetrahedra(points, tetrahedra, dsc.geom_traits());
   dsc.assign(points, tetrahedra, labels);
   internal::improve_new_mesh(dsc, options);

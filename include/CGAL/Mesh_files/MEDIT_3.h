@@ -141,10 +141,12 @@ tetrahedra is not checked.
 \tparam Point a point type that can be constructed from three coordinates
 
 \param in the stream
-\param points, tetrahedra, labels replaced by the input; indices start from 0
+\param points, tetrahedra, labels replaced by the input; indices start from 0. Equal corners are
+       merged; the first one counts.
 \param path name of the input in messages
 \param entities replaced by the edges, triangles and references of the input, unless it is null
-\param unused the skipped sections are added to it, unless it is null
+\param unused the skipped sections are added to it, unless it is null; also the references of
+       vertices, if they differ at equal points
 
 \throws Deformable_simplicial_complexes::File_error with the number of the line if the text is not a
         mesh of dimension 3, contains no tetrahedra, or contains other three-dimensional cells, such

@@ -106,14 +106,15 @@ and no other cell array contains integers that may be labels, all labels are 1.
 \tparam Point a point type that can be constructed from three coordinates
 
 \param path name of the file
-\param points, tetrahedra, labels replaced by the input; indices start from 0
+\param points, tetrahedra, labels replaced by the input; indices start from 0. Equal corners are
+       merged; the first one counts.
 \param label_array name of the cell array of the labels; `"none"` for label 1 everywhere; empty for
        the array with one of the names above
 \param arrays replaced by all other arrays of numbers on points and tetrahedra, and the name of the
        array of labels, unless it is null
 \param unused ignored cells and arrays are added to it, unless it is null. A second array with one
-       of the names above is added if its values are different. Other arrays of numbers are not
-       added.
+       of the names above is added if its values are different, and an array on points if its
+       values differ at equal points. Other arrays of numbers are not added.
 
 \throws Deformable_simplicial_complexes::File_error if the file cannot be opened, is not such a
         grid, contains no tetrahedra, or contains other three-dimensional cells. Also if arrays are
@@ -130,9 +131,9 @@ void read_VTU(const std::string& path, std::vector<Point>& points,
               Deformable_simplicial_complexes::Unused_content* unused = nullptr) {
   auto read = Deformable_simplicial_complexes::internal::read_vtu_tetrahedra(path, label_array);
   std::vector<Point> new_points;
-  new_points.reserve(read.coordinates.size() / 3);
-  for (std::size_t i = 0; i < read.coordinates.size(); i += 3)
-    new_points.emplace_back(read.coordinates[i], read.coordinates[i + 1], read.coordinates[i + 2]);
+  new_points.reserve(read.points.size());
+  for (const auto& [x, y, z] : read.points)
+    new_points.emplace_back(x, y, z);
   points.swap(new_points);
   tetrahedra.swap(read.tetrahedra);
   labels.swap(read.labels);

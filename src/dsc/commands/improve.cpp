@@ -68,12 +68,8 @@ void print_summary(const Statistics& before, const Statistics& after, double sec
 /// if the output replaces the input.
 Mesh_content content_to_carry(const Improve_options& options, Labeled_tetrahedra mesh,
                               const Mesh_at_rest& complex) {
-  if (extension(options.output) == "vtu")
-    mesh.leave_out_entities();
-  else
-    mesh.leave_out_arrays();
-  Unused_content unused = mesh.unused;
-  Mesh_content content = complex.content(std::move(mesh), unused);
+  Unused_content unused;
+  Mesh_content content = complex.content(std::move(mesh), extension(options.output), unused);
   if (!unused.empty() && is_same_file(options.input, options.output))
     throw Input_error("'" + options.output + "' would lose content that cannot be copied: " +
                       unused.text() + "; choose another output file");

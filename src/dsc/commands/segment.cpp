@@ -7,6 +7,7 @@
 #include "input/gray_image.h"
 #include "input/label_image.h"
 #include "input/translations.h"
+#include "motions/mesh_at_rest.h"
 #include "motions/tracked_complex_2.h"
 #include "motions/tracked_complex_3.h"
 #include "output/picture.h"
@@ -161,18 +162,21 @@ void draw(const std::string& path, const Tracked_complex_2& tracked,
   write_picture(path, picture);
 }
 
-/// Improves the cells for simulations.
-void improve(Tracked_complex_2& tracked, unsigned threads) {
+/// Improves the cells for simulations and writes them.
+void write_improved(Tracked_complex_2& tracked, unsigned threads, const std::string& path) {
   DSC::Mesh_improvement_options<Tracked_complex_2::Complex> improvement;
   improvement.number_of_threads = threads;
   DSC::improve_mesh(tracked.complex, improvement);
+  tracked.write(path);
 }
 
-void improve(Tracked_complex_3& tracked, unsigned threads) {
+void write_improved(const Tracked_complex_3& tracked, unsigned threads, const std::string& path) {
   Improvement_options improvement;
   improvement.threads = threads;
   Mesh_content content;
-  tracked.improve(improvement, content);
+  Mesh_at_rest mesh(tracked.complex.state());
+  mesh.improve(improvement, content);
+  mesh.write(path, content);
 }
 
 template <int d>
@@ -258,10 +262,8 @@ int segment(const Segment_options& options, const DSC::Gray_image<d>& image,
     write_json(options.report, json_of<d>(report, options, tracked, image));
   if (!options.quiet)
     print<d>(report, tracked.complex.number_of_cells());
-  if (!options.mesh.empty()) {
-    improve(tracked, options.threads);
-    tracked.write(options.mesh);
-  }
+  if (!options.mesh.empty())
+    write_improved(tracked, options.threads, options.mesh);
   return 0;
 }
 

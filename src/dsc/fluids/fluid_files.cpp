@@ -4,6 +4,7 @@
 
 #include "fluids/fluid_files.h"
 
+#include "input/files.h"
 #include "input/surface.h"
 #include "programs/errors.h"
 
@@ -31,7 +32,7 @@ void require_files(const Fluid_scene& scene, const std::string& folder) {
   if (files.empty() && !folder.empty())
     throw Usage_error("--data has no effect because the scene names no files; leave it out");
   for (const std::string& file : files)
-    if (const std::string place = place_of(file, folder); !std::filesystem::exists(place))
+    if (const std::string place = place_of(file, folder); !exists(place))
       throw Input_error("the file '" + place +
                         "' of the scene does not exist; give its folder by --data");
 }

@@ -7,6 +7,7 @@
 #include "fluids/fluid_scene_checks.h"
 #include "fluids/fluid_scene_parts.h"
 #include "fluids/scene_files.h"
+#include "input/files.h"
 #include "input/nearest_name.h"
 #include "output/report_json.h"
 #include "programs/errors.h"
@@ -17,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <filesystem>
 #include <limits>
 #include <map>
 #include <set>
@@ -358,7 +358,7 @@ std::vector<std::pair<int, const Fluid_shape*>> shapes_of(const Fluid_scene& sce
 Fluid_scene find_scene(const std::string& name) {
   const std::map<std::string, std::string> scenes = scene_files();
   const auto found = scenes.find(name);
-  if (found == scenes.end() && !std::filesystem::exists(name)) {
+  if (found == scenes.end() && !exists(name)) {
     std::vector<std::string> names;
     for (const auto& scene : scenes)
       names.push_back(scene.first);

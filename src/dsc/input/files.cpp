@@ -33,6 +33,11 @@ std::string extension(const std::string& path) {
   return result;
 }
 
+bool exists(const std::string& path) {
+  std::error_code error;
+  return fs::exists(path, error);
+}
+
 void require_writable(const std::string& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
@@ -73,7 +78,7 @@ void require_place(const std::string& option, const std::string& path,
 
 std::string unused_name(const std::string& stem, const std::string& extension) {
   std::string name = stem + extension;
-  for (int number = 2; fs::exists(name); ++number)
+  for (int number = 2; exists(name); ++number)
     name = stem + '_' + std::to_string(number) + extension;
   return name;
 }

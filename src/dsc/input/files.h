@@ -13,6 +13,10 @@ namespace dsc {
 /// Returns the extension of `path` in lower case and without the dot; empty if there is none.
 std::string extension(const std::string& path);
 
+/// Returns whether there is a file or folder with this path. Any text may be given, such as an
+/// expression that is too long for a name.
+bool exists(const std::string& path);
+
 /// Checks whether a result can be written, before a long computation. An existing file is not
 /// changed.
 /// \throws Input_error if a regular file cannot be created at `path`

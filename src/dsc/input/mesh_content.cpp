@@ -89,21 +89,21 @@ std::size_t remove_foreign(std::vector<Mesh_entities::Simplex<n>>& simplices,
   return removed;
 }
 
-/// Returns whether an array has a different value for nearly each cell, like an array of cell
-/// numbers.
-bool differs_everywhere(const Mesh_array& array, const Complex& complex,
-                        const std::vector<std::size_t>& row_of_cell) {
-  static constexpr std::size_t few = 16, cells_of_region = 8;
-  const auto row = [&](Cell_handle c) {
-    return array.values.begin() +
-           static_cast<std::ptrdiff_t>(row_of_cell[c->id()] * array.components);
-  };
-  const Cell_regions<Complex> regions(complex, [&](Cell_handle c, int i) {
-    const auto a = row(c);
-    return !std::equal(a, a + static_cast<std::ptrdiff_t>(array.components), row(c->neighbor(i)));
-  });
-  const auto number = static_cast<std::size_t>(regions.number);
-  return number > few && number * cells_of_region > complex.number_of_cells();
+/// Returns whether an array contains the numbers 0, 1, ... or 1, 2, ... in any order. Arrays with
+/// few rows are not taken for numbers.
+bool is_numbering(const Mesh_array& array) {
+  static constexpr std::size_t few = 16;
+  if (!array.is_integer() || array.components != 1 || array.rows() <= few)
+    return false;
+  const double first = *std::min_element(array.values.begin(), array.values.end());
+  std::vector<bool> is_present(array.rows(), false);
+  for (const double value : array.values) {
+    const auto i = static_cast<std::size_t>(value - first);
+    if (i >= is_present.size() || is_present[i])
+      return false;
+    is_present[i] = true;
+  }
+  return first == 0 || first == 1;
 }
 
 /// Returns whether `write_VTU()` always writes an array of this name.
@@ -138,20 +138,31 @@ bool Mesh_content::is_empty() const {
          entities.required_vertices.empty();
 }
 
+Mesh_arrays carried_arrays(Mesh_arrays arrays, Unused_content& unused) {
+  Unused_content* const told = has_computed_arrays(arrays) ? nullptr : &unused;
+  for (auto* list : {&arrays.points, &arrays.cells})
+    remove_arrays(*list, "that is computed again", told, is_computed);
+  remove_arrays(arrays.points, "of point numbers, which change", &unused, is_numbering);
+  remove_arrays(arrays.cells, "of cell numbers, which change", &unused, is_numbering);
+  return arrays;
+}
+
 Mesh_content content_of(Labeled_tetrahedra mesh, const Complex& complex,
                         const std::vector<Vertex_handle>& vertices_of_points,
-                        Unused_content& unused) {
-  Mesh_content content{std::move(mesh.arrays), std::move(mesh.entities)};
-  Unused_content* const told = has_computed_arrays(content.arrays) ? nullptr : &unused;
-  for (auto* arrays : {&content.arrays.points, &content.arrays.cells})
-    remove_arrays(*arrays, "that is computed again", told, is_computed);
+                        const std::string& format, Unused_content& unused) {
+  if (format != "vtu")
+    mesh.leave_out_arrays();
+  if (format != "mesh")
+    mesh.leave_out_entities();
+  unused.add(mesh.unused);
+  Mesh_content content{carried_arrays(std::move(mesh.arrays), unused), std::move(mesh.entities)};
   if (content.is_empty())
     return content;
 
   const std::vector<Vertex_handle> vertices = complex.vertices();
   const std::vector<Cell_handle> cells = complex.cells();
-  std::vector<std::size_t> index_of_vertex(complex.vertex_id_bound()),
-      row_of_cell(complex.cell_id_bound()), points(vertices.size()), vertex_of_point;
+  std::vector<std::size_t> index_of_vertex(complex.vertex_id_bound()), points(vertices.size()),
+      vertex_of_point;
   for (std::size_t i = 0; i < vertices.size(); ++i)
     index_of_vertex[vertices[i]->id()] = i;
   for (const Vertex_handle v : vertices_of_points) {
@@ -159,17 +170,10 @@ Mesh_content content_of(Labeled_tetrahedra mesh, const Complex& complex,
     vertex_of_point.push_back(index_of_vertex[v->id()]);
   }
   const std::vector<std::size_t> tetrahedra = tetrahedra_of(cells, vertices_of_points, mesh);
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    row_of_cell[cells[i]->id()] = i;
-
   for (Mesh_array& array : content.arrays.points)
     array = array.selected(points);
   for (Mesh_array& array : content.arrays.cells)
     array = array.selected(tetrahedra);
-  remove_arrays(content.arrays.cells, "of cell numbers, which change", &unused,
-                [&](const Mesh_array& array) {
-                  return array.is_integer() && differs_everywhere(array, complex, row_of_cell);
-                });
 
   Mesh_entities& entities = content.entities;
   const std::vector<int> references = entities.vertex_references;

@@ -10,6 +10,7 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Solid_domain.h>
 
+#include <string>
 #include <vector>
 
 namespace dsc {
@@ -25,6 +26,11 @@ struct Mesh_content
   bool is_empty() const;
 };
 
+/// Returns the arrays of a file that can follow changes of a complex.
+/// \param unused receives the others: numbers of points and cells, and arrays with names of computed
+/// arrays
+Mesh_arrays carried_arrays(Mesh_arrays arrays, Unused_content& unused);
+
 /// A complex whose domain can have any shape.
 using Solid_complex = CGAL::Deformable_simplicial_complex_3<
     CGAL::Deformable_simplicial_complex_traits_3<>, CGAL::Default,
@@ -33,12 +39,12 @@ using Solid_complex = CGAL::Deformable_simplicial_complex_3<
 
 /// Returns the content of a mesh for the complex that was built from it.
 /// \param vertices the vertices of the points of the mesh
-/// \param unused receives the content that cannot follow changes of the complex: edges and
-/// triangles that are not in the complex, arrays of integers that differ nearly everywhere, and
-/// arrays with names of computed arrays
+/// \param format extension of the output file: `vtu` for arrays, `mesh` for entities
+/// \param unused receives the rest of the file: what this format cannot store, and what cannot follow
+/// changes of the complex, such as edges that are not in the complex
 Mesh_content content_of(Labeled_tetrahedra mesh, const Solid_complex& complex,
                         const std::vector<Solid_complex::Vertex_handle>& vertices,
-                        Unused_content& unused);
+                        const std::string& format, Unused_content& unused);
 
 /// Replaces the vertex indices of edges, triangles, corners and required vertices by new indices.
 void renumber_vertices(Mesh_entities& entities, const std::vector<std::size_t>& new_indices);

@@ -11,7 +11,6 @@
 
 #include <CGAL/Mesh_files/File_error.h>
 
-#include <filesystem>
 #include <fstream>
 #include <string>
 
@@ -49,7 +48,7 @@ bool has_colors(const std::string& path) {
 std::string native_file(const std::string& path, const std::string& labels,
                         const std::string& thresholds) {
   const std::string format = extension(path);
-  if (!is_foreign(path) && !std::filesystem::exists(path))
+  if (!is_foreign(path) && !exists(path))
     return path;
   if (!thresholds.empty() || is_foreign(path) || (format == "png" && has_colors(path)))
     return translate(path, labels, thresholds);

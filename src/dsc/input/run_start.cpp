@@ -7,7 +7,6 @@
 #include "input/files.h"
 
 #include <algorithm>
-#include <filesystem>
 
 namespace dsc {
 
@@ -25,7 +24,7 @@ Input_kind input_kind(const Run_start& start) {
 }
 
 Input_kind input_kind(const std::string& input) {
-  const bool is_file = std::filesystem::exists(input);
+  const bool is_file = exists(input);
   if (input.find_first_of("<>") != std::string::npos ||
       (input.find('=') != std::string::npos && !is_file))
     return Input_kind::inequalities;

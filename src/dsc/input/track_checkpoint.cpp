@@ -4,6 +4,7 @@
 
 #include "input/tracked_checkpoint.h"
 
+#include "motions/saved_arrays.h"
 #include "motions/tracked_complex_3.h"
 
 #include <CGAL/Mesh_files/checkpoint.h>
@@ -19,7 +20,9 @@ int checkpoint_dimension(const std::string& path) {
 
 std::unique_ptr<Tracked_complex> track_checkpoint_3(const std::string& path,
                                                     std::string& metadata) {
-  return restored<Tracked_complex_3>(path, CGAL::IO::read_checkpoint(path), metadata);
+  auto tracked = restored<Tracked_complex_3>(path, CGAL::IO::read_checkpoint(path), metadata);
+  tracked->carry(take_arrays(metadata));
+  return tracked;
 }
 
 } // namespace dsc

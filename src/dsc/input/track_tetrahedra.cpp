@@ -4,8 +4,10 @@
 
 #include "input/domain_box.h"
 #include "input/labeled_tetrahedra.h"
+#include "input/mesh_content.h"
 #include "input/start_complex.h"
 #include "input/unused.h"
+#include "motions/arrays_on.h"
 #include "motions/tracked_complex_3.h"
 #include "programs/errors.h"
 
@@ -20,6 +22,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
@@ -68,17 +71,9 @@ track_in_mesh(const std::string& path, const Labeled_tetrahedra& mesh, const Run
   return result;
 }
 
-} // namespace
-
-std::unique_ptr<Tracked_complex> track_tetrahedra(const std::string& path,
-                                                  const Run_options& options) {
-  Labeled_tetrahedra mesh = read_tetrahedra(path, options.start.labels);
-  mesh.leave_out_arrays();
-  mesh.leave_out_entities();
-  print_unused(path, mesh.unused);
-  if (!options.domain)
-    if (auto complex = track_in_mesh(path, mesh, options.start))
-      return complex;
+/// Returns the complex of tetrahedra in a box with tetrahedra of label 0 around them.
+std::unique_ptr<Tracked_complex_3>
+track_in_box(const std::string& path, const Labeled_tetrahedra& mesh, const Run_options& options) {
   try {
     return std::make_unique<Tracked_complex_3>(DSC::make_deformable_simplicial_complex_3<Complex>(
         mesh.points, mesh.tetrahedra, mesh.labels, CGAL::Tetgen_tetrahedralizer_3(),
@@ -88,6 +83,23 @@ std::unique_ptr<Tracked_complex> track_tetrahedra(const std::string& path,
   } catch (const Invalid_surface_error& error) {
     throw Input_error(path + ": the boundary of the tetrahedra is invalid: " + error.what());
   }
+}
+
+} // namespace
+
+std::unique_ptr<Tracked_complex> track_tetrahedra(const std::string& path,
+                                                  const Run_options& options) {
+  Labeled_tetrahedra mesh = read_tetrahedra(path, options.start.labels);
+  mesh.leave_out_entities();
+  mesh.arrays = carried_arrays(std::move(mesh.arrays), mesh.unused);
+  print_unused(path, mesh.unused);
+  std::unique_ptr<Tracked_complex_3> result;
+  if (!options.domain)
+    result = track_in_mesh(path, mesh, options.start);
+  if (!result)
+    result = track_in_box(path, mesh, options);
+  result->carry(arrays_on(result->complex, mesh));
+  return result;
 }
 
 } // namespace dsc

@@ -25,8 +25,8 @@ std::unique_ptr<Tracked_complex> track_checkpoint_3(const std::string& path, std
 
 /// Returns the complex of a checkpoint that was read, and stores its metadata.
 template <class Tracked, class Checkpoint>
-std::unique_ptr<Tracked_complex> restored(const std::string& path, Checkpoint&& checkpoint,
-                                          std::string& metadata) {
+std::unique_ptr<Tracked> restored(const std::string& path, Checkpoint&& checkpoint,
+                                  std::string& metadata) {
   auto tracked = std::make_unique<Tracked>();
   try {
     tracked->complex.restore(checkpoint.state);

@@ -57,10 +57,14 @@ Temporary_files& temporary_files() {
 std::string new_folder() {
   Temporary_files& files = temporary_files();
   if (files.folder.empty()) {
-    std::string name = (fs::temp_directory_path() / "dsc-XXXXXX").string();
+    std::error_code error;
+    const fs::path parent = fs::temp_directory_path(error);
+    if (error)
+      throw Input_error("there is no folder for temporary files; set TMPDIR to a folder");
+    std::string name = (parent / "dsc-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr)
-      throw Input_error("cannot create a temporary folder in " +
-                        fs::temp_directory_path().string() + ": " + std::strerror(errno));
+      throw Input_error("cannot create a temporary folder in " + parent.string() + ": " +
+                        std::strerror(errno));
     files.folder = name;
   }
   const fs::path result = fs::path(files.folder) / std::to_string(files.number++);
@@ -153,7 +157,7 @@ std::string path_of_program(const std::string& name) {
 }
 
 void require_program(const std::string& name, const std::string& file) {
-  if (!fs::exists(path_of_program(name)))
+  if (!exists(path_of_program(name)))
     throw Input_error(file + " needs the program " + name +
                       ", which is built if VTK is found (Debian: libvtk9-dev); build it, or use "
                       "another format");
@@ -178,7 +182,7 @@ std::string translate_with(const std::string& path,
   const auto known = files.translations.find(path);
   if (known != files.translations.end())
     return known->second;
-  if (!fs::exists(path))
+  if (!exists(path))
     throw Input_error("cannot open " + path + "; check that the file exists and is readable");
   std::vector<std::string> arguments = {path, new_folder()};
   for (const auto& [name, value] : options)

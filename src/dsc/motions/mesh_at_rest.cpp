@@ -6,6 +6,7 @@
 
 #include "input/cell_regions.h"
 #include "input/files.h"
+#include "motions/array_visitor.h"
 #include "motions/tracked_complex.h"
 #include "output/complex_output_3.h"
 #include "programs/errors.h"
@@ -16,9 +17,6 @@
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Solid_domain.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parts/assign_part.h>
-#include <CGAL/Interface_remeshing/Carried_cell_averages.h>
-#include <CGAL/Interface_remeshing/Carried_vertex_values.h>
-#include <CGAL/Interface_remeshing/Number_rows.h>
 #include <CGAL/Interface_remeshing/improve_mesh.h>
 #include <CGAL/Mesh_files/MEDIT_3.h>
 #include <CGAL/Mesh_files/VTU_3.h>
@@ -29,8 +27,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -159,161 +155,35 @@ private:
   bool m_needs_boundary = false;
 };
 
-/// The numbers of all arrays at a vertex or cell.
-using Content_row = DSC::Number_row;
-template <class Handle> using Content_map = DSC::Number_row_map<Handle>;
-
-/// A visitor that transfers the arrays and entities of a mesh through the changes of a complex.
-/// Arrays of floating-point numbers are averages over cells, whose integrals are conserved, or
-/// values at vertices, which are interpolated. A new vertex gets the integers of the nearest vertex
-/// around it. Integers of cells are not transferred: see `Separation`.
-template <class Complex> class Content_visitor : public DSC::Deformation_visitor
-{
-public:
-  using Vertex_handle = typename Complex::Vertex_handle;
-  using Cell_handle = typename Complex::Cell_handle;
-
-  Content_visitor(const Complex& complex, const Mesh_content& content)
-      : m_complex(complex), m_content(content), m_integers(complex.vertex_id_bound()),
-        m_values(complex.vertex_id_bound()), m_cell_rows(complex.cell_id_bound()) {
-    const std::vector<Vertex_handle> vertices = complex.vertices();
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-      const Vertex_handle v = vertices[i];
-      m_time_stamps.push_back(v->time_stamp());
-      m_integers[v->id()] = row(content.arrays.points, true, i);
-      m_values[v->id()] = row(content.arrays.points, false, i);
-    }
-    const std::vector<Cell_handle> cells = complex.cells();
-    for (std::size_t i = 0; i < cells.size(); ++i)
-      m_cell_rows[cells[i]->id()] = row(content.arrays.cells, false, i);
-    if (!vertices.empty() && !m_values[vertices.front()->id()].numbers.empty())
-      m_carried_values.emplace(complex, Content_map<Vertex_handle>{&m_values});
-    if (!cells.empty() && !m_cell_rows[cells.front()->id()].numbers.empty())
-      m_carried_averages.emplace(complex, Content_map<Cell_handle>{&m_cell_rows});
-  }
-
-  template <class Cavity> void before_replacement(const Cavity& cavity) {
-    for_both([&](auto& carried) { carried.before_replacement(cavity); });
-    m_new_integers.clear();
-    for (std::size_t i = 0; i < cavity.vertices().size(); ++i)
-      if (cavity.vertices()[i].handle == Vertex_handle())
-        m_new_integers.emplace_back(i, integers_near(cavity, cavity.vertices()[i].position));
-  }
-  template <class Cavity> void after_replacement(const Cavity& cavity) {
-    for_both([&](auto& carried) { carried.after_replacement(cavity); });
-    for (auto& [i, integers] : m_new_integers)
-      put(Content_map<Vertex_handle>{&m_integers}, cavity.vertices()[i].handle, integers);
-  }
-  template <class Star, class Point>
-  void before_smoothing(Vertex_handle v, const Star& star, const Point& target) {
-    for_both([&](auto& carried) { carried.before_smoothing(v, star, target); });
-  }
-  template <class Star> void after_smoothing(Vertex_handle v, const Star& star) {
-    for_both([&](auto& carried) { carried.after_smoothing(v, star); });
-  }
-
-  /// Returns the content for the current vertices and cells. Must be called once, after all
-  /// changes.
-  /// \param row_of_cell for each cell, the row of an initial cell with the same integers
-  Mesh_content finish(const std::vector<std::size_t>& row_of_cell) {
-    m_carried_averages.reset(); // converts integrals into averages
-    Mesh_content result = m_content;
-    const std::vector<Vertex_handle> vertices = m_complex.vertices();
-    take(result.arrays.points, true, m_integers, vertices);
-    take(result.arrays.points, false, m_values, vertices);
-    take(result.arrays.cells, false, m_cell_rows, m_complex.cells());
-    for (Mesh_array& array : result.arrays.cells)
-      if (array.is_integer())
-        array = array.selected(row_of_cell);
-    follow(result.entities, vertices);
-    return result;
-  }
-
-private:
-  template <class Call> void for_both(const Call& call) {
-    if (m_carried_averages)
-      call(*m_carried_averages);
-    if (m_carried_values)
-      call(*m_carried_values);
-  }
-
-  static Content_row row(const std::vector<Mesh_array>& arrays, bool of_integers, std::size_t i) {
-    Content_row result;
-    for (const Mesh_array& array : arrays)
-      if (array.is_integer() == of_integers) {
-        const auto begin = array.values.begin() + std::ptrdiff_t(i * array.components);
-        result.numbers.insert(result.numbers.end(), begin,
-                              begin + std::ptrdiff_t(array.components));
-      }
-    return result;
-  }
-
-  // Copies the numbers of the rows into the arrays.
-  template <class Handle>
-  static void take(std::vector<Mesh_array>& arrays, bool of_integers,
-                   const std::vector<Content_row>& rows, const std::vector<Handle>& items) {
-    std::size_t first = 0;
-    for (Mesh_array& array : arrays) {
-      if (array.is_integer() != of_integers)
-        continue;
-      array.values.clear();
-      for (const Handle item : items) {
-        const auto begin = rows[item->id()].numbers.begin() + std::ptrdiff_t(first);
-        array.values.insert(array.values.end(), begin, begin + std::ptrdiff_t(array.components));
-      }
-      first += array.components;
-    }
-  }
-
-  template <class Cavity, class Position>
-  Content_row integers_near(const Cavity& cavity, const Position& p) const {
-    Vertex_handle nearest;
-    double least = 0;
-    for (const auto& v : cavity.vertices()) {
-      if (v.handle == Vertex_handle() || m_complex.is_infinite(v.handle))
-        continue;
-      const double distance = (v.position - p).squared_length();
-      if (nearest == Vertex_handle() || distance < least) {
-        least = distance;
-        nearest = v.handle;
-      }
-    }
-    return m_integers[nearest->id()];
-  }
-
-  // Updates vertex indices. New vertices get the reference 0; the vertices of entities still exist.
-  void follow(Mesh_entities& entities, const std::vector<Vertex_handle>& vertices) const {
-    std::vector<std::size_t> now(m_time_stamps.size(), 0);
-    std::vector<int> references;
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-      const auto it =
-          std::lower_bound(m_time_stamps.begin(), m_time_stamps.end(), vertices[i]->time_stamp());
-      const bool is_old = it != m_time_stamps.end() && *it == vertices[i]->time_stamp();
-      const auto before = static_cast<std::size_t>(it - m_time_stamps.begin());
-      if (is_old)
-        now[before] = i;
-      if (!entities.vertex_references.empty())
-        references.push_back(is_old ? entities.vertex_references[before] : 0);
-    }
-    renumber_vertices(entities, now);
-    entities.vertex_references = references;
-  }
-
-  const Complex& m_complex;
-  const Mesh_content& m_content;
-  std::vector<std::size_t> m_time_stamps;                     // time stamps of the initial vertices
-  std::vector<Content_row> m_integers, m_values, m_cell_rows; // indexed by id
-  std::vector<std::pair<std::size_t, Content_row>> m_new_integers; // by vertex of the cavity
-  std::optional<DSC::Carried_cell_averages<Complex, Content_map<Cell_handle>>> m_carried_averages;
-  std::optional<DSC::Carried_vertex_values<Complex, Content_map<Vertex_handle>>> m_carried_values;
-};
-
 // The quality measure depends on angles, because the complex does not move.
 using Complex_at_rest =
     CGAL::Deformable_simplicial_complex_3<CGAL::Deformable_simplicial_complex_traits_3<>,
                                           CGAL::Default, DSC::Biased_minimum_sine_3,
                                           DSC::Solid_domain>;
 using Cell_handle = Complex_at_rest::Cell_handle;
+
+/// Updates the vertex indices of entities after changes of a complex. New vertices get the
+/// reference 0; the vertices of entities still exist.
+/// \param time_stamps of the vertices before the changes
+void follow(const Complex_at_rest& complex, const std::vector<std::size_t>& time_stamps,
+            Mesh_entities& entities) {
+  const std::vector<Complex_at_rest::Vertex_handle> vertices = complex.vertices();
+  std::vector<std::size_t> now(time_stamps.size(), 0);
+  std::vector<int> references;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const auto it =
+        std::lower_bound(time_stamps.begin(), time_stamps.end(), vertices[i]->time_stamp());
+    const bool is_old = it != time_stamps.end() && *it == vertices[i]->time_stamp();
+    const auto before = static_cast<std::size_t>(it - time_stamps.begin());
+    if (is_old)
+      now[before] = i;
+    if (!entities.vertex_references.empty())
+      references.push_back(is_old ? entities.vertex_references[before] : 0);
+  }
+  renumber_vertices(entities, now);
+  entities.vertex_references = references;
+}
+
 using State = DSC::State<3>;
 using DSC::internal::assign_part;
 using DSC::internal::finite_state;
@@ -370,8 +240,11 @@ Mesh_at_rest::Mesh_at_rest(const std::string& path, Labeled_tetrahedra& mesh) {
   }
 }
 
-Mesh_content Mesh_at_rest::content(Labeled_tetrahedra mesh, Unused_content& unused) const {
-  return content_of(std::move(mesh), m_complex, m_vertices, unused);
+Mesh_at_rest::Mesh_at_rest(const State& state) { assign_part(m_complex, finite_state(state)); }
+
+Mesh_content Mesh_at_rest::content(Labeled_tetrahedra mesh, const std::string& format,
+                                   Unused_content& unused) const {
+  return content_of(std::move(mesh), m_complex, m_vertices, format, unused);
 }
 
 Statistics Mesh_at_rest::statistics() const {
@@ -400,18 +273,19 @@ Improvement_outcome Mesh_at_rest::improve(const Improvement_options& options,
     const Separation<Complex_at_rest> separation(at_rest, content);
     separate(state, separation);
     assign_part(at_rest, state);
-    Content_visitor<Complex_at_rest> visitor(at_rest, content);
-    DSC::Visitor_adaptor<Complex_at_rest, Content_visitor<Complex_at_rest>> adaptor(visitor);
+    std::vector<std::size_t> time_stamps;
+    for (const auto v : at_rest.vertices())
+      time_stamps.push_back(v->time_stamp());
+    Array_visitor<Complex_at_rest> visitor(at_rest, content.arrays);
+    DSC::Visitor_adaptor<Complex_at_rest, Array_visitor<Complex_at_rest>> adaptor(visitor);
     improvement.visitor = &adaptor;
     outcome.changes = DSC::improve_mesh(at_rest, improvement);
 
-    std::vector<std::size_t> row_of_cell;
     state = finite_state(at_rest.state());
-    for (int& label : state.cell_labels) {
-      row_of_cell.push_back(separation.row_of_region()[static_cast<std::size_t>(label)]);
-      label = labels[row_of_cell.back()];
-    }
-    content = visitor.finish(row_of_cell);
+    for (int& label : state.cell_labels)
+      label = labels[separation.row_of_region()[static_cast<std::size_t>(label)]];
+    content.arrays = visitor.finish();
+    follow(at_rest, time_stamps, content.entities);
     require_entities(at_rest, content.entities);
   }
   outcome.worst_after = least_quality(at_rest);
@@ -420,18 +294,18 @@ Improvement_outcome Mesh_at_rest::improve(const Improvement_options& options,
   DSC::internal::classify_boundary(state);
   assign_part(m_complex, state);
   m_vertices.clear();
-  leave_out_copies(content, m_complex);
   outcome.seconds = seconds_since(start);
   return outcome;
 }
 
-void Mesh_at_rest::write(const std::string& path) const { write_complex(path, m_complex); }
-
-void Mesh_at_rest::write(const std::string& path, const Mesh_content& content) const {
+void Mesh_at_rest::write(const std::string& path, Mesh_content content) const {
+  leave_out_copies(content, m_complex);
   if (extension(path) == "vtu")
     CGAL::IO::write_VTU(path, m_complex, content.arrays);
-  else
+  else if (extension(path) == "mesh")
     CGAL::IO::write_MEDIT(path, m_complex, content.entities);
+  else
+    write_complex(path, m_complex);
 }
 
 } // namespace dsc

@@ -9,6 +9,8 @@
 #include "output/statistics.h"
 #include "programs/threads_option.h"
 
+#include <CGAL/Deformable_simplicial_complexes/State.h>
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,7 +25,8 @@ struct Improvement_options
   unsigned threads = default_number_of_threads();
 };
 
-/// The labeled tetrahedra of a file, which do not move. They are the domain and can have any shape.
+/// Labeled tetrahedra, for example of a file, which do not move. They are the domain and can have
+/// any shape.
 class Mesh_at_rest
 {
 public:
@@ -32,22 +35,24 @@ public:
   /// \throws Input_error if the tetrahedra do not define a complex
   Mesh_at_rest(const std::string& path, Labeled_tetrahedra& mesh);
 
+  /// Copies the tetrahedra of a complex, which has the state.
+  explicit Mesh_at_rest(const CGAL::Deformable_simplicial_complexes::State<3>& state);
+
   /// Returns the content of the mesh that changes of the complex preserve, see content_of().
-  Mesh_content content(Labeled_tetrahedra mesh, Unused_content& unused) const;
+  Mesh_content content(Labeled_tetrahedra mesh, const std::string& format,
+                       Unused_content& unused) const;
 
   Statistics statistics() const;
 
   /// Improves the tetrahedra. The interface and the boundary keep their shape.
   /// \param content the content of the vertices and cells, which is updated: entities are
   /// preserved, averages over cells keep their integrals, values at vertices are interpolated, and
-  /// integers of cells keep their regions. Afterwards, it is the content of the vertices of a file.
+  /// integers of cells keep their regions
   Improvement_outcome improve(const Improvement_options& options, Mesh_content& content);
 
-  /// Writes the tetrahedra or the interface, in the format of the extension.
-  void write(const std::string& path) const;
-
-  /// Writes the tetrahedra (.mesh, .vtu) with their content after an improvement.
-  void write(const std::string& path, const Mesh_content& content) const;
+  /// Writes the tetrahedra (.mesh, .vtu) with their content, or the interface, in the format of the
+  /// extension. Points at which the domain touches itself are written once.
+  void write(const std::string& path, Mesh_content content) const;
 
 private:
   Solid_complex m_complex;

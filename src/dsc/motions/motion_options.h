@@ -7,6 +7,7 @@
 
 #include "motions/motion.h"
 
+#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Interface_flows/advect_adaptively.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_remeshing/control_detail.h>
@@ -52,10 +53,12 @@ void complete(CGAL::Deformable_simplicial_complexes::Adaptive_advection_options<
 /// run. The smallest label takes the rest.
 /// \param volumes in the unit of the input, of labels that may have vanished since
 /// \param unit volume of the unit of the complex, in the unit of the input
+/// \param visitor visitor of the changes; none if null
 /// \param report of the step, which tells of the changes
 template <class Complex>
 void restore_start_volumes(
     Complex& complex, const std::map<int, double>& volumes, double unit, unsigned threads,
+    CGAL::Deformable_simplicial_complexes::Any_visitor<Complex>* visitor,
     CGAL::Deformable_simplicial_complexes::Deformation_report<Complex>& report) {
   std::map<typename Complex::Label, double> kept;
   for (const auto& [label, volume] : volumes)
@@ -66,6 +69,7 @@ void restore_start_volumes(
   CGAL::Deformable_simplicial_complexes::Volume_restoration_options<Complex> options;
   options.deformation.number_of_threads = threads;
   options.deformation.forbid_topology_changes();
+  options.deformation.visitor = visitor;
   options.volume_tolerance = 1e-6; // errors of steps do not add up
   const unsigned parts = report.steps;
   for (const auto& next : restore_volumes(complex, kept, options).deformations)
@@ -74,9 +78,12 @@ void restore_start_volumes(
 }
 
 /// Adapts the mesh before an offset in the plane or of whole faces, which stretches the interface.
-template <class Complex> void make_room(Complex& complex) {
+template <class Complex>
+void make_room(Complex& complex,
+               CGAL::Deformable_simplicial_complexes::Any_visitor<Complex>* visitor) {
   CGAL::Deformable_simplicial_complexes::Detail_options<Complex> options;
   options.collapse_length = 2;
+  options.visitor = visitor;
   CGAL::Deformable_simplicial_complexes::control_detail(complex, options);
 }
 

@@ -10,6 +10,7 @@
 #include "motions/tracked_complex.h"
 #include "programs/errors.h"
 
+#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Interface_flows/Mean_curvature_flow.h>
 #include <CGAL/Interface_flows/Normal_offset.h>
 #include <CGAL/Interface_flows/advect_adaptively.h>
@@ -77,6 +78,7 @@ template <class Complex> struct Motion_step
   double time;
   unsigned threads;
   const Step_options& options;
+  DSC::Any_visitor<typename Of::Part>* visitor = nullptr; ///< of all changes
 
   Report operator()(const Rotation& rotation) const {
     const std::array<Point, 2> box = Of::box(complex);
@@ -108,7 +110,7 @@ template <class Complex> struct Motion_step
     const double speed = offset.distance.value * unit;
     if constexpr (!is_distributed)
       if (d == 2 || offset.moves_faces)
-        make_room(complex);
+        make_room(complex, visitor);
     if constexpr (!is_distributed && d == 3)
       if (offset.moves_faces)
         return advect(DSC::Face_offset_3(speed), time, 1);
@@ -147,7 +149,7 @@ template <class Complex> struct Motion_step
     if constexpr (!is_distributed)
       if (flow.keeps_volumes)
         restore_start_volumes(complex, flow.volumes, d == 3 ? square * scale : square, threads,
-                              report);
+                              visitor, report);
     return report;
   }
 
@@ -173,11 +175,13 @@ private:
   Report follow(const Velocity& velocity, double t, double dt,
                 const std::optional<double>& tolerance, Options chosen) const {
     complete(chosen, tolerance, options, threads);
+    chosen.advection.deformation.visitor = visitor;
     return advect_adaptively(complex, velocity, t, dt, chosen);
   }
 
   template <class Flow> Report advect(const Flow& flow, double t, double dt) const {
-    const auto chosen = advection_options<typename Of::Part>(options, threads);
+    auto chosen = advection_options<typename Of::Part>(options, threads);
+    chosen.deformation.visitor = visitor;
     if constexpr (is_distributed)
       return advect_interface(complex, flow, t, dt, chosen.deformation);
     else
@@ -189,7 +193,8 @@ private:
 /// stays smooth under compression. Sharp edges are preserved. Curves have few segments, so the
 /// tolerance is smaller in the plane.
 template <class Complex>
-void improve_before_step(Complex& complex, const std::optional<double>& aggressiveness) {
+void improve_before_step(Complex& complex, const std::optional<double>& aggressiveness,
+                         DSC::Any_visitor<Complex>* visitor) {
   static constexpr bool is_planar = Complex::dimension == 2;
   static constexpr double feature_angle = is_planar ? 60 : 85, // below cubes, above rims of sheets
       tolerance = is_planar ? .005 : .05, shortest = .2, longest = is_planar ? 4 : 1;
@@ -204,17 +209,20 @@ void improve_before_step(Complex& complex, const std::optional<double>& aggressi
   options.swept_volume = is_planar ? .01 : options.swept_volume;
   options.curved_splits = true;
   options.aggressiveness = aggressiveness.value_or(is_planar ? 0 : options.aggressiveness);
+  options.visitor = visitor;
   DSC::improve_interface(complex, options);
 }
 
 /// Does a step of a complex that one process holds.
+/// \param visitor visitor of all changes; none if null
 template <class Complex>
-Step_outcome do_step(Complex& complex, const Step_options& options, double time, unsigned threads) {
+Step_outcome do_step(Complex& complex, const Step_options& options, double time, unsigned threads,
+                     DSC::Any_visitor<Complex>* visitor = nullptr) {
   const auto start = Clock::now();
   if (options.improves_interface)
-    improve_before_step(complex, options.aggressiveness);
+    improve_before_step(complex, options.aggressiveness, visitor);
   const auto report =
-      std::visit(Motion_step<Complex>{complex, time, threads, options}, options.motion);
+      std::visit(Motion_step<Complex>{complex, time, threads, options, visitor}, options.motion);
   return step_outcome(seconds_since(start), complex, report);
 }
 

@@ -4,15 +4,24 @@
 
 #include "motions/tracked_complex_3.h"
 
+#include "input/files.h"
+#include "input/unused.h"
+#include "motions/arrays_on.h"
+#include "motions/saved_arrays.h"
 #include "motions/tracked_whole_impl.h"
 #include "output/complex_output_3.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
 #include <CGAL/Interface_remeshing/extract_interface_3.h>
 #include <CGAL/Interface_remeshing/subdivide_interface_3.h>
+#include <CGAL/Mesh_files/VTU_3.h>
 #include <CGAL/Mesh_files/labeled_surface_3.h>
 
+#include <cstddef>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
@@ -45,8 +54,61 @@ subdivided_velocities(DSC::Interface_surface_3<Tracked_complex_3::Complex> surfa
 
 } // namespace
 
+void Tracked_complex_3::carry(Mesh_arrays carried) {
+  m_carried = std::move(carried);
+  arrays.of_cells = [this] { return m_carried; };
+}
+
+void Tracked_complex_3::grow_domain() {
+  const std::optional<Labeled_tetrahedra> before =
+      carries_arrays() ? std::make_optional(tetrahedra_of(complex, m_carried)) : std::nullopt;
+  Tracked_whole::grow_domain();
+  if (before)
+    m_carried = arrays_on(complex, *before);
+}
+
+void Tracked_complex_3::keep() {
+  Tracked_whole::keep();
+  m_kept_arrays = m_carried;
+}
+
+void Tracked_complex_3::forget() {
+  Tracked_whole::forget();
+  m_kept_arrays.reset();
+}
+
+void Tracked_complex_3::go_back() {
+  Tracked_whole::go_back();
+  if (m_kept_arrays)
+    m_carried = std::move(*m_kept_arrays);
+  m_kept_arrays.reset();
+}
+
+void Tracked_complex_3::write_interface_vtu(const std::string& path) const {
+  if (m_carried.points.empty())
+    return Tracked_whole::write_interface_vtu(path);
+  const DSC::Vertex_numbers numbers(complex, complex.vertices());
+  std::vector<std::size_t> rows;
+  for (const auto v : complex.interface_vertices())
+    rows.push_back(numbers(v));
+  Mesh_arrays on_interface;
+  for (const DSC::Mesh_array& array : m_carried.points)
+    on_interface.points.push_back(array.selected(rows));
+  CGAL::IO::write_interface_VTU(path, complex, on_interface);
+}
+
+void Tracked_complex_3::write_checkpoint(const std::string& path,
+                                         const std::string& metadata) const {
+  Tracked_whole::write_checkpoint(path, with_arrays(metadata, m_carried));
+}
+
 void Tracked_complex_3::write(const std::string& path) const {
   write_complex(path, complex, arrays.of_cells());
+  if (extension(path) == "vtu" || extension(path) == "png")
+    return;
+  for (const auto* list : {&m_carried.points, &m_carried.cells})
+    for (const DSC::Mesh_array& array : *list)
+      print_note(path, "does not contain the array '" + array.name + "'; write .vtu");
 }
 
 void Tracked_complex_3::write_subdivided(const std::string& path, int subdivisions) const {

@@ -2,6 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "motions/array_visitor.h"
 #include "motions/motion_step.h"
 #include "motions/tracked_complex_3.h"
 
@@ -9,7 +10,13 @@ namespace dsc {
 
 Step_outcome Tracked_complex_3::advance(const Step_options& options, double time,
                                         unsigned threads) {
-  return do_step(complex, options, time, threads);
+  if (!carries_arrays())
+    return do_step(complex, options, time, threads);
+  Array_visitor<Complex> visitor(complex, m_carried);
+  DSC::Visitor_adaptor<Complex, Array_visitor<Complex>> adaptor(visitor);
+  const Step_outcome outcome = do_step(complex, options, time, threads, &adaptor);
+  m_carried = visitor.finish();
+  return outcome;
 }
 
 } // namespace dsc

@@ -27,6 +27,7 @@
 #include <cstddef>
 #include <fstream>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace dsc {
@@ -81,12 +82,12 @@ void convert_tetrahedra(const std::string& input, const std::string& output,
                  {"vtu", "mesh", "off", "obj", "ply", "stl", "png", "vtk"});
   Labeled_tetrahedra mesh = read_tetrahedra(input, labels);
   const Mesh_at_rest complex(input, mesh);
-  mesh.leave_out_arrays();
-  mesh.leave_out_entities();
-  print_unused(input, mesh.unused);
   const bool is_foreign_format = extension(output) == "vtk";
   const std::string path = is_foreign_format ? temporary_file("cells.vtu") : output;
-  complex.write(path);
+  Unused_content unused;
+  const Mesh_content content = complex.content(std::move(mesh), extension(path), unused);
+  print_unused(input, unused);
+  complex.write(path, content);
   if (is_foreign_format)
     write_foreign(path, output);
 }

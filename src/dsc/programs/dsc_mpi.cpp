@@ -8,6 +8,7 @@
 
 #include "commands/commands.h"
 #include "input/All_inputs.h"
+#include "input/unused.h"
 #include "motions/run.h"
 #include "motions/tracked_distributed.h"
 #include "programs/errors.h"
@@ -94,6 +95,9 @@ private:
       throw dsc::Input_error("the first process could not build the complex");
     auto result = std::make_unique<dsc::Tracked_distributed>(m_processes, divide);
     const auto* const whole = dynamic_cast<dsc::Tracked_complex_3*>(built.get());
+    if (whole != nullptr && whole->carries_arrays())
+      dsc::print_note("several processes",
+                      "arrays of the input are not used; run dsc without mpirun");
     result->complex.distribute(whole != nullptr ? whole->complex
                                                 : dsc::Tracked_complex_3::Complex());
     return result;

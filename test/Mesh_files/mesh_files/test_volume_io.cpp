@@ -321,6 +321,51 @@ TEST(Read_vtu, labels_are_not_guessed) {
   expect_equal(read_vtu(path), two_tetrahedra({1, 1}));
 }
 
+// The two tetrahedra with points of their own, and a point of a triangle.
+TEST(Read_vtu, repeated_corners_are_merged) {
+  std::vector<double> repeated = {0, 1. / 3, 0};
+  for (const std::int64_t v : connectivity)
+    repeated.insert(repeated.end(), coordinates.begin() + 3 * v, coordinates.begin() + 3 * v + 3);
+  Grid grid;
+  grid.array("Points", "Float64", "", repeated)
+      .array("Cells", "Int64", "connectivity", std::vector<int>{1, 2, 3, 4, 5, 6, 7, 8, 0, 1, 2})
+      .array("Cells", "Int64", "offsets", std::vector<int>{4, 8, 11})
+      .array("Cells", "UInt8", "types", std::vector<int>{10, 10, 5})
+      .array("CellData", "Int32", "label", std::vector<int>{3, -7, 0})
+      .array("PointData", "Float64", "same", std::vector<int>{99, 4, 5, 6, 7, 5, 6, 7, 8})
+      .array("PointData", "Float64", "several", std::vector<int>{99, 4, 5, 6, 7, 5, 6, 8, 8});
+  const Temporary_folder folder;
+  const std::string path = folder / "a.vtu";
+  write_bytes(path, grid.text("NumberOfPoints=\"9\" NumberOfCells=\"3\""));
+  CGAL::Deformable_simplicial_complexes::Mesh_arrays arrays;
+  CGAL::Deformable_simplicial_complexes::Unused_content unused;
+  expect_equal(read_with(path, "", &arrays, &unused), two_tetrahedra({3, -7}));
+  ASSERT_EQ(arrays.points.size(), 1u);
+  EXPECT_EQ(arrays.points[0].values, (std::vector<double>{4, 5, 6, 7, 8}));
+  EXPECT_EQ(unused.text(), "1 point array with several values at a point ('several'), 1 triangles");
+}
+
+TEST(Read_medit, repeated_corners_are_merged) {
+  const std::string text = "MeshVersionFormatted 2\nDimension 3\nVertices 8\n0 0 0 1\n1 0 0 2\n"
+                           "0 0.5 0 3\n0 0 1 4\n1 0 0 2\n0 0.5 0 3\n-0 0 1 4\n1 1 1 5\n"
+                           "Tetrahedra 2\n1 2 3 4 3\n5 6 7 8 -7\nTriangles 1\n5 6 7 9\n"
+                           "RequiredVertices 2\n2\n5\nEnd\n";
+  for (const bool is_same : {true, false}) {
+    std::istringstream in(is_same ? text : replaced(text, "-0 0 1 4", "-0 0 1 6"));
+    Labeled_mesh mesh;
+    CGAL::Deformable_simplicial_complexes::Mesh_entities entities;
+    CGAL::Deformable_simplicial_complexes::Unused_content unused;
+    CGAL::IO::read_MEDIT(in, mesh.points, mesh.tetrahedra, mesh.labels, "text", &entities, &unused);
+    EXPECT_EQ(mesh.points.size(), 5u);
+    EXPECT_EQ(mesh.tetrahedra, two_tetrahedra({3, -7}).tetrahedra);
+    EXPECT_EQ(entities.vertex_references,
+              is_same ? std::vector<int>({1, 2, 3, 4, 5}) : std::vector<int>());
+    EXPECT_EQ(entities.triangles.at(0).vertices, (std::array<std::size_t, 3>{1, 2, 3}));
+    EXPECT_EQ(entities.required_vertices, std::vector<std::size_t>{1});
+    EXPECT_EQ(unused.text(), is_same ? "" : "8 vertex references, which differ at equal points");
+  }
+}
+
 TEST(Read_vtu, labels_beyond_53_bits_are_refused) {
   Grid grid = two_cells();
   grid.array("CellData", "Int64", "label", std::vector<std::int64_t>{1, std::int64_t(1) << 60});

@@ -13,6 +13,7 @@
 #include <CGAL/Complex_construction/internal/building/label_cells.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Mesh_support/coordinates.h>
+#include <CGAL/Mesh_support/internal/sets/equal_points.h>
 #include <CGAL/Triangle_soup_repair/internal/checks/check_surfaces_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
 
@@ -22,7 +23,6 @@
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -84,13 +84,10 @@ public:
     orient_tetrahedra(points, m_tetrahedra, traits);
     for (const Point& p : points)
       m_points.push_back(coordinates(p));
-    std::map<Coordinates_3, std::size_t> first;
-    std::vector<std::size_t> representative;
-    for (std::size_t i = 0; i < m_points.size(); ++i)
-      representative.push_back(first.emplace(m_points[i], i).first->second);
+    const std::vector<std::size_t> first = first_equal_points(m_points);
     for (auto& tetrahedron : m_tetrahedra)
       for (std::size_t& v : tetrahedron)
-        v = representative[v];
+        v = first[v];
   }
 
   // Returns the triangles that belong to exactly one tetrahedron. Origins are indices of points.

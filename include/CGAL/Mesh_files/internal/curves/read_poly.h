@@ -24,6 +24,7 @@
 #include <locale>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
@@ -142,7 +143,8 @@ private:
 
   void read_node_file() {
     const std::string path = std::filesystem::path(m_path).replace_extension(".node").string();
-    if (!std::filesystem::exists(path))
+    std::error_code error;
+    if (!std::filesystem::exists(path, error))
       m_lines.fail("there are no points, and the file " + path +
                    " with the points does not exist; put it into the same folder");
     Triangle_lines lines(path);

@@ -10,6 +10,7 @@
 
 #include <CGAL/Mesh_files/Mesh_entities.h>
 #include <CGAL/Mesh_files/Unused_content.h>
+#include <CGAL/Mesh_files/internal/grids/Merged_corners.h>
 #include <CGAL/Mesh_files/internal/text/File_scanner.h>
 #include <CGAL/Mesh_files/internal/text/files.h>
 #include <CGAL/Mesh_files/internal/text/number_of_word.h>
@@ -267,9 +268,34 @@ private:
     require(m_vertex, m_points.size(), "vertex");
     require(m_edge, m_entities.edges.size(), "edge");
     require(m_triangle, m_entities.triangles.size(), "triangle");
+    merge_points();
     auto& references = m_entities.vertex_references;
     if (std::all_of(references.begin(), references.end(), [](int r) { return r == 0; }))
       references.clear();
+  }
+
+  // Merges equal points, and removes the references of vertices if they differ there.
+  void merge_points() {
+    const Merged_corners merged(m_points, m_tetrahedra);
+    if (!merged.has_repeated_points())
+      return;
+    Mesh_entities& e = m_entities;
+    m_points = merged.selected(m_points);
+    if (merged.agree(e.vertex_references)) {
+      e.vertex_references = merged.selected(e.vertex_references);
+    } else {
+      m_unused.add("vertex references, which differ at equal points", e.vertex_references.size());
+      e.vertex_references.clear();
+    }
+    for (auto& triangle : e.triangles)
+      merged.renumber(triangle.vertices);
+    for (auto& edge : e.edges)
+      merged.renumber(edge.vertices);
+    for (auto* vertices : {&e.corners, &e.required_vertices}) {
+      merged.renumber(*vertices);
+      std::sort(vertices->begin(), vertices->end());
+      vertices->erase(std::unique(vertices->begin(), vertices->end()), vertices->end());
+    }
   }
 
   void require(const Largest_index& largest, std::size_t size, const char* name) const {

@@ -10,11 +10,13 @@
 
 #include <CGAL/Mesh_files/Mesh_arrays.h>
 #include <CGAL/Mesh_files/Unused_content.h>
+#include <CGAL/Mesh_files/internal/grids/Merged_corners.h>
 #include <CGAL/Mesh_files/internal/grids/Vtu_document.h>
 #include <CGAL/Mesh_files/internal/grids/Vtu_reader.h>
 #include <CGAL/Mesh_files/internal/grids/vtk_numbers.h>
 #include <CGAL/Mesh_files/internal/text/files.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
+#include <CGAL/Mesh_support/coordinates.h>
 
 #include <algorithm>
 #include <array>
@@ -245,7 +247,7 @@ private:
 // The content of a VTU file with tetrahedra.
 struct Vtu_tetrahedra
 {
-  std::vector<double> coordinates; // three for each point
+  std::vector<std::array<double, 3>> points;
   std::vector<std::array<std::size_t, 4>> tetrahedra;
   std::vector<int> labels;
   Mesh_arrays arrays; // on points and tetrahedra
@@ -286,6 +288,21 @@ inline void remove_inexact_arrays(std::vector<Mesh_array>& arrays, Unused_conten
   arrays.erase(std::remove_if(arrays.begin(), arrays.end(), is_inexact), arrays.end());
 }
 
+// Merges equal points, and removes arrays whose values differ there.
+inline void merge_points(Vtu_tetrahedra& mesh) {
+  const Merged_corners merged(mesh.points, mesh.tetrahedra);
+  if (!merged.has_repeated_points())
+    return;
+  mesh.points = merged.selected(mesh.points);
+  std::vector<Mesh_array> kept;
+  for (const Mesh_array& array : mesh.arrays.points)
+    if (merged.agree(array.values, array.components))
+      kept.push_back(array.selected(merged.rows()));
+    else
+      mesh.unused.add("point array with several values at a point (" + in_quotes(array.name) + ')');
+  mesh.arrays.points.swap(kept);
+}
+
 // Throws File_error if the file is not as described for `IO::read_VTU()`.
 inline Vtu_tetrahedra read_vtu_tetrahedra(const std::string& path, const std::string& label_array) {
   const Progress_phase phase("reading tetrahedra");
@@ -296,11 +313,14 @@ inline Vtu_tetrahedra read_vtu_tetrahedra(const std::string& path, const std::st
     reader.fail("there are no cells; choose a mesh with tetrahedra");
   Vtu_tetrahedra result;
   const std::vector<std::size_t> cells = vtu_tetrahedra(reader, number_of_cells, result.unused);
-  result.coordinates = reader.array("Points", "", number_of_points, 3);
-  for (std::size_t i = 0; i < result.coordinates.size(); ++i)
-    if (!std::isfinite(result.coordinates[i]))
-      reader.fail("a coordinate of point " + std::to_string(i / 3) +
+  const std::vector<double> coordinates = reader.array("Points", "", number_of_points, 3);
+  result.points.reserve(number_of_points);
+  for (std::size_t i = 0; i < number_of_points; ++i) {
+    result.points.push_back({coordinates[3 * i], coordinates[3 * i + 1], coordinates[3 * i + 2]});
+    if (!has_finite_coordinates(result.points.back()))
+      reader.fail("a coordinate of point " + std::to_string(i) +
                   " is not a finite number; correct it");
+  }
   result.tetrahedra =
       read_vtu_corners<std::size_t>(reader, cells, number_of_cells, number_of_points, 4);
 
@@ -322,6 +342,7 @@ inline Vtu_tetrahedra read_vtu_tetrahedra(const std::string& path, const std::st
   }
   remove_inexact_arrays(result.arrays.points, result.unused);
   remove_inexact_arrays(on_cells, result.unused);
+  merge_points(result);
   return result;
 }
 
