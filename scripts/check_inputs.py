@@ -256,7 +256,7 @@ CHECKS = [
     ("offset tri0.poly " + OFFSET, 0, r"[1-9]\d* interface segments"),
     ("reconstruct terrain.xyz -o out.off", 1, r"open sheet.*--open"),
     ("reconstruct terrain.xyz --open -o out.off", 0, r"triangles"),
-    ("offset tjunc.off " + OFFSET, 1, r"--repair"),
+    ("offset tjunc.off " + OFFSET, 0, r"tetrahedra"),
     ("offset tjunc.off --repair " + OFFSET, 0, r"tetrahedra"),
     ("offset v60_s16.inr " + OFFSET, 0, r"tetrahedra"),
     ("offset sphere.off " + OFFSET, 0, r"tetrahedra"),

@@ -163,7 +163,7 @@ TEST_F(Inputs, may_be_surfaces_to_be_repaired) {
   write("box.off", text);
   write("broken.off", "OFF\n8 13 0\n" + text.substr(text.find('\n', 4) + 1) + "3 0 2 3\n");
   const std::string box = path("box.off").string(), broken = path("broken.off").string();
-  expect_refusal(broken, 1, "odd number of facets");
+  EXPECT_NEAR(volumes(broken).at(1), 1, 1e-9);
   EXPECT_NEAR(volumes(broken + " --repair").at(1), 1, 1e-9);
   const Json report = Json::parse(contents(path("report.json")));
   EXPECT_TRUE(report["parameters"]["repair"]);
@@ -251,11 +251,22 @@ TEST_F(Inputs, may_have_vertices_that_nearly_coincide) {
         off << "3 " << first + i << ' ' << first + (i + 1) % 4 << ' ' << first + tip << '\n';
   write("tips.off", off.str());
   const std::string tips = path("tips.off").string();
-  expect_refusal(tips, 1, "--repair");
+  EXPECT_NEAR(volumes(tips).at(1), 8. / 3, 1e-9);
   EXPECT_NEAR(volumes(tips + " --repair").at(1), 8. / 3, 1e-9);
-  const Json repair = Json::parse(contents(path("report.json")))["repairs"][0];
-  EXPECT_EQ(repair["merged_points"], 1);
-  EXPECT_TRUE(repair["wrap"].is_null());
+}
+
+TEST_F(Inputs, may_overlap) {
+  write("one.off", program::box(0, 0, 0, 2, 1, 1));
+  write("two.off", program::box(1, .25, .25, 3, .75, .75));
+  const std::string both = path("one.off").string() + ' ' + path("two.off").string();
+  const auto of_both = volumes(both);
+  EXPECT_NEAR(of_both.at(1), 2 - .25, 1e-9);
+  EXPECT_NEAR(of_both.at(2), .5, 1e-9);
+  const Outcome outcome = run("offset " + both + " --distance .01 --steps 1");
+  EXPECT_PRED2(contains, outcome.out, "two.off covers");
+  const auto resampled = volumes(both + " --triangles 500");
+  EXPECT_NEAR(resampled.at(1), 2 - .25, 1e-9);
+  EXPECT_NEAR(resampled.at(2), .5, 1e-9);
 }
 
 TEST_F(Inputs, may_have_holes_up_to_a_length) {

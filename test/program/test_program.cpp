@@ -23,7 +23,6 @@ protected:
     write("octahedron.off", octahedron);
     write("cube.off", box(0, 0, 0, 1, 1, 1));
     write("cube_beside.off", box(2, 0, 0, 3, 1, 1));
-    write("cube_across.off", box(.5, .5, .5, 1.5, 1.5, 1.5));
   }
 };
 
@@ -124,8 +123,6 @@ TEST_F(Program, refuses_bad_input) {
                                 "offset open.off" + motion,
                                 "offset infinite.off" + motion,
                                 "offset open.off --triangles 100" + motion,
-                                "offset cube.off cube_across.off" + motion,
-                                "offset cube.off cube.off" + motion,
                                 "offset --resume missing.dsc" + motion,
                                 "offset --resume damaged.dsc" + motion,
                                 "offset cube.off --output cube.off" + motion,

@@ -123,6 +123,7 @@ inline Walls_3 walls_between(const Divided_space_3& space, const std::vector<int
     if (sides[0] != sides[1]) {
       result.triangles.push_back(triangle);
       result.labels.push_back(sides);
+      result.lengths.push_back(space.lengths[t]);
     }
   }
   return result;

@@ -163,16 +163,6 @@ TEST(Make_2, of_long_segments_beside_short_ones) {
   EXPECT_NEAR(dsc.area(1), 3.2 * 3 - .2 * .2, 1e-12);
 }
 
-// The mesh is coarse away from the segments.
-TEST(Make_2, of_few_triangles_for_many_segments) {
-  for (std::size_t n : {1000, 1400, 2000}) {
-    const Complex dsc = make({circle(0, 0, 1, n)});
-    EXPECT_EQ(dsc.interface_vertices().size(), n);
-    EXPECT_LT(dsc.number_of_cells(), 10 * n);
-    EXPECT_GE(smallest_quality(dsc), .3);
-  }
-}
-
 // The bounding boxes of most pairs of segments overlap.
 TEST(Make_2, of_many_long_needles) {
   constexpr std::size_t n = 3000;

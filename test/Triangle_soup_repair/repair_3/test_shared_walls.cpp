@@ -162,6 +162,20 @@ TEST(Shared_walls, may_be_rounded_and_divided_differently) {
   }
 }
 
+TEST(Shared_walls, have_no_needles) {
+  const auto patches = DSC::make_patches_3(std::vector<Surface>{
+      turned_box({0, 0, 0, 1, 1, 1}, 1, 19), turned_box({1, 0, 0, 2, 1, 1}, 2, 20)});
+  double shortest = 1;
+  for (const auto& patch : patches.patches)
+    for (const auto& t : patch.triangles)
+      for (int i = 0; i < 3; ++i)
+        shortest = std::min(shortest, std::sqrt(CGAL::squared_distance(
+                                          patch.points[t[i]], patch.points[t[(i + 1) % 3]])));
+  EXPECT_GT(shortest, .01); // lines of the two divisions are .0026 apart
+  EXPECT_NEAR(volume_of(patches, 1), 1, 1e-12);
+  EXPECT_NEAR(volume_of(patches, 2), 1, 1e-12);
+}
+
 TEST(Shared_walls, may_be_written_with_few_digits) {
   std::vector<Surface> surfaces = {turned_box({0, 0, 0, 1 / 3., 1, 1}, 1, 3),
                                    turned_box({1 / 3., 0, 0, 1, 1, 1}, 2, 4)};

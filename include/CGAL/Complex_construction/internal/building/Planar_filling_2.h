@@ -122,8 +122,8 @@ public:
              p.y() == box.ymax();
     });
     const double width = box.xmax() - box.xmin(), height = box.ymax() - box.ymin();
-    const double side = side_before_refinement(
-        (std::min)((std::max)(width, height) / least_parts, (std::min)(width, height)));
+    const double side =
+        (std::min)((std::max)(width, height) / least_parts, (std::min)(width, height));
     m_columns = number_of_parts(width / side);
     m_rows = number_of_parts(height / side);
     for (int i = 0; i < m_columns; ++i)
@@ -146,30 +146,14 @@ private:
   static constexpr int most_parts = 1000;
   // maximum number of halvings, since coordinates are of type `double`
   static constexpr int most_divisions = 40;
-  static constexpr double densest = 3; // spacing at a curve, in lengths of the nearest segment
+  static constexpr double densest = 1.2; // spacing at a curve, in lengths of the nearest segment
   // minimum distance of a point from a curve, in the same unit
-  static constexpr double clearance = 1;
+  static constexpr double clearance = .6;
   // maximum ratio of the spacing to the distance from the curves
-  static constexpr double gradation = 1;
-
-  // Returns the largest length up to `largest` whose halvings give the spacing at a segment of
-  // median length; `largest` if this spacing is larger.
-  double side_before_refinement(double largest) const {
-    if (m_segments.empty())
-      return largest;
-    std::vector<double> squared_lengths;
-    for (const auto& s : m_segments)
-      squared_lengths.push_back(s.squared_length());
-    const auto median = squared_lengths.begin() + squared_lengths.size() / 2;
-    std::nth_element(squared_lengths.begin(), median, squared_lengths.end());
-    const double spacing = densest * std::sqrt(*median);
-    return spacing < largest ? spacing * std::exp2(std::floor(std::log2(largest / spacing)))
-                             : largest;
-  }
+  static constexpr double gradation = .6;
 
   static int number_of_parts(double n) {
-    static constexpr double rounding = 1e-9;
-    return int(std::ceil((std::max)(1., (std::min)(double(most_parts), n)) - rounding));
+    return int(std::lround((std::max)(1., (std::min)(double(most_parts), n))));
   }
 
   double x(int i) const { return at(m_box.xmin(), m_box.xmax(), i, m_columns); }

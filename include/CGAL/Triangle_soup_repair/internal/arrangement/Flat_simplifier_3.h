@@ -30,6 +30,7 @@ namespace CGAL::Deformable_simplicial_complexes::internal {
 struct Walls_3 : Triangle_soup_3
 {
   std::vector<std::array<int, 2>> labels; // behind and in front of each triangle
+  std::vector<double> lengths;            // of an edge of the surface that contains each triangle
 };
 
 // Removes needles from walls where their shape does not depend on them. Where two surfaces divide a
@@ -63,6 +64,7 @@ public:
       if (m_is_alive[t]) {
         result.triangles.push_back(m_soup.triangles[t]);
         result.labels.push_back(m_soup.labels[t]);
+        result.lengths.push_back(m_soup.lengths[t]);
       }
     return result;
   }
@@ -73,7 +75,7 @@ private:
   using Vector = Kernel::Vector_3;
   using Edge = std::array<std::size_t, 2>;
 
-  static constexpr double short_edge = .2;   // beside the longest edge at a vertex
+  static constexpr double short_edge = .2;   // beside edges of the surfaces
   static constexpr double least_height = .5; // after a collapse, beside that before
   static constexpr double flip_gain = 1e-9;  // in half turns; more than rounding
   static constexpr int most_flips = 20;      // of each edge, on average; a few are usual
@@ -116,28 +118,31 @@ private:
 
   // Moves vertices with short edges to neighbors until there are no such vertices.
   void collapse_short_edges() {
+    std::vector<double> lengths(m_triangles_at.size(), 0);
     std::set<std::size_t> todo;
     for (std::size_t v = 0; v < m_triangles_at.size(); ++v)
-      if (!m_triangles_at[v].empty())
+      for (std::size_t t : m_triangles_at[v]) {
+        lengths[v] = (std::max)(lengths[v], m_soup.lengths[t]);
         todo.insert(todo.end(), v);
+      }
     while (!todo.empty()) {
       Progress_scope::check();
       const std::size_t v = *todo.begin();
       todo.erase(todo.begin());
       const auto around = neighbors(v);
-      if (collapse(v, around))
+      if (collapse(v, around, square(short_edge * lengths[v])))
         todo.insert(around.begin(), around.end());
     }
   }
 
-  // Moves a vertex to its nearest possible neighbor if that is much nearer than the farthest.
-  bool collapse(std::size_t v, const std::vector<std::size_t>& around) {
+  // Moves a vertex to its nearest possible neighbor, up to a distance.
+  bool collapse(std::size_t v, const std::vector<std::size_t>& around, double most) {
     std::vector<std::pair<double, std::size_t>> lengths;
     for (std::size_t w : around)
       lengths.emplace_back(squared_distance(point(v), point(w)), w);
     std::sort(lengths.begin(), lengths.end());
     for (const auto& [squared_length, w] : lengths) {
-      if (squared_length > square(short_edge) * lengths.back().first)
+      if (squared_length > most)
         break;
       if (can_collapse(v, w, around)) {
         do_collapse(v, w);

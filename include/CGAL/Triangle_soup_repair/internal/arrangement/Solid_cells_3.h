@@ -33,6 +33,7 @@ struct Shared_soup_3 : Triangle_soup_3
   using Share = std::pair<std::size_t, int>;
 
   std::vector<std::vector<Share>> shares; // of each triangle, surfaces in increasing order
+  std::vector<std::size_t> first;         // the first such triangle of the soup
 };
 
 // Returns the distinct triangles of a soup.
@@ -50,6 +51,7 @@ inline Shared_soup_3 share_triangles(const Triangle_soup_3& soup,
     const auto [place, is_new] = known.emplace(corners, result.triangles.size());
     if (is_new) {
       result.triangles.push_back(soup.triangles[t]);
+      result.first.push_back(t);
       shares.emplace_back();
     }
     ++shares[place->second][surfaces[t]];

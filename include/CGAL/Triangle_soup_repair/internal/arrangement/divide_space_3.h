@@ -25,9 +25,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -42,9 +44,10 @@ struct Divided_space_3
     std::size_t behind, in_front;
   };
 
-  Triangle_soup_3 soup;              // triangles meet in common vertices and edges only
-  std::vector<Sides> sides;          // of each triangle
-  std::vector<std::size_t> surfaces; // surface of each cell
+  Triangle_soup_3 soup;        // triangles meet in common vertices and edges only
+  std::vector<Sides> sides;    // of each triangle
+  std::vector<double> lengths; // shortest side of the input triangle that contains each triangle
+  std::vector<std::size_t> surfaces;                // surface of each cell
   std::vector<std::array<std::size_t, 2>> overlaps; // pairs of surfaces
   std::vector<std::size_t> covered;                 // surfaces of which nothing is left
   double weld_distance;
@@ -75,26 +78,40 @@ inline bool have_contacts(const std::vector<Triangle_soup_3>& surfaces,
 
 // Throws `Invalid_surface_error` if a surface has a single triangle in an edge.
 inline void check_boundaries(const Split_soup_3& soup, const Joined_soup_3& input) {
+  struct Boundary
+  {
+    std::set<std::size_t> facets;
+    std::vector<std::size_t> vertices; // ends of edges
+  };
+  std::map<std::size_t, Boundary> boundaries; // of surfaces
+  std::map<Coordinates_3, std::size_t> points;
+  for (std::size_t i = 0; i < input.points.size(); ++i)
+    points.emplace(input.points[i], input.point_origins[i].index);
   const auto sides = sorted_sides(soup.triangles);
   std::map<std::size_t, std::vector<std::size_t>> triangles_of; // by surfaces
-  std::map<std::size_t, std::vector<std::size_t>> open;
   for (auto side = sides.begin(); side != sides.end();) {
     const auto end = end_of_edge(side, sides.end());
+    const auto vertices = side->vertices;
     triangles_of.clear();
     for (; side != end; ++side) {
       const auto& origin = input.triangle_origins[soup.origins[side->triangle]];
       triangles_of[origin.surface].push_back(origin.index);
     }
     for (const auto& [surface, triangles] : triangles_of)
-      if (triangles.size() == 1)
-        open[surface].push_back(triangles.front());
+      if (triangles.size() == 1) {
+        Boundary& boundary = boundaries[surface];
+        boundary.facets.insert(triangles.front());
+        const auto v = points.find(soup.points[vertices[0]]),
+                   w = points.find(soup.points[vertices[1]]);
+        if (v != points.end() && w != points.end())
+          boundary.vertices.insert(boundary.vertices.end(), {v->second, w->second});
+      }
   }
-  if (open.empty())
-    return;
-  auto& [surface, facets] = *open.begin();
-  std::sort(facets.begin(), facets.end());
-  facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
-  refuse_surface(Invalid_surface_error::Reason::open, surface, facets);
+  if (!boundaries.empty()) {
+    const auto& [surface, boundary] = *boundaries.begin();
+    refuse_surface(Invalid_surface_error::Reason::open, surface,
+                   {boundary.facets.begin(), boundary.facets.end()}, boundary.vertices);
+  }
 }
 
 // Returns whether corners of a triangle are on both sides of the plane of another one, farther from
@@ -138,7 +155,8 @@ inline std::optional<Split_soup_3> split_surfaces(const Joined_soup_3& input, do
     return std::nullopt;
   check_boundaries(welded, input);
   check_self_intersections(welded, welded.origins, input, 0);
-  std::optional<Split_soup_3> result = split_at_crossings(welded, distance);
+  std::optional<Split_soup_3> result = split_at_crossings(
+      welded, [distance](Split_soup_3& soup, int) { return weld(soup, distance); });
   if (result)
     for (std::size_t& origin : result->origins)
       origin = welded.origins[origin];
@@ -162,6 +180,15 @@ inline Split_soup_3 split_surfaces(const Joined_soup_3& input,
               "the rounding of their coordinates: give another weld distance");
 }
 
+// Returns the length of the shortest side of a triangle.
+inline double shortest_side(const Triangle_soup_3& soup, std::size_t t) {
+  const auto triangle = exact_triangle(soup, t);
+  double result = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i)
+    result = (std::min)(result, squared_distance(triangle[i], triangle[i + 1]));
+  return std::sqrt(result);
+}
+
 // Divides space by closed surfaces. Throws `Invalid_surface_error` if surfaces are open or
 // intersect themselves.
 inline Divided_space_3 divide_space(const std::vector<Triangle_soup_3>& surfaces,
@@ -178,6 +205,8 @@ inline Divided_space_3 divide_space(const std::vector<Triangle_soup_3>& surfaces
 
   result.soup = shared;
   result.surfaces = cells.surfaces();
+  for (std::size_t t : shared.first)
+    result.lengths.push_back(shortest_side(joined, split.origins[t]));
   for (std::size_t t = 0; t < shared.triangles.size(); ++t)
     result.sides.push_back({covering.in_region(cells.regions().behind(t)),
                             covering.in_region(cells.regions().in_front_of(t))});

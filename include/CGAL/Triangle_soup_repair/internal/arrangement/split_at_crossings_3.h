@@ -24,6 +24,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <optional>
 #include <utility>
@@ -271,22 +272,24 @@ inline std::vector<std::pair<std::size_t, std::size_t>> pairs_to_split(const Spl
 // Splits triangles where they intersect. In the result, triangles meet in common vertices and edges
 // only, or have the same three corners. Intersection points are computed exactly and then rounded.
 // Rounding may create new intersections, so the splitting is repeated. Degenerate triangles are
-// removed. A soup without intersections and contacts is returned bitwise unchanged.
+// removed. A soup without intersections is returned bitwise unchanged unless `join()` changes it.
 //
-// Features nearer than a distance are welded, see `weld()`, at the start and whenever triangles
-// were split, because needles between them would intersect many triangles.
+// Needles between points that only rounding separates would intersect many triangles. Therefore,
+// `join(soup, round)` joins near features before each round, and returns whether to go on.
 //
-// Returns `nullopt` if triangles cannot be welded, if the number of intersections increases twice
-// in succession, or if triangles still intersect after the maximum number of repetitions.
+// Returns `nullopt` if `join()` stops, if the number of intersections increases twice in
+// succession, or if triangles still intersect after the maximum number of repetitions.
 template <class Kernel = Exact_predicates_exact_constructions_kernel>
-std::optional<Split_soup_3> split_at_crossings(const Triangle_soup_3& input, double distance) {
+std::optional<Split_soup_3>
+split_at_crossings(const Triangle_soup_3& input,
+                   const std::function<bool(Split_soup_3&, int)>& join) {
   static constexpr int most_rounds = 30; // two or three are usual
   static constexpr int most_increases = 1;
   Split_soup_3 soup = undivided(input);
   std::size_t number = std::size_t(-1); // of intersections
   int increases = 0;
   for (int round = 0; round < most_rounds && increases <= most_increases; ++round) {
-    if (!weld(soup, distance))
+    if (!join(soup, round))
       return std::nullopt;
     tidy_up<Kernel>(soup);
     const auto pairs = pairs_to_split(soup);

@@ -19,9 +19,9 @@
 #include <CGAL/Interface_remeshing/improve_interface.h>
 #include <CGAL/Interface_remeshing/improve_mesh.h>
 #include <CGAL/Mesh_files/internal/surfaces/triangulated_polygon.h>
+#include <CGAL/Triangle_soup_repair/internal/arrangement/split_at_crossings_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/soup_intersections_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/soup_rays_3.h>
-#include <CGAL/Triangle_soup_repair/internal/arrangement/split_at_crossings_3.h>
 
 #include <cstddef>
 #include <functional>
@@ -42,7 +42,8 @@ CGAL_DSC_INSTANTIATION template std::vector<Soup_ray_3>
 shoot_rays<Exact_predicates_exact_constructions_kernel>(const Triangle_soup_3&,
                                                         const std::vector<std::size_t>&);
 CGAL_DSC_INSTANTIATION template std::optional<Split_soup_3>
-split_at_crossings<Exact_predicates_exact_constructions_kernel>(const Triangle_soup_3&, double);
+split_at_crossings<Exact_predicates_exact_constructions_kernel>(
+    const Triangle_soup_3&, const std::function<bool(Split_soup_3&, int)>&);
 CGAL_DSC_INSTANTIATION template Places_of_triangles
 triangulated_simple_polygon<Polygon_kernel>(const std::vector<Polygon_kernel::Point_2>&);
 } // namespace Deformable_simplicial_complexes::internal
