@@ -57,6 +57,7 @@ inline void keep(Split_soup_3& soup, const std::vector<char>& is_kept) {
 // Merges points nearer to each other than a distance, and removes triangles that thus lose a
 // corner.
 inline void merge_near_points(Split_soup_3& soup, double distance) {
+  static_cast<Triangle_soup_3&>(soup) = merge_points(soup);
   merge_near_points(soup, distance, Merged_points::ALL);
   static_cast<Triangle_soup_3&>(soup) = merge_points(soup);
   std::vector<char> has_corners;

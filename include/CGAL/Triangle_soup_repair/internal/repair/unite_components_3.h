@@ -280,12 +280,15 @@ inline United_surface_3 boundary_of_solid(const Split_soup_3& split,
   return result;
 }
 
-// Splits components where they intersect. Points much nearer to each other than the mean edge
-// length are merged after each round. Surfaces at about this distance are split again with a larger
-// one.
+// Splits components where they intersect. Features much nearer to each other than the mean edge
+// length are welded. If this fails, points are merged after each round instead; surfaces at about
+// this distance are then split again with a larger one.
 inline std::optional<Split_soup_3> split_components(const Triangle_soup_3& soup) {
   static constexpr double distances[] = {1e-9, 1e-6}; // in mean edges
   const double side = mean_side(soup);
+  if (auto result = split_at_crossings(
+          soup, [&](Split_soup_3& split, int) { return weld(split, distances[0] * side); }))
+    return result;
   for (double distance : distances) {
     const auto merge = [&](Split_soup_3& split, int round) {
       if (round > 0)
