@@ -287,7 +287,7 @@ inline std::optional<Split_soup_3> split_components(const Triangle_soup_3& soup)
   static constexpr double distances[] = {1e-9, 1e-6}; // in mean edges
   const double side = mean_side(soup);
   if (auto result = split_at_crossings(
-          soup, [&](Split_soup_3& split, int) { return weld(split, distances[0] * side); }))
+          soup, [&](Split_soup_3& split, int) { return weld(split, distances[1] * side); }))
     return result;
   for (double distance : distances) {
     const auto merge = [&](Split_soup_3& split, int round) {
