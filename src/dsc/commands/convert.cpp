@@ -80,9 +80,10 @@ int execute(const Inputs& inputs, Convert_options options) {
     std::ofstream file(options.input, std::ios::binary);
     copy(std::cin, file);
   }
-  if (prints)
+  if (prints) {
     options.output = temporary_file("output." + options.to);
-  name_in_messages(options.output, "standard output");
+    name_in_messages(options.output, "standard output");
+  }
   convert(inputs, options);
   if (prints) {
     std::ifstream file(options.output, std::ios::binary);

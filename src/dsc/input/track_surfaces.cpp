@@ -5,6 +5,7 @@
 #include "input/domain_box.h"
 #include "input/start_complex.h"
 #include "input/surface.h"
+#include "input/surface_errors.h"
 #include "motions/tracked_complex_3.h"
 #include "programs/errors.h"
 
@@ -76,8 +77,8 @@ const char* hint(Reason reason) {
   if (error.reason() == Reason::crossing_surfaces)
     throw Input_error(message +
                       ": the surfaces intersect; separate them (surfaces may be nested or "
-                      "share walls)");
-  throw Input_error(message + ": " + error.what() + hint(error.reason()));
+                      "share walls), or unite parts of a file by --labels none --repair");
+  throw Input_error(message + ": " + message_of(error) + hint(error.reason()));
 }
 
 std::optional<Patches> patches_of(const std::vector<Surface>& surfaces) {
@@ -166,10 +167,10 @@ void refine(Complex& complex, std::size_t triangles, unsigned threads) {
 
 } // namespace
 
-std::unique_ptr<Tracked_complex> track_surfaces(const std::vector<Surface>& surfaces,
-                                                const std::vector<std::string>& names,
+std::unique_ptr<Tracked_complex> track_surfaces(const Surfaces& surfaces,
                                                 const Run_options& options) {
-  auto result = fill(surfaces, names, options);
+  auto result = fill(surfaces.all, surfaces.titles, options);
+  result->label_names = surfaces.names;
   const std::size_t triangles = options.start.triangles;
   if (!options.start.inputs.empty() && triangles > most_triangles_to_fill)
     refine(result->complex, triangles, options.threads);

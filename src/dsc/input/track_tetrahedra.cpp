@@ -47,9 +47,12 @@ bool has_room_around(const Complex& complex) {
 std::unique_ptr<Tracked_complex_3> Tracked_complex_3::from_mesh(const std::string& path,
                                                                 const Labeled_tetrahedra& mesh) {
   try {
-    return std::make_unique<Tracked_complex_3>(DSC::make_deformable_simplicial_complex_3<Complex>(
-        mesh.points, mesh.tetrahedra, mesh.labels,
-        parameters::improve(false).edge_per_thickness(0.)));
+    auto result =
+        std::make_unique<Tracked_complex_3>(DSC::make_deformable_simplicial_complex_3<Complex>(
+            mesh.points, mesh.tetrahedra, mesh.labels,
+            parameters::improve(false).edge_per_thickness(0.)));
+    result->label_names = mesh.arrays.label_names;
+    return result;
   } catch (const Invalid_cells_error& error) {
     throw Input_error(path + ": " + error.what() + place_of(error, mesh));
   }
@@ -72,9 +75,12 @@ std::unique_ptr<Tracked_complex> track_tetrahedra(const std::string& path,
     }
   }
   try {
-    return std::make_unique<Tracked_complex_3>(DSC::make_deformable_simplicial_complex_3<Complex>(
-        mesh.points, mesh.tetrahedra, mesh.labels, CGAL::Tetgen_tetrahedralizer_3(),
-        normalized(options.domain, options.start.thin_parts)));
+    auto result =
+        std::make_unique<Tracked_complex_3>(DSC::make_deformable_simplicial_complex_3<Complex>(
+            mesh.points, mesh.tetrahedra, mesh.labels, CGAL::Tetgen_tetrahedralizer_3(),
+            normalized(options.domain, options.start.thin_parts)));
+    result->label_names = mesh.arrays.label_names;
+    return result;
   } catch (const Invalid_cells_error& error) {
     throw Input_error(path + ": " + error.what() + place_of(error, mesh));
   } catch (const Invalid_surface_error& error) {

@@ -9,6 +9,8 @@
 #include "motions/motion.h"
 #include "output/statistics.h"
 
+#include <CGAL/Mesh_files/Label_names.h>
+
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -31,6 +33,14 @@ public:
   virtual ~Tracked_complex() = default;
 
   virtual int dimension() const = 0;
+
+  CGAL::Deformable_simplicial_complexes::Label_names label_names; ///< from the input
+
+  /// Returns the name of a label; empty if it has none.
+  std::string name_of(int label) const {
+    const auto name = label_names.find(label);
+    return name == label_names.end() ? "" : name->second;
+  }
 
   /// Calls a function on one process. A complex can be distributed among processes, which all call
   /// the same functions; one of them writes files. If `function()` throws, all of them throw.

@@ -135,7 +135,8 @@ Statistics Tracked_complex_2::statistics() const {
   statistics.interface_facets = complex.interface_facets().size();
   for (const auto& [label, length, euler_characteristic] : complex.label_regions())
     statistics.labels.push_back({label, complex.number_of_cells(label), complex.area(label), length,
-                                 complex.number_of_components(label), euler_characteristic});
+                                 complex.number_of_components(label), euler_characteristic,
+                                 name_of(label)});
   set_angles(complex, statistics);
   statistics.min_quality = worst_quality();
   return statistics;

@@ -7,6 +7,7 @@
 #include "input/files.h"
 #include "motions/tracked_whole_impl.h"
 #include "output/angle_statistics.h"
+#include "output/label_titles.h"
 #include "output/picture.h"
 #include "programs/errors.h"
 #include "programs/option_values.h"
@@ -33,9 +34,10 @@ Statistics Tracked_complex_3::statistics() const {
   statistics.cells = complex.number_of_cells();
   statistics.interface_facets = complex.interface_facets().size();
   for (const auto& [label, area, euler_characteristic] : complex.label_interfaces())
-    statistics.labels.push_back(
-        {label, complex.number_of_cells(label), complex.volume(label) * scale * scale * scale,
-         area * scale * scale, complex.number_of_components(label), euler_characteristic});
+    statistics.labels.push_back({label, complex.number_of_cells(label),
+                                 complex.volume(label) * scale * scale * scale,
+                                 area * scale * scale, complex.number_of_components(label),
+                                 euler_characteristic, name_of(label)});
   set_angles(complex, statistics);
   statistics.min_quality = worst_quality();
   return statistics;
@@ -80,6 +82,7 @@ subdivided_velocities(DSC::Interface_surface_3<Tracked_complex_3::Complex> surfa
 void Tracked_complex_3::write(const std::string& path) const {
   require_extension(path, {"off", "obj", "ply", "stl", "vtu", "mesh", "png"});
   const std::string format = extension(path);
+  tell_lost_names(path, label_names);
   if (format == "vtu")
     write_volume_vtu(path);
   else if (format == "png")
@@ -87,7 +90,7 @@ void Tracked_complex_3::write(const std::string& path) const {
   else if (format == "mesh")
     CGAL::IO::write_MEDIT(path, complex);
   else
-    CGAL::IO::write_interface(path, complex);
+    CGAL::IO::write_interface(path, DSC::extract_interface(complex), label_names);
 }
 
 void Tracked_complex_3::write_subdivided(const std::string& path, int subdivisions) const {
@@ -95,7 +98,7 @@ void Tracked_complex_3::write_subdivided(const std::string& path, int subdivisio
   const auto smooth = DSC::subdivide_interface(surface, subdivisions);
   const DSC::Mesh_arrays values = arrays.of_interface();
   if (values.points.empty())
-    CGAL::IO::write_interface(path, smooth);
+    CGAL::IO::write_interface(path, smooth, label_names);
   else
     CGAL::IO::write_interface(
         path, smooth, subdivided_velocities(surface, values.points[0].values, subdivisions));

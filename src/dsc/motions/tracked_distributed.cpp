@@ -120,7 +120,7 @@ Statistics Tracked_distributed::statistics() const {
   for (const auto& m : complex.label_measures())
     statistics.labels.push_back({m.label, m.cells, m.measure * scale * scale * scale,
                                  m.interface_measure * scale * scale, m.components,
-                                 int(m.euler_characteristic)});
+                                 int(m.euler_characteristic), name_of(m.label)});
   Angle_statistics angles;
   std::int64_t facets = 0;
   for (std::uint32_t c : mesh.own_cells()) {
@@ -195,7 +195,8 @@ double Tracked_distributed::sweep_seconds() const {
 // Writes a file of the whole complex, which the first process must be able to hold.
 void Tracked_distributed::write_whole(
     const std::function<void(const Tracked_complex_3&)>& write) const {
-  const Tracked_complex_3 whole(complex.gather());
+  Tracked_complex_3 whole(complex.gather());
+  whole.label_names = label_names;
   run_once([&] { write(whole); });
 }
 

@@ -6,6 +6,7 @@
 #include "input/files.h"
 #include "input/mesh_content.h"
 #include "motions/tracked_complex_3.h"
+#include "output/label_titles.h"
 #include "programs/errors.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
@@ -421,6 +422,7 @@ Improvement_outcome Tracked_complex_3::improve(const Improvement_options& option
 }
 
 void Tracked_complex_3::write(const std::string& path, const Mesh_content& content) const {
+  tell_lost_names(path, label_names);
   if (extension(path) == "vtu")
     CGAL::IO::write_VTU(path, complex, content.arrays);
   else

@@ -46,6 +46,13 @@ public:
   Output_arrays arrays; ///< of the output files
 
 private:
+  /// Adds the names of the labels to arrays.
+  CGAL::Deformable_simplicial_complexes::Mesh_arrays
+  with_names(CGAL::Deformable_simplicial_complexes::Mesh_arrays arrays) const {
+    arrays.label_names = label_names;
+    return arrays;
+  }
+
   std::optional<typename Complex::State> m_kept;
 };
 

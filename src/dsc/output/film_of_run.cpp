@@ -139,6 +139,8 @@ std::string film_of_run(const Film_options& options) {
   std::set<int> labels;
   const auto add = [&](const Read_frame& read) {
     film->add(read.frame);
+    for (const auto& [label, name] : read.label_names)
+      film->set_name(label, name);
     if (const Json* step = step_at(read.frame.time, steps))
       add_series(*step, options.is_surface, *film);
   };
