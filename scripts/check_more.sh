@@ -98,7 +98,7 @@ check_examples() {
 
 # Reads files that Gmsh, meshio, nibabel and FEniCS write. scripts/test.sh reads only those of VTK.
 check_formats() {
-  scripts/install_dependencies.sh gmsh libgmsh-dev libvtk9-dev python3-dolfinx python3-meshio \
+  scripts/install_dependencies.sh gmsh lib3mf-dev libgmsh-dev libvtk9-dev python3-dolfinx python3-meshio \
     python3-nibabel python3-pytest
   cmake -S . -B "$work/formats" -G Ninja -DCMAKE_BUILD_TYPE=Release -DDSC_BUILD_TESTS=OFF \
     -DDSC_BUILD_EXAMPLES=OFF -DDSC_BUILD_BENCHMARKS=OFF -DDSC_BUILD_PYTHON=OFF

@@ -6,6 +6,7 @@
 #define DSC_FILES_TRANSLATION_H
 
 #include <cstddef>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -32,8 +33,9 @@ struct Options
 struct Translation
 {
   std::string path;
-  std::vector<std::string> unused; ///< contents of the input that are not in the file
-  std::vector<std::string> notes;  ///< choices that the user should know
+  std::vector<std::string> unused;  ///< contents of the input that are not in the file
+  std::vector<std::string> notes;   ///< choices that the user should know
+  std::map<int, std::string> names; ///< of labels, in the input
 
   /// Adds a number of items to the unused contents, unless there are none.
   void leave_out(std::size_t number, const std::string& singular, const std::string& plural) {

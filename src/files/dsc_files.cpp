@@ -40,17 +40,24 @@ void limit(int resource, rlim_t bound) {
   setrlimit(resource, &limits);
 }
 
-/// Returns the number of bytes of a file; of the files beside it, if it is only a header.
-std::uintmax_t bytes_of(const std::filesystem::path& input) {
-  const std::string format = dsc_files::format_of(input.string());
-  if (format != "mhd" && format != "nhdr" && format != "pvtu")
-    return std::filesystem::file_size(input);
+/// Returns the number of bytes of the files in a folder.
+std::uintmax_t bytes_in(const std::filesystem::path& folder) {
   std::uintmax_t result = 0;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(std::filesystem::absolute(input).parent_path()))
+  std::error_code none; // without the folder
+  for (const auto& entry : std::filesystem::directory_iterator(folder, none))
     if (entry.is_regular_file())
       result += entry.file_size();
   return result;
+}
+
+/// Returns the number of bytes of a file; of the files beside it, if it is only a header.
+std::uintmax_t bytes_of(const std::filesystem::path& input) {
+  const std::string format = dsc_files::format_of(input.string());
+  if (format == "vtm") // the blocks are in a folder with the name of the file
+    return bytes_in(std::filesystem::path(input).replace_extension());
+  if (format != "mhd" && format != "nhdr" && format != "pvtu")
+    return std::filesystem::file_size(input);
+  return bytes_in(std::filesystem::absolute(input).parent_path());
 }
 
 /// Ends this process if a damaged file makes a reader allocate much memory or loop forever, and
@@ -105,9 +112,10 @@ dsc_files::Translation translate(const dsc_files::Options& options) {
     throw dsc_files::Failure("is no image; give an image of pixels or voxels");
   if (image == nullptr && !options.thresholds.empty())
     throw dsc_files::Failure("is no image; leave out --threshold");
-  dsc_files::Translation result = image == nullptr         ? write_cells(dataset.data, options)
-                                  : options.values.empty() ? write_image(image, options)
-                                                           : write_channels(image, options);
+  dsc_files::Translation result =
+      image == nullptr         ? write_cells(dataset.data, dataset.translation.names, options)
+      : options.values.empty() ? write_image(image, options)
+                               : write_channels(image, options);
   const dsc_files::Translation& before = dataset.translation;
   result.unused.insert(result.unused.begin(), before.unused.begin(), before.unused.end());
   result.notes.insert(result.notes.begin(), before.notes.begin(), before.notes.end());

@@ -5,14 +5,18 @@
 #include "read_dataset.h"
 
 #include "Translation.h"
+#include "read_3mf.h"
+#include "read_blocks.h"
 #include "read_gmsh.h"
 #include "read_meshb.h"
 #include "require_complete.h"
 
+#include <vtkCellData.h>
 #include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkErrorCode.h>
+#include <vtkFieldData.h>
 #include <vtkGenericDataObjectReader.h>
 #include <vtkImageData.h>
 #include <vtkLogger.h>
@@ -41,6 +45,7 @@
 #include <fstream>
 #include <initializer_list>
 #include <iterator>
+#include <map>
 #include <sstream>
 #include <type_traits>
 #include <vector>
@@ -246,6 +251,19 @@ Dataset read_nrrd(const std::string& path, Messages* messages) {
   return result;
 }
 
+/// Returns the names of labels in the data of the whole grid, as this package writes them.
+std::map<int, std::string> names_in(vtkDataSet* data) {
+  std::map<int, std::string> result;
+  vtkDataArray* const labels = data->GetFieldData()->GetArray("named_labels");
+  auto* const names =
+      vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("label_names"));
+  if (labels != nullptr && names != nullptr && data->GetCellData()->HasArray("label") != 0)
+    for (vtkIdType i = 0; i < std::min(labels->GetNumberOfTuples(), names->GetNumberOfTuples());
+         ++i)
+      result.emplace(int(labels->GetTuple1(i)), names->GetValue(i));
+  return result;
+}
+
 /// Removes cells that other pieces of a file repeat.
 void remove_ghost_cells(vtkDataSet* data) {
   if (vtkUnstructuredGrid* const grid = vtkUnstructuredGrid::SafeDownCast(data))
@@ -296,10 +314,19 @@ Dataset read_dataset(const std::string& path, const std::string& folder) {
     result.data = read_image<vtkPNMReader>(path, messages);
   else if (format == "msh")
     result.data = read_gmsh(path, folder, result.translation);
+  else if (format == "3mf")
+    result.data = read_3mf(path, result.translation);
+  else if (format == "vtm")
+    result.data = read_blocks(path, result.translation);
   else if (format == "meshb")
     result.data = read_meshb(path, result.translation);
   else
-    throw Failure("is in no format that VTK or Gmsh reads: its extension is '" + format + "'");
+    throw Failure("is in no format that VTK, Gmsh or lib3mf reads: its extension is '" + format +
+                  "'");
+  if (!messages->error.empty())
+    throw Failure("cannot be read by VTK: " + shortened(messages->error));
+  if (result.translation.names.empty())
+    result.translation.names = names_in(result.data);
   remove_ghost_cells(result.data);
   return result;
 }

@@ -107,11 +107,14 @@ vtkSmartPointer<vtkUnstructuredGrid> grid_of_model(Translation& translation) {
   gmsh::vectorpair groups, entities;
   gmsh::model::getPhysicalGroups(groups);
   gmsh::model::getEntities(entities);
+  int largest = 0; // dimension of elements
   for (const auto& [dimension, entity] : entities) {
     const int label = label_of(dimension, entity, groups, translation);
     std::vector<int> types;
     std::vector<std::vector<std::size_t>> elements, nodes;
     gmsh::model::mesh::getElements(types, elements, nodes, dimension, entity);
+    if (!types.empty())
+      largest = std::max(largest, dimension);
     for (std::size_t t = 0; t < types.size(); ++t) {
       const Element_type& type = type_of(types[t]);
       for (std::size_t i = 0; i < elements[t].size(); ++i) {
@@ -124,6 +127,13 @@ vtkSmartPointer<vtkUnstructuredGrid> grid_of_model(Translation& translation) {
     }
   }
   grid->GetCellData()->AddArray(labels);
+  for (const auto& [dimension, group] : groups) {
+    std::string name;
+    if (dimension == largest)
+      gmsh::model::getPhysicalName(dimension, group, name);
+    if (!name.empty())
+      translation.names[group] = name;
+  }
   return grid;
 }
 

@@ -4,6 +4,7 @@
 
 #include "write_cells.h"
 
+#include "Planar_regions.h"
 #include "Text_file.h"
 
 #include <vtkAppendFilter.h>
@@ -13,11 +14,14 @@
 #include <vtkDataSet.h>
 #include <vtkDataSetSurfaceFilter.h>
 #include <vtkDataSetTriangleFilter.h>
+#include <vtkFieldData.h>
 #include <vtkIdList.h>
+#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+#include <vtkStringArray.h>
 #include <vtkTriangleFilter.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
@@ -36,121 +40,7 @@
 namespace dsc_files {
 namespace {
 
-/// The vertices of a triangle.
-using Triangle = std::array<vtkIdType, 3>;
-
-/// Returns the vertices of the triangles of a surface.
-std::vector<Triangle> triangles_of(vtkPolyData* surface) {
-  std::vector<Triangle> result;
-  vtkNew<vtkIdList> corners;
-  for (vtkIdType i = 0; i < surface->GetNumberOfCells(); ++i) {
-    surface->GetCellPoints(i, corners);
-    if (corners->GetNumberOfIds() == 3)
-      result.push_back({corners->GetId(0), corners->GetId(1), corners->GetId(2)});
-  }
-  return result;
-}
-
-/// Returns a point of a dataset.
-std::array<double, 3> point(vtkDataSet* data, vtkIdType i) {
-  std::array<double, 3> result;
-  data->GetPoint(i, result.data());
-  return result;
-}
-
-/// The regions of labeled triangles: segments between different labels, and one point of each
-/// connected component.
-class Planar_regions
-{
-public:
-  Planar_regions(vtkPolyData* data, const std::vector<int>& labels)
-      : m_data(data), m_triangles(triangles_of(data)), m_labels(labels) {
-    for (std::size_t i = 0; i < m_triangles.size(); ++i)
-      for (std::size_t k = 0; k < 3; ++k)
-        m_triangles_at[side(i, k)].push_back(i);
-  }
-
-  /// Returns whether label 0 reaches the boundary of the triangles.
-  bool has_label_0_outside() const {
-    return std::any_of(m_triangles_at.begin(), m_triangles_at.end(), [&](const auto& side) {
-      return side.second.size() == 1 && m_labels[side.second.front()] == 0;
-    });
-  }
-
-  /// Writes the regions in the format of Triangle (.poly).
-  void write(const std::string& path) const {
-    Text_file out(path);
-    out << m_data->GetNumberOfPoints() << " 2 0 0\n";
-    for (vtkIdType i = 0; i < m_data->GetNumberOfPoints(); ++i) {
-      const auto [x, y, z] = point(m_data, i);
-      out << i << ' ' << x << ' ' << y << '\n';
-    }
-    std::vector<Side> segments;
-    for (const auto& [side, triangles] : m_triangles_at)
-      if (label_across(triangles, 0) != label_across(triangles, 1))
-        segments.push_back(side);
-    out << segments.size() << " 0\n";
-    for (std::size_t i = 0; i < segments.size(); ++i)
-      out << i << ' ' << segments[i].first << ' ' << segments[i].second << '\n';
-    const std::vector<std::size_t> seeds = largest_of_components();
-    out << "0\n" << seeds.size() << '\n';
-    for (std::size_t i = 0; i < seeds.size(); ++i) {
-      std::array<double, 2> middle = {};
-      for (const vtkIdType corner : m_triangles[seeds[i]])
-        for (std::size_t axis = 0; axis < 2; ++axis)
-          middle[axis] += point(m_data, corner)[axis] / 3;
-      out << i << ' ' << middle[0] << ' ' << middle[1] << ' ' << m_labels[seeds[i]] << " 0\n";
-    }
-    out.close();
-  }
-
-private:
-  using Side = std::pair<vtkIdType, vtkIdType>;
-
-  Side side(std::size_t i, std::size_t k) const {
-    return std::minmax(m_triangles[i][(k + 1) % 3], m_triangles[i][(k + 2) % 3]);
-  }
-
-  /// Outside of all triangles is label 0.
-  int label_across(const std::vector<std::size_t>& triangles, std::size_t which) const {
-    return which < triangles.size() ? m_labels[triangles[which]] : 0;
-  }
-
-  double area(std::size_t i) const {
-    const auto [a, b, c] = m_triangles[i];
-    const auto p = point(m_data, a), q = point(m_data, b), r = point(m_data, c);
-    return std::abs((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])) / 2;
-  }
-
-  std::vector<std::size_t> largest_of_components() const {
-    std::vector<std::size_t> result;
-    std::vector<bool> found(m_triangles.size(), false);
-    for (std::size_t first = 0; first < m_triangles.size(); ++first) {
-      if (found[first] || m_labels[first] == 0)
-        continue;
-      result.push_back(first);
-      found[first] = true;
-      for (std::vector<std::size_t> rest = {first}; !rest.empty();) {
-        const std::size_t i = rest.back();
-        rest.pop_back();
-        if (area(i) > area(result.back()))
-          result.back() = i;
-        for (std::size_t k = 0; k < 3; ++k)
-          for (const std::size_t next : m_triangles_at.at(side(i, k)))
-            if (!found[next] && m_labels[next] == m_labels[first]) {
-              found[next] = true;
-              rest.push_back(next);
-            }
-      }
-    }
-    return result;
-  }
-
-  vtkPolyData* m_data;
-  std::vector<Triangle> m_triangles;
-  std::vector<int> m_labels;
-  std::map<Side, std::vector<std::size_t>> m_triangles_at;
-};
+using Label_names = std::map<int, std::string>;
 
 /// Returns the linear type with the corners of a quadratic, Lagrange or Bezier type; linear types
 /// are returned as they are.
@@ -315,7 +205,24 @@ bool is_of_type(vtkDataSet* data, int type) {
   return true;
 }
 
-void write_tetrahedra(vtkSmartPointer<vtkUnstructuredGrid> cells, Translation& result) {
+/// Adds the names of labels as data of the whole grid, in the form that the package reads.
+void add_names(vtkDataSet* data, const Label_names& names) {
+  if (names.empty())
+    return;
+  vtkNew<vtkIntArray> labels;
+  vtkNew<vtkStringArray> strings;
+  labels->SetName("named_labels");
+  strings->SetName("label_names");
+  for (const auto& [label, name] : names) {
+    labels->InsertNextValue(label);
+    strings->InsertNextValue(name);
+  }
+  data->GetFieldData()->AddArray(labels);
+  data->GetFieldData()->AddArray(strings);
+}
+
+void write_tetrahedra(vtkSmartPointer<vtkUnstructuredGrid> cells, const Label_names& names,
+                      Translation& result) {
   if (!is_of_type(cells, VTK_TETRA)) {
     vtkNew<vtkDataSetTriangleFilter> divided;
     divided->SetInputData(cells);
@@ -323,6 +230,7 @@ void write_tetrahedra(vtkSmartPointer<vtkUnstructuredGrid> cells, Translation& r
     divided->Update();
     cells = divided->GetOutput();
   }
+  add_names(cells, names);
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   writer->SetInputData(cells);
   writer->SetFileName(result.path.c_str());
@@ -336,6 +244,27 @@ void write_tetrahedra(vtkSmartPointer<vtkUnstructuredGrid> cells, Translation& r
 bool is_planar(vtkDataSet* data) {
   const double* const bounds = data->GetBounds();
   return bounds[4] == bounds[5];
+}
+
+/// Writes an object for each label, by increasing label (.obj).
+void write_objects(vtkPolyData* surface, const std::vector<int>& labels, const Label_names& names,
+                   const std::string& path) {
+  const std::vector<Triangle> triangles = triangles_of(surface);
+  std::map<int, std::vector<Triangle>> objects;
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    objects[labels[i]].push_back(triangles[i]);
+  Text_file out(path);
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i) {
+    const auto [x, y, z] = point(surface, i);
+    out << "v " << x << ' ' << y << ' ' << z << '\n';
+  }
+  for (const auto& [label, of_label] : objects) {
+    const auto name = names.find(label);
+    out << "o " << (name == names.end() ? "label " + std::to_string(label) : name->second) << '\n';
+    for (const Triangle& t : of_label)
+      out << "f " << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << '\n';
+  }
+  out.close();
 }
 
 void write_surface(vtkPolyData* surface, Translation& result) {
@@ -401,7 +330,8 @@ std::string note_on_domain(const double* bounds) {
   return note.str();
 }
 
-void write_triangles(vtkDataSet* data, const Options& options, Translation& result) {
+void write_triangles(vtkDataSet* data, const Label_names& names, const Options& options,
+                     Translation& result) {
   const auto faces = cells_of(data, 2, result);
   vtkIdType expected = 0; // number of triangles
   for (vtkIdType i = 0; i < faces->GetNumberOfCells(); ++i)
@@ -419,13 +349,19 @@ void write_triangles(vtkDataSet* data, const Options& options, Translation& resu
   leave_out_arrays(triangles->GetPointData(), "point", result);
   if (is_planar(triangles)) {
     result.path = options.folder + "/regions.poly";
+    result.leave_out(names.size(), "name of a label", "names of labels");
     const Planar_regions regions(triangles, labels_of(triangles, options.labels, result));
     regions.write(result.path);
     if (regions.has_label_0_outside())
       result.notes.push_back(note_on_domain(triangles->GetBounds()));
   } else {
-    if (!options.labels.empty())
-      throw Failure("is a surface, whose triangles have no labels; leave out --labels");
+    if (!options.labels.empty() && options.labels != "none")
+      throw Failure(
+          "is a surface, whose triangles have no labels; leave out --labels, or give none");
+    if (!names.empty() && options.labels.empty()) {
+      result.path = options.folder + "/surface.obj";
+      return write_objects(triangles, labels_of(triangles, "", result), names, result.path);
+    }
     result.path = options.folder + "/surface.off";
     leave_out_arrays(triangles->GetCellData(), "cell", result);
     write_surface(triangles, result);
@@ -434,23 +370,24 @@ void write_triangles(vtkDataSet* data, const Options& options, Translation& resu
 
 } // namespace
 
-Translation write_cells(vtkDataSet* data, const Options& options) {
+Translation write_cells(vtkDataSet* data, const Label_names& names, const Options& options) {
   Translation result;
   const std::array<std::size_t, 4> numbers = numbers_of_cells(data);
-  const char* const names[][2] = {
+  const char* const kinds[][2] = {
       {"vertex cell", "vertex cells"}, {"line", "lines"}, {"face", "faces"}};
   const int dimension = numbers[3] > 0 ? 3 : numbers[2] > 0 ? 2 : 0;
   for (int d = 0; d < dimension; ++d)
-    result.leave_out(numbers[std::size_t(d)], names[d][0], names[d][1]);
+    result.leave_out(numbers[std::size_t(d)], kinds[d][0], kinds[d][1]);
   if (dimension == 3) {
     result.path = options.folder + "/cells.vtu";
-    write_tetrahedra(cells_of(data, 3, result), result);
+    write_tetrahedra(cells_of(data, 3, result), names, result);
   } else if (dimension == 2) {
-    write_triangles(data, options, result);
+    write_triangles(data, names, options, result);
   } else if (data->GetNumberOfPoints() > 0) {
     result.path = options.folder +
                   (data->GetPointData()->GetNormals() == nullptr ? "/points.xyz" : "/points.pwn");
-    result.leave_out(numbers[1], names[1][0], names[1][1]);
+    result.leave_out(numbers[1], kinds[1][0], kinds[1][1]);
+    result.leave_out(names.size(), "name of a part", "names of parts");
     leave_out_arrays(data->GetPointData(), "point", result, data->GetPointData()->GetNormals());
     write_points(data, result);
   } else {

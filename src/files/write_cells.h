@@ -9,14 +9,18 @@
 
 #include <vtkDataSet.h>
 
+#include <map>
+#include <string>
+
 namespace dsc_files {
 
 /// Writes the cells of highest dimension of a dataset: tetrahedra (`cells.vtu`), a triangulated
-/// surface (`surface.off`), regions of labeled triangles in a plane z = const (`regions.poly`) or
-/// points (`points.xyz`, with normals `points.pwn`). Other cells in space are divided into
-/// tetrahedra.
+/// surface (`surface.off`, with names of labels `surface.obj`), regions of labeled triangles in a
+/// plane z = const (`regions.poly`) or points (`points.xyz`, with normals `points.pwn`). Other
+/// cells in space are divided into tetrahedra. \param names of labels
 /// \throws Failure if there are no such cells
-Translation write_cells(vtkDataSet* data, const Options& options);
+Translation write_cells(vtkDataSet* data, const std::map<int, std::string>& names,
+                        const Options& options);
 
 } // namespace dsc_files
 

@@ -391,6 +391,8 @@ std::string Film::html() const {
                {"fields", fields_to_json()},
                {"series", series_to_json()},
                {"events", events_to_json()}};
+  if (!m_names.empty())
+    film["names"] = m_names;
   film["frames"] = frames_to_json(labels, blobs);
   film["blobs"] = std::move(blobs);
   return page_with(film.dump(-1, ' ', false, Json::error_handler_t::replace));

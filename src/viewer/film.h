@@ -75,6 +75,9 @@ public:
   /// Hides a label until the user shows it.
   void hide(int label) { m_hidden.push_back(label); }
 
+  /// Sets the name of a label, which is shown after its number.
+  void set_name(int label, std::string name) { m_names[label] = std::move(name); }
+
   /// Returns the file.
   /// \throws std::invalid_argument if there is no frame
   std::string html() const;
@@ -151,6 +154,7 @@ private:
   std::map<std::string, std::vector<std::optional<double>>> m_series; // by name
   std::vector<Event> m_events;
   std::vector<int> m_hidden;
+  std::map<int, std::string> m_names; // of labels
 };
 
 } // namespace dsc

@@ -226,6 +226,90 @@ def write_picture(path):
     writer.Write()
 
 
+def write_blocks(path, names, cells=False):
+    """Writes the surfaces of cubes, or tetrahedra, as blocks. Neighbors have a common side."""
+    import vtk
+
+    blocks = vtk.vtkMultiBlockDataSet()
+    for i, name in enumerate(names):
+        if cells:
+            points = vtk.vtkPoints()
+            for p in ((i, i, i), (1, 0, 0), (0, 1, 0), (0, 0, 1)):
+                points.InsertNextPoint(p)
+            block = vtk.vtkUnstructuredGrid()
+            block.SetPoints(points)
+            block.InsertNextCell(vtk.VTK_TETRA, 4, range(4))
+        else:
+            image = vtk.vtkImageData()
+            image.SetDimensions(2, 2, 2)
+            image.SetOrigin(i, 0, 0)
+            surface = vtk.vtkDataSetSurfaceFilter()
+            surface.SetInputData(image)
+            surface.Update()
+            block = surface.GetOutput()
+        blocks.SetBlock(i, block)
+        if name is not None:
+            blocks.GetMetaData(i).Set(vtk.vtkCompositeDataSet.NAME(), name)
+    writer = vtk.vtkXMLMultiBlockDataWriter()
+    writer.SetFileName(str(path))
+    writer.SetInputData(blocks)
+    writer.Write()
+
+
+# 3MF: a package of files, written from the text of its specification
+
+
+def mesh_3mf(points, facets):
+    vertices = "".join('<vertex x="{}" y="{}" z="{}"/>'.format(*p) for p in points)
+    triangles = "".join('<triangle v1="{}" v2="{}" v3="{}"/>'.format(*f) for f in facets)
+    return f"<mesh><vertices>{vertices}</vertices><triangles>{triangles}</triangles></mesh>"
+
+
+def write_3mf(path, unit):
+    corners = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
+    facets = "0 2 3", "0 3 1", "4 5 7", "4 7 6", "0 1 5", "0 5 4", "2 6 7", "2 7 3", "0 4 6", "0 6 2", "1 3 7", "1 7 5"
+    mesh = mesh_3mf(corners, [f.split() for f in facets])
+    objects = (
+        f'<object id="1" type="model" name="cube">{mesh}</object>'
+        f'<object id="2" type="model" name="large">{mesh}</object>'
+        f'<object id="4" type="model">{mesh}</object><object id="5" type="support">{mesh}</object>'
+        '<object id="6" type="model"><components><component objectid="2" transform="2 0 0 0 2 0 0 0 2 1 2 3"/>'
+        "</components></object>"
+    )
+    items = (
+        '<item objectid="1"/><item objectid="6" transform="0 1 0 -1 0 0 0 0 1 0 30 0"/>'
+        '<item objectid="4" transform="1 0 0 0 1 0 0 0 1 1 0 0"/><item objectid="5"/>'
+        '<item objectid="1" transform="1 0 0 0 1 0 0 0 1 -9 0 0"/>'
+    )
+    pack_3mf(path, unit, objects, items)
+
+
+def pack_3mf(path, unit, objects, items):
+    import zipfile
+
+    model = (
+        f'<?xml version="1.0" encoding="UTF-8"?><model unit="{unit}" xml:lang="en-US" '
+        'xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">'
+        f"<resources>{objects}</resources><build>{items}</build></model>"
+    )
+    with zipfile.ZipFile(path, "w") as package:
+        package.writestr(
+            "[Content_Types].xml",
+            '<?xml version="1.0" encoding="UTF-8"?>'
+            '<Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types">'
+            '<Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/>'
+            '<Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/></Types>',
+        )
+        package.writestr(
+            "_rels/.rels",
+            '<?xml version="1.0" encoding="UTF-8"?>'
+            '<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">'
+            '<Relationship Target="/3D/3dmodel.model" Id="rel0" '
+            'Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>',
+        )
+        package.writestr("3D/3dmodel.model", model)
+
+
 # meshio
 
 

@@ -9,10 +9,12 @@ import zlib
 
 import pytest
 
+import foreign_files
+
 DSC = os.environ["DSC_PROGRAM"]
 HAS_VTK = (pathlib.Path(DSC).parent / "dsc-files").exists()
 MANUAL = pathlib.Path(__file__).parents[2] / "doc/Dsc_program/Dsc_program.txt"
-COLUMNS = ("geometry", "labels", "arrays")
+COLUMNS = ("geometry", "labels", "names", "arrays")
 NATIVE = {".off", ".obj", ".ply", ".stl", ".mesh", ".vtu", ".inr", ".wkt", ".poly", ".pgm", ".png", ".svg", ".dsc"}
 
 
@@ -27,6 +29,7 @@ TABLE = table()
 CELLS = [(name, column) for name, row in TABLE.items() for column in row]
 
 FACES = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
+NAME = "shell"  # of a label or of the only part
 POINTS = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]  # a tetrahedron of volume 1/6
 CUBE = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
 TETRAHEDRA = [(0, 1, 3, 7), (0, 3, 2, 7), (0, 2, 6, 7), (0, 6, 4, 7), (0, 4, 5, 7), (0, 5, 1, 7)]
@@ -57,7 +60,10 @@ def vtp():
 
 def vtu():
     return (
-        '<VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian"><UnstructuredGrid>'
+        '<VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian"><UnstructuredGrid><FieldData>'
+        '<DataArray type="Int32" Name="named_labels" NumberOfTuples="1" format="ascii">3</DataArray>'
+        '<Array type="String" Name="label_names" NumberOfTuples="1" format="ascii">'
+        + f"{text([NAME.encode() + bytes(1)])}</Array></FieldData>"
         '<Piece NumberOfPoints="8" NumberOfCells="6"><PointData>'
         + array("Float64", "heat", [(p[0],) for p in CUBE])
         + "</PointData><CellData>"
@@ -97,6 +103,7 @@ def meshb():
     return result + struct.pack("<2i", 54, 0)
 
 
+TITLE = "(?: '.*')?"  # the name of a label, if it has one
 VOXELS = bytes(9 if {x, y, z} <= {1, 2} else 0 for z in range(4) for y in range(4) for x in range(4))
 PIXELS = bytes(5 if 4 < i < 11 and i % 4 in (1, 2) else 0 for i in range(16))
 STL = "".join(
@@ -108,12 +115,12 @@ STL = "".join(
 POLYGON = "[[0,0],[1,0],[1,1],[0,1],[0,0]]"
 SAMPLES = {
     ".off": "COFF\n4 4 0\n" + text(p + (255, 0, 0) for p in POINTS) + text((3,) + f for f in FACES),
-    ".obj": text(("v",) + p for p in POINTS) + text(("f",) + tuple(v + 1 for v in f) for f in FACES),
+    ".obj": f"o {NAME}\n" + text(("v",) + p for p in POINTS) + text(("f",) + tuple(v + 1 for v in f) for f in FACES),
     ".ply": "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
     "property float heat\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n"
     + text(p + (7,) for p in POINTS)
     + text((3,) + f for f in FACES),
-    ".stl": f"solid tetrahedron\n{STL}endsolid tetrahedron\n",
+    ".stl": f"solid {NAME}\n{STL}endsolid {NAME}\n",
     ".mesh": "MeshVersionFormatted 2\nDimension 3\nVertices 8\n"
     + text(p + (0,) for p in CUBE)
     + "Tetrahedra 6\n"
@@ -130,7 +137,8 @@ SAMPLES = {
     ".meshb": meshb(),
     ".nrrd": b"NRRD0004\ntype: uint8\ndimension: 3\nsizes: 12 4 4\nspacings: 1 1 1\nencoding: raw\n\n"
     + b"".join(VOXELS[4 * i : 4 * i + 4] + bytes(8) for i in range(16)),
-    ".msh": "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n8\n"
+    ".msh": "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n"
+    f'3 3 "{NAME}"\n$EndPhysicalNames\n$Nodes\n8\n'
     + text((i + 1,) + p for i, p in enumerate(CUBE))
     + "$EndNodes\n$Elements\n6\n"
     + text((i + 1, 4, 2, 3, 1) + tuple(v + 1 for v in t) for i, t in enumerate(TETRAHEDRA))
@@ -138,14 +146,16 @@ SAMPLES = {
     ".pcd": "VERSION .7\nFIELDS x y z heat\nSIZE 4 4 4 4\nTYPE F F F F\nCOUNT 1 1 1 1\nWIDTH 3\nHEIGHT 1\n"
     "POINTS 3\nDATA ascii\n0 0 0 4\n1 0 0 4\n0 1 0 4\n",
     ".csv": "x,y,z,heat\n0,0,0,4\n1,0,0,4\n0,1,0,4\n",
+    ".vtm": '<VTKFile type="vtkMultiBlockDataSet" version="1.0" byte_order="LittleEndian"><vtkMultiBlockDataSet>'
+    f'<DataSet index="0" name="{NAME}" file="sample.vtu"/></vtkMultiBlockDataSet></VTKFile>',
     ".geojson": '{"type":"FeatureCollection","features":[{"type":"Feature","properties":{"heat":3},'
     f'"geometry":{{"type":"Polygon","coordinates":[{POLYGON}]}}}}]}}',
 }
 VOXEL_IMAGES = (".inr", ".vti", ".nii", ".mha", ".tif", ".nrrd")
 CELL_FORMATS = (".mesh", ".vtu", ".vtk", ".dsc", ".meshb", ".msh")
 LABELS = dict.fromkeys(VOXEL_IMAGES, 9) | dict.fromkeys(CELL_FORMATS, 3)
-LABELS |= {".poly": 4, ".pgm": 5, ".png": 5, ".ppm": 1}  # .ppm: the colors in their order
-VOLUMES = dict.fromkeys((".off", ".obj", ".ply", ".stl", ".vtp"), 1 / 6) | dict.fromkeys(VOXEL_IMAGES, 8)
+LABELS |= {".vtm": 1, ".poly": 4, ".pgm": 5, ".png": 5, ".ppm": 1}  # .ppm: the colors in their order
+VOLUMES = dict.fromkeys((".off", ".obj", ".ply", ".stl", ".vtp", ".3mf"), 1 / 6) | dict.fromkeys(VOXEL_IMAGES, 8)
 VOLUMES |= dict.fromkeys((".pgm", ".png", ".ppm"), 4)
 # What the program names if it does not use the arrays of a format
 NAMED = {
@@ -181,7 +191,13 @@ def sample(tmp_path_factory):
         path = folder / f"sample{name}"
         if path.exists():
             return path
-        if name in SAMPLES:
+        if name == ".vtm":
+            make(".vtu")  # its block
+        if name == ".3mf":
+            mesh = foreign_files.mesh_3mf(POINTS, FACES)
+            part = f'<object id="1" type="model" name="{NAME}">{mesh}</object>'
+            foreign_files.pack_3mf(path, "millimeter", part, '<item objectid="1"/>')
+        elif name in SAMPLES:
             content = SAMPLES[name]
             path.write_bytes(content if isinstance(content, bytes) else content.encode())
         elif name == ".dsc":
@@ -207,7 +223,7 @@ def measure(path):
     voxels = re.search(r"voxels of size|^label -?\d+: (\d+) voxels", output, re.M)
     if voxels:
         return sum(int(n) for n in re.findall(r"^label [1-9]\d*: (\d+) voxels", output, re.M))
-    of_labels = re.findall(r"^label [1-9]\d*: .*? (?:volume|area) ([\d.e+-]+)", output, re.M)
+    of_labels = re.findall(rf"^label [1-9]\d*{TITLE}: .*? (?:volume|area) ([\d.e+-]+)", output, re.M)
     return sum(map(float, of_labels or re.findall(r"^volume +([\d.e+-]+)", output, re.M)))
 
 
@@ -223,7 +239,9 @@ def require(column, name, path, tmp_path):
     if column == "geometry":
         assert measure(path) == pytest.approx(VOLUMES.get(name, 1), rel=1e-5)
     elif column == "labels":
-        assert f"label {LABELS[name]}:" in info(path)
+        assert re.search(f"^label {LABELS[name]}{TITLE}:", info(path), re.M)
+    elif column == "names":
+        assert f"'{NAME}': " in info(path)
     else:
         assert has_arrays(path, tmp_path)
 
@@ -236,6 +254,8 @@ def test_what_is_read(name, column, sample, tmp_path):
     path = sample(name)
     if name == ".msh" and "without Gmsh" in run("info", path).stderr:
         pytest.skip("Gmsh is missing")
+    if name == ".3mf" and "without lib3mf" in run("info", path).stderr:
+        pytest.skip("lib3mf is missing")
     if name in (".csv", ".pcd"):  # points only
         output = run("reconstruct", path, "-o", tmp_path / "out.off")
         assert (NAMED[name] if column == "arrays" else "points") in output.stderr
@@ -260,14 +280,14 @@ def test_what_is_written(name, column, sample, tmp_path):
     assert run("convert", sample(source), path).returncode == 0
     if name in (".svg", ".png"):
         assert path.stat().st_size > 500
-    elif name in (".off", ".obj", ".ply", ".stl"):
+    elif column == "geometry" and name in (".off", ".obj", ".ply", ".stl"):
         assert measure(path) == pytest.approx(1, rel=1e-5)  # the cube
     else:
         require(column, name, path, tmp_path)
 
 
-def test_formats_without_arrays_name_what_they_lose(sample, tmp_path):
+def test_formats_without_arrays_and_names_tell_what_they_lose(sample, tmp_path):
     for source in ".dsc", ".vtu":
         for name in ".mesh", ".off":
             message = run("convert", sample(source), tmp_path / f"out{name}").stderr
-            assert "heat" in message and "density" in message
+            assert "heat" in message and "density" in message and f"3 '{NAME}'" in message

@@ -30,7 +30,7 @@ def info(*arguments):
     """Returns the number of tetrahedra, triangles or voxels of each label, and the whole text."""
     result = run("info", *arguments)
     assert result.returncode == 0, result.stderr
-    numbers = {m[1]: int(m[2]) for m in re.finditer(r"(label -?\d+): (\d+)", result.stdout)}
+    numbers = {m[1]: int(m[2]) for m in re.finditer(r"(label -?\d+)(?: '.*')?: (\d+)", result.stdout)}
     return numbers, result.stdout
 
 
@@ -292,6 +292,74 @@ def test_meshes_of_meshio(tmp_path, name, labels, options):
     if name.endswith("msh"):
         needs_gmsh(tmp_path)
     assert info(tmp_path / name)[0] == expected
+
+
+def rotated(path, *arguments):
+    """Returns names and volumes of the labels of a run, and its messages."""
+    report = path.with_suffix(".json")
+    result = run("rotate", path, "--axis", "0,0,1", "--angle", "5", "--steps", "1", "--report", report, *arguments)
+    assert result.returncode == 0, result.stderr
+    labels = json.loads(report.read_text())["steps"][-1]["labels"]
+    return {label.get("name"): label["volume"] for label in labels}, result.stderr
+
+
+def needs_lib3mf(folder):
+    (folder / "empty.3mf").write_text("")
+    if "built without lib3mf" in run("info", folder / "empty.3mf").stderr:
+        pytest.skip("dsc-files is built without lib3mf")
+
+
+def test_objects_of_3mf_are_labels(tmp_path):
+    needs_lib3mf(tmp_path)
+    path = tmp_path / "a.3mf"
+    # two cubes with a common wall, a component of scale 2, and a support
+    files.write_3mf(path, unit="inch")
+    volumes, messages = rotated(path)
+    expected = {"cube": 2, "large": 8, "object 3": 1}
+    assert {name: volumes[name] for name in expected} == pytest.approx(expected)
+    assert "not used: 1 support object" in messages
+    assert "the coordinates are in inches" in messages
+    assert "1 'cube', 2 'large', 3 'object 3'" in run("rotate", path, "--axis", "0,0,1", "--angle", "5", "--steps", "1").stdout
+    run("convert", path, tmp_path / "a.obj")
+    lines = (tmp_path / "a.obj").read_text().splitlines()
+    points = np.array([line.split()[1:] for line in lines if line.startswith("v ")], dtype=float)
+    large = points[points[:, 1] > 10]
+    assert large.min(axis=0) == pytest.approx([-4, 31, 3])
+    assert large.max(axis=0) == pytest.approx([-2, 33, 5])
+    whole = path.read_bytes()
+    for size in range(0, len(whole), 97):
+        path.write_bytes(whole[:size])
+        assert run("info", path).returncode == 1
+
+
+def test_blocks_are_labels(tmp_path):
+    files.write_blocks(tmp_path / "surfaces.vtm", ["first", None, "first"])
+    volumes, _ = rotated(tmp_path / "surfaces.vtm")
+    assert volumes["first"] == pytest.approx(2)
+    assert volumes["block 2"] == pytest.approx(1)
+    files.write_blocks(tmp_path / "cells.vtm", ["first", "second"], cells=True)
+    assert "label 2 'second': " in info(tmp_path / "cells.vtm")[1]
+    assert info(tmp_path / "cells.vtm")[0] == {"label 1": 1, "label 2": 1}
+    for block in (tmp_path / "surfaces").iterdir():
+        block.unlink()
+    assert run("info", tmp_path / "surfaces.vtm").returncode == 1
+
+
+def test_names_of_physical_groups_are_kept(tmp_path):
+    needs_gmsh(tmp_path)
+    path = tmp_path / "a.msh"
+    tetrahedra = "3 4 2 7 1 1 2 3 4\n4 4 2 9 2 2 3 4 5\n"
+    path.write_text(
+        '$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n3\n3 7 "core"\n3 9 "shell"\n2 7 "wall"\n'
+        "$EndPhysicalNames\n$Nodes\n5\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 1 1 1\n$EndNodes\n"
+        "$Elements\n2\n" + tetrahedra + "$EndElements\n"
+    )
+    text = info(path)[1]
+    assert "label 7 'core': " in text
+    assert "label 9 'shell': " in text
+    assert "wall" not in text
+    run("improve", path, "-o", tmp_path / "a.vtu")
+    assert "label 9 'shell': " in info(tmp_path / "a.vtu")[1]
 
 
 def needs_gmsh(folder):

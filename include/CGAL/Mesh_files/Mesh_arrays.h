@@ -10,6 +10,8 @@
 
 #include <CGAL/license/Mesh_files.h>
 
+#include <CGAL/Mesh_files/Label_names.h>
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -50,7 +52,7 @@ struct Mesh_array
 /*!
 \ingroup PkgMeshFilesRef
 
-The arrays of a mesh that are neither coordinates nor labels.
+The arrays of a mesh that are neither coordinates nor labels, and the names of the labels.
 */
 struct Mesh_arrays
 {
@@ -59,6 +61,8 @@ struct Mesh_arrays
 
   /// array that the labels were read from, without its numbers; its name is empty if there was none
   Mesh_array labels;
+
+  Label_names label_names; ///< names of labels
 };
 
 } // namespace CGAL::Deformable_simplicial_complexes

@@ -40,7 +40,8 @@ in the same folder is written and renamed when complete.
 \param dsc the complex
 \param arrays arrays with a row for each vertex, in the order of `dsc.vertices()`, or for each cell,
        in the order of `dsc.cells()`. Labels are also written under the name of `arrays.labels`, if
-       it has one. Arrays with the name of an array that is always written are ignored.
+       it has one. Arrays with the name of an array that is always written are ignored. The names
+       `arrays.label_names` are written as field data: `named_labels` and `label_names`.
 
 \throws Deformable_simplicial_complexes::File_error if the file cannot be written; an older file of
         that name is then unchanged
@@ -64,8 +65,8 @@ Writes the triangles of the interface as a VTK unstructured grid (`.vtu`). Linea
 cells, and n log n in the size of the interface.
 
 Points are in user coordinates, and normals point out of the larger label. The cell data is
-`label_pair`: the larger and the smaller label. A temporary file in the same folder is written and
-renamed when complete.
+`label_pair`: the larger and the smaller label. Names of labels are field data. A temporary file in
+the same folder is written and renamed when complete.
 
 \param path name of the file; its folder must exist
 \param dsc the complex; without an interface, the file has no cells
@@ -110,8 +111,8 @@ and no other cell array contains integers that may be labels, all labels are 1.
        merged; the first one counts.
 \param label_array name of the cell array of the labels; `"none"` for label 1 everywhere; empty for
        the array with one of the names above
-\param arrays replaced by all other arrays of numbers on points and tetrahedra, and the name of the
-       array of labels, unless it is null
+\param arrays replaced by all other arrays of numbers on points and tetrahedra, the name of the
+       array of labels, and the names of labels, unless it is null
 \param unused ignored cells and arrays are added to it, unless it is null. A second array with one
        of the names above is added if its values are different, and an array on points if its
        values differ at equal points. Other arrays of numbers are not added.

@@ -13,10 +13,14 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Interface_remeshing/extract_interface_3.h>
 #include <CGAL/Mesh_files/File_error.h>
+#include <CGAL/Mesh_files/Label_names.h>
 #include <CGAL/Mesh_files/Mesh_arrays.h>
+#include <CGAL/Mesh_files/Surface_parts.h>
 #include <CGAL/Mesh_files/Unused_content.h>
+#include <CGAL/Mesh_files/internal/surfaces/equal_points.h>
 #include <CGAL/Mesh_files/internal/surfaces/read_polygons.h>
-#include <CGAL/Mesh_files/internal/surfaces/triangulated_polygon.h>
+#include <CGAL/Mesh_files/internal/surfaces/surface_sinks.h>
+#include <CGAL/Mesh_files/internal/surfaces/write_parts.h>
 #include <CGAL/Mesh_files/internal/text/File_scanner.h>
 #include <CGAL/Mesh_files/internal/text/files.h>
 #include <CGAL/Mesh_files/internal/text/open_input.h>
@@ -30,18 +34,16 @@
 #include <CGAL/IO/PLY.h>
 #include <CGAL/IO/STL.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <ios>
 #include <limits>
-#include <numeric>
 #include <ostream>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -55,117 +57,6 @@ inline Surface_format surface_format(const std::string& path) {
          : extension == ".ply" ? Surface_format::ply
          : extension == ".stl" ? Surface_format::stl
                                : Surface_format::none;
-}
-
-// Receiver of the contents of a file that stores the points, counts polygons and their triangles,
-// and records unused content.
-template <class Point> struct Point_sink
-{
-  const File_scanner& file;
-  std::size_t most_points; // upper bound by the size of the file
-  Unused_content* not_used;
-  std::vector<Point> points;
-  std::size_t number_of_polygons = 0, number_of_triangles = 0, number_of_normals = 0;
-
-  void expect_points(std::size_t n) {
-    if (points.empty())
-      points.reserve((std::min)(n, most_points));
-  }
-
-  void point(double x, double y, double z) {
-    Progress_scope::check();
-    if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z))
-      file.fail("a coordinate of point " + std::to_string(points.size()) +
-                " is not a finite number; correct it");
-    points.emplace_back(x, y, z);
-  }
-
-  void normal(double, double, double) { ++number_of_normals; }
-
-  void polygon(const std::vector<std::size_t>& corners) {
-    if (corners.size() < 3)
-      return unused("polygons with fewer than three corners", 1);
-    ++number_of_polygons;
-    number_of_triangles += corners.size() - 2;
-  }
-
-  void unused(const std::string& kind, std::size_t number) {
-    if (not_used)
-      not_used->add(kind, number);
-  }
-};
-
-// Receiver of the contents of a file that stores the triangles of the polygons. The points are
-// known.
-template <class Point> struct Triangle_sink
-{
-  const File_scanner& file;
-  Labeled_surface_3<Point>& surface;
-  std::vector<Point> points_of_polygon;
-  std::size_t number_of_polygons = 0;
-
-  void expect_points(std::size_t) {}
-  void point(double, double, double) {}
-  void normal(double, double, double) {}
-  void unused(const std::string&, std::size_t) {}
-
-  void polygon(const std::vector<std::size_t>& corners) {
-    Progress_scope::check();
-    points_of_polygon.clear();
-    for (const std::size_t corner : corners) {
-      if (corner >= surface.points.size())
-        fail("refers to a point that does not exist; correct the index");
-      points_of_polygon.push_back(surface.points[corner]);
-    }
-    const auto triangles = triangulated_polygon(points_of_polygon);
-    if (triangles.empty() && corners.size() >= 3)
-      fail("cannot be triangulated; replace it by triangles");
-    for (const auto& triangle : triangles)
-      surface.triangles.push_back(
-          {corners[triangle[0]], corners[triangle[1]], corners[triangle[2]]});
-    ++number_of_polygons;
-  }
-
-  [[noreturn]] void fail(const std::string& what) const {
-    file.fail("polygon " + std::to_string(number_of_polygons) + " " + what);
-  }
-};
-
-// Returns the number of points that are not corners of any triangle.
-template <class Point>
-std::size_t number_of_unused_points(const Labeled_surface_3<Point>& surface) {
-  std::vector<bool> is_used(surface.points.size());
-  for (const auto& triangle : surface.triangles)
-    for (const std::size_t corner : triangle)
-      is_used[corner] = true;
-  return static_cast<std::size_t>(std::count(is_used.begin(), is_used.end(), false));
-}
-
-// Merges points with the same coordinates. The order is that of the first points.
-template <class Point> void merge_equal_points(Labeled_surface_3<Point>& surface) {
-  std::vector<Point>& points = surface.points;
-  std::vector<std::size_t> order(points.size()), place(points.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return points[a] == points[b] ? a < b : points[a] < points[b];
-  });
-  for (std::size_t i = 0, first = 0; i < order.size(); ++i) {
-    if (points[order[i]] != points[order[first]])
-      first = i;
-    place[order[i]] = order[first];
-  }
-  std::size_t n = 0;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (place[i] == i) {
-      points[n] = points[i];
-      place[i] = n++;
-    } else
-      place[i] = place[place[i]];
-  points.resize(n);
-  points.shrink_to_fit();
-  for (auto& triangle : surface.triangles)
-    for (auto& corner : triangle)
-      corner = place[corner];
 }
 
 template <class Points, class Polygons>
@@ -223,9 +114,12 @@ vertices are projected along their normals, and their constrained Delaunay trian
 In STL files, triangles share no points; points with the same coordinates are merged. The geometry
 of the surface is not checked here, but by `make_deformable_simplicial_complex_3()`.
 
+The names of solids in STL files, and of objects or groups in OBJ files, divide the surface into
+parts. `separate_parts()` returns their surfaces.
+
 All other content of the file is added to `unused`: colors, normals, texture coordinates, materials,
-groups, names of several solids, lines, other elements, points without polygons, and polygons with
-fewer than three corners. Facet normals of STL files are redundant and not added.
+groups of several objects, lines, other elements, points without polygons, and polygons with fewer
+than three corners. Facet normals of STL files are redundant and not added.
 
 \tparam Point a point type of a \cgal kernel
 
@@ -233,6 +127,7 @@ fewer than three corners. Facet normals of STL files are redundant and not added
 \param label label of the solid that the surface bounds
 \param unused the unused content of the file is added to it, unless it is null. After an exception,
        a part of the unused content may have been added.
+\param parts replaced by the parts of the surface, unless it is null; then the names are unused
 
 \throws Deformable_simplicial_complexes::File_error if the file cannot be opened or understood, has
         no polygons or more elements than it announces, or describes a part of the surface without
@@ -242,7 +137,8 @@ fewer than three corners. Facet normals of STL files are redundant and not added
 template <class Point = Exact_predicates_inexact_constructions_kernel::Point_3>
 Deformable_simplicial_complexes::Labeled_surface_3<Point>
 read_labeled_surface(const std::string& path, int label = 1,
-                     Deformable_simplicial_complexes::Unused_content* unused = nullptr) {
+                     Deformable_simplicial_complexes::Unused_content* unused = nullptr,
+                     Deformable_simplicial_complexes::Surface_parts* parts = nullptr) {
   namespace internal = Deformable_simplicial_complexes::internal;
   const auto require = [&](bool condition, const char* message) {
     if (!condition)
@@ -265,6 +161,7 @@ read_labeled_surface(const std::string& path, int label = 1,
       first_scanner, static_cast<std::size_t>(size) / least_bytes_of_point, unused, {}};
   internal::read_polygons(in, format, first_scanner, points);
   points.unused("normals of points", points.number_of_normals);
+  internal::report_unused_names(points, parts != nullptr, format);
   require(points.number_of_polygons != 0, "there are no polygons; choose a file with polygons");
   Deformable_simplicial_complexes::Labeled_surface_3<Point> surface;
   surface.label = label;
@@ -272,8 +169,10 @@ read_labeled_surface(const std::string& path, int label = 1,
   surface.triangles.reserve(points.number_of_triangles);
   in.clear();
   in.seekg(0);
-  internal::Triangle_sink<Point> triangles{second_scanner, surface, {}};
+  internal::Triangle_sink<Point> triangles{second_scanner, surface, points.parts.dividing(), {}};
   internal::read_polygons(in, format, second_scanner, triangles);
+  if (parts)
+    *parts = {triangles.parts.names(), std::move(triangles.part_of_triangle)};
   if (format == internal::Surface_format::stl)
     internal::merge_equal_points(surface);
   else if (unused)
@@ -310,6 +209,38 @@ void write_interface(const std::string& path,
     out.precision(std::numeric_limits<double>::max_digits10);
     if (!internal::write_soup(out, format, surface.points, surface.triangles))
       out.setstate(std::ios::failbit);
+  });
+}
+
+/*!
+\ingroup PkgMeshFilesRef
+
+Writes an extracted and possibly subdivided interface with names of labels. If there are names, STL
+files get a solid, and OBJ files an object, for each label other than 0: the whole boundary of the
+label, with normals out of it. Triangles between two such labels belong to both. Labels without name
+are called like `label 3`. Otherwise the function is the same as the overload above.
+
+\param path name of the file; its folder must exist
+\param surface a result of `extract_interface()` or `subdivide_interface()`
+\param names names of labels; line breaks are replaced by spaces. The other formats contain no names.
+
+\throws Deformable_simplicial_complexes::File_error as above
+
+\sa `read_labeled_surface()`
+*/
+template <class Complex>
+void write_interface(const std::string& path,
+                     const Deformable_simplicial_complexes::Interface_surface_3<Complex>& surface,
+                     const Deformable_simplicial_complexes::Label_names& names) {
+  namespace internal = Deformable_simplicial_complexes::internal;
+  const internal::Surface_format format = internal::surface_format(path);
+  const bool has_solids = format == internal::Surface_format::stl;
+  if (names.empty() || (!has_solids && format != internal::Surface_format::obj))
+    return write_interface(path, surface);
+  Deformable_simplicial_complexes::replace_file_by_stream(path, [&](std::ostream& out) {
+    out.precision(std::numeric_limits<double>::max_digits10);
+    has_solids ? internal::write_solids(out, surface, names)
+               : internal::write_objects(out, surface, names);
   });
 }
 

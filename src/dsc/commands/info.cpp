@@ -44,11 +44,11 @@ void print(const Statistics& statistics) {
   line(is_planar ? "interface segments" : "interface triangles", statistics.interface_facets)
       << '\n';
   for (const Label_statistics& label : statistics.labels)
-    std::cout << "label " << label.label << ": " << label.cells << ' ' << cells << ", "
-              << (is_planar ? "area " : "volume ") << label.volume << ", interface "
-              << (is_planar ? "length " : "area ") << label.area << ", components "
-              << label.components << ", Euler characteristic " << label.euler_characteristic
-              << '\n';
+    std::cout << "label " << label.label << (label.name.empty() ? "" : " '" + label.name + "'")
+              << ": " << label.cells << ' ' << cells << ", " << (is_planar ? "area " : "volume ")
+              << label.volume << ", interface " << (is_planar ? "length " : "area ") << label.area
+              << ", components " << label.components << ", Euler characteristic "
+              << label.euler_characteristic << '\n';
   line(is_planar ? "angles" : "dihedral angles", statistics.min_angle)
       << " to " << statistics.max_angle << " degrees, " << 100 * statistics.angles_outside_6_171
       << " % outside 6 to 171\n";
@@ -67,6 +67,10 @@ void print(const Surface_statistics& statistics) {
     std::cout << "boundary edges        " << statistics.boundary_edges << " (not closed)\n";
   std::cout << "angles                " << statistics.min_angle << " to " << statistics.max_angle
             << " degrees\n";
+  for (const auto& [name, triangles] : statistics.parts)
+    if (!name.empty() || statistics.parts.size() > 1)
+      std::cout << "part '" << name << "': " << triangles
+                << noun(triangles, " triangle\n", " triangles\n");
 }
 
 void print(const Image_statistics& statistics) {

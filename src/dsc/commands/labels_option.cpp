@@ -13,8 +13,9 @@ namespace dsc {
 CLI::Option* add_labels_option(CLI::App& command, std::string& labels) {
   return command.add_option(
       "--labels", labels,
-      "Name of the cell array of a .vtu file with the labels; 'none' gives label 1 to all cells "
-      "(default: label, medit:ref, gmsh:physical or MaterialIDs)");
+      "Name of the cell array of a .vtu file with the labels; 'none' gives label 1 to all cells, "
+      "and reads named parts of a surface as one (default: label, medit:ref, gmsh:physical or "
+      "MaterialIDs)");
 }
 
 void add_threshold_option(CLI::App& command, std::string& thresholds) {
@@ -23,10 +24,11 @@ void add_threshold_option(CLI::App& command, std::string& thresholds) {
 }
 
 void require_file_with_arrays(const std::string& path, const std::string& labels) {
-  const std::string file = with_user_names(path);
-  if (!labels.empty() && extension(file) != "vtu" && !is_foreign(file))
-    throw Usage_error(
-        "--labels applies only to .vtu files and grids of other programs; leave it out");
+  const std::string file = with_user_names(path), format = extension(file);
+  const bool has_parts = labels == "none" && (format == "stl" || format == "obj");
+  if (!labels.empty() && format != "vtu" && !is_foreign(file) && !has_parts)
+    throw Usage_error("--labels applies only to .vtu files and grids of other programs, and none "
+                      "to .stl and .obj files; leave it out");
 }
 
 } // namespace dsc

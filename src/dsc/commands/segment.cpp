@@ -8,6 +8,7 @@
 #include "input/label_image.h"
 #include "input/translations.h"
 #include "motions/mesh_at_rest.h"
+#include "motions/run_position.h"
 #include "motions/tracked_complex_2.h"
 #include "motions/tracked_complex_3.h"
 #include "output/picture.h"
@@ -174,7 +175,7 @@ void write_improved(const Tracked_complex_3& tracked, unsigned threads, const st
   Improvement_options improvement;
   improvement.threads = threads;
   Mesh_content content;
-  Mesh_at_rest mesh(tracked.complex.state());
+  Mesh_at_rest mesh(tracked.complex.state(), tracked.label_names);
   mesh.improve(improvement, content);
   mesh.write(path, content);
 }
@@ -242,6 +243,7 @@ int segment(const Segment_options& options, const DSC::Gray_image<d>& image,
       throw Input_error(options.start + " and " + options.input +
                         " differ in dimension; use a complex of the same dimension");
     tracked.complex = std::move(complex->complex);
+    tracked.label_names = std::move(complex->label_names);
     try {
       report = DSC::segment_image(tracked.complex, image, library_options);
     } catch (const DSC::Error& error) {
@@ -253,7 +255,7 @@ int segment(const Segment_options& options, const DSC::Gray_image<d>& image,
       write_label_image(output, voxels, DSC::sample_labels(tracked.complex, image.grid),
                         is_foreign(options.input) ? options.input : "");
     else if (extension(output) == "dsc")
-      tracked.write_checkpoint(output, "");
+      tracked.write_checkpoint(output, to_metadata(tracked.label_names));
     else
       tracked.write(output);
   if (!options.picture.empty())

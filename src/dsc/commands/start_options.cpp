@@ -114,8 +114,9 @@ CLI::Option* add_inputs(CLI::App& command, Run_start& start) {
       "Closed surfaces (.off, .obj, .ply, .stl), inequalities like 'x^2+y^2+z^2<1' or, in the "
       "plane, polygons (.wkt), which get the labels 1, 2, ...; or labeled tetrahedra (.mesh, "
       ".vtu) or a labeled image (.inr, .inr.gz); in the plane, a labeled image (.pgm, .png) or "
-      "segments (.poly). Files of other programs are read through VTK and Gmsh: .vtk, .vtp, .vti, "
-      ".msh, .nii, .nii.gz, .mha, .mhd, .nrrd, .tif");
+      "segments (.poly). Named parts of a surface, such as solids (.stl) and objects (.obj), get a "
+      "label each. Files of other programs are read through VTK, Gmsh and lib3mf: .vtk, .vtm, "
+      ".vtp, .vti, .msh, .3mf, .nii, .nii.gz, .mha, .mhd, .nrrd, .tif");
 }
 
 void add_start_options(CLI::App& command, Run_start& start, std::string& domain,

@@ -58,7 +58,8 @@ void add_view(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command
       ->add_option("--without", options->film.without,
-                   "Labels whose cells are left out, separated by commas; the page is smaller")
+                   "Labels, by number or name, whose cells are left out, separated by commas; the page "
+                   "is smaller")
       ->delimiter(',');
   command->add_flag("--surface", options->film.is_surface,
                     "Show the interface only; the page is smaller");

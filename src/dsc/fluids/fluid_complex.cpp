@@ -105,7 +105,8 @@ std::optional<Surface> surface_of_shape(const Fluid_shape& shape, double edge,
     start.inputs = {place_of(file->file, folder)};
     start.ball = file->ball;
     start.triangles = file->triangles;
-    return start_surfaces(start).front();
+    const std::string& path = start.inputs.front();
+    return start_surfaces(start, {{read_surface(path)}, {path}, {}}).all.front();
   }
   return std::nullopt;
 }

@@ -44,7 +44,7 @@ Surface surface_of(const Ball_shape& ball, double edge) {
   start.ball = Ball{ball.center, ball.radius};
   start.triangles =
       ball.triangles > 0 ? ball.triangles : number_of_parts(std::max(20., 4 * CGAL_PI / area));
-  Surface surface = start_surfaces(start).front();
+  Surface surface = start_surfaces(start).all.front();
   const Surface_point center(ball.center[0], ball.center[1], ball.center[2]);
   if (ball.mode > 0)
     for (Surface_point& p : surface.points)

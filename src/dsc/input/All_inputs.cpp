@@ -42,8 +42,9 @@ std::unique_ptr<Tracked_complex> All_inputs::resume(const std::string& path,
 Start_distance All_inputs::distance_from(const Run_start& start) const {
   if (dimension_of(start) == 2)
     return Start_distance(start_curves(start));
-  return Start_distance(start_surfaces(start, start.repairs ? read_and_repair(start, nullptr)
-                                                            : read_surfaces(start.inputs)));
+  return Start_distance(
+      start_surfaces(start, start.repairs ? read_and_repair(start, nullptr) : read_surfaces(start))
+          .all);
 }
 
 void All_inputs::convert(const std::string& input, const std::string& output,

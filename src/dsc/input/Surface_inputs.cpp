@@ -63,7 +63,7 @@ public:
 
   Start_distance distance_from(const Run_start& start) const override {
     require_sound_surfaces(start);
-    return Start_distance(start_surfaces(start));
+    return Start_distance(start_surfaces(start).all);
   }
 
   void convert(const std::string&, const std::string&, const std::string&,

@@ -206,6 +206,12 @@ Labeled_tetrahedra read_tetrahedra(const std::string& path, const std::string& l
     } catch (const CGAL::Deformable_simplicial_complexes::Label_array_error& error) {
       throw std::runtime_error(error.what() + std::string(" (--labels NAME)"));
     }
+    // The names belong to the labels that this program and Gmsh write.
+    if (const std::string& name = mesh.arrays.labels.name;
+        name != "label" && name != "gmsh:physical") {
+      const std::size_t names = std::exchange(mesh.arrays.label_names, {}).size();
+      mesh.unused.add(noun(names, "name of a label", "names of labels"), names);
+    }
   } else {
     CGAL::IO::read_MEDIT(path, mesh.points, mesh.tetrahedra, mesh.labels, &mesh.entities,
                          &mesh.unused);

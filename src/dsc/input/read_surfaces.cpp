@@ -3,21 +3,79 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "input/surface.h"
+#include "input/translations.h"
 #include "input/unused.h"
+#include "output/label_titles.h"
 
+#include <CGAL/Mesh_files/Surface_parts.h>
 #include <CGAL/Mesh_files/labeled_surface_3.h>
 
-namespace dsc {
+#include <cstddef>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
-std::vector<Surface> read_surfaces(const std::vector<std::string>& paths) {
-  std::vector<Surface> surfaces;
-  for (const std::string& path : paths) {
-    Unused_content unused;
-    surfaces.push_back(CGAL::IO::read_labeled_surface<Surface_point>(
-        path, static_cast<int>(surfaces.size()) + 1, &unused));
-    print_unused(path, unused);
+namespace dsc {
+namespace {
+
+using DSC::Surface_parts;
+
+/// Returns the surfaces of a file and sets the names of its parts.
+/// \param has_parts whether names divide the surface
+std::vector<Surface> parts_of_file(const std::string& path, bool has_parts, int first_label,
+                                   std::vector<std::string>& names) {
+  Surface_parts parts;
+  Surface whole = read_surface(path, has_parts ? &parts : nullptr);
+  whole.label = first_label;
+  if (!has_parts)
+    parts = {{""}, {}};
+  std::vector<Surface> result = DSC::separate_parts(whole, parts);
+  if (result.size() < parts.names.size()) {
+    for (std::string& name : parts.names)
+      name = "'" + name + "'";
+    print_note(path, "the parts " + listed(parts.names) +
+                         " do not bound solids by themselves and are read as one surface");
+    parts.names = {""};
   }
-  return surfaces;
+  names = std::move(parts.names);
+  return result;
+}
+
+} // namespace
+
+std::string distinct_name(const std::string& name, std::set<std::string>& taken) {
+  std::string result = name;
+  for (int number = 2; !taken.insert(result).second; ++number)
+    result = name + " (" + std::to_string(number) + ')';
+  return result;
+}
+
+Surfaces read_surfaces(const Run_start& start) {
+  Surfaces result;
+  std::set<std::string> taken;
+  for (const std::string& path : start.inputs) {
+    const std::string file = with_user_names(path);
+    std::vector<std::string> names;
+    std::vector<Surface> parts =
+        parts_of_file(path, start.labels != "none", int(result.all.size()) + 1, names);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const std::string name = names[i].empty() ? "" : distinct_name(names[i], taken);
+      const std::string part = name.empty() ? "part without name" : "part '" + name + "'";
+      result.titles.push_back(parts.size() == 1 ? file : file + ", " + part);
+      if (!name.empty())
+        result.names[parts[i].label] = name;
+      result.all.push_back(std::move(parts[i]));
+    }
+  }
+  return result;
+}
+
+Surface read_surface(const std::string& path, Surface_parts* parts) {
+  Unused_content unused;
+  Surface result = CGAL::IO::read_labeled_surface<Surface_point>(path, 1, &unused, parts);
+  print_unused(path, unused);
+  return result;
 }
 
 } // namespace dsc

@@ -4,6 +4,7 @@
 
 #include "input/start_complex.h"
 #include "input/surface.h"
+#include "input/surface_errors.h"
 #include "programs/errors.h"
 
 #include <CGAL/Mesh_support/Progress_scope.h>
@@ -40,16 +41,15 @@ DSC::Surface_repair_options_3 repair_options(const Surface& surface,
 }
 
 /// Calls `repair_surface` for each surface.
-template <class Function>
-Repairs for_each(std::vector<Surface>& surfaces, const std::vector<std::string>& names,
-                 const Function& repair_surface) {
+template <class Function> Repairs for_each(Surfaces& surfaces, const Function& repair_surface) {
   Repairs repairs;
-  for (std::size_t i = 0; i < surfaces.size(); ++i)
+  const std::vector<std::string>& names = surfaces.titles;
+  for (std::size_t i = 0; i < surfaces.all.size(); ++i)
     try {
-      repairs.push_back(repair_surface(surfaces[i]));
+      repairs.push_back({names[i], repair_surface(surfaces.all[i])});
     } catch (const Invalid_surface_error& error) {
       const bool has_hole = error.reason() == Invalid_surface_error::Reason::open;
-      throw Input_error(names[i] + " cannot be repaired: " + error.what() +
+      throw Input_error(names[i] + " cannot be repaired: " + message_of(error) +
                         (has_hole ? "; increase --largest-hole" : ""));
     } catch (const Error& error) {
       throw Input_error(names[i] + " cannot be repaired: " + error.what());
@@ -80,40 +80,37 @@ void add(DSC::Surface_repair_report_3& sum, const DSC::Surface_repair_report_3& 
 void add(Repairs& sums, const Repairs& second) {
   sums.resize(second.size());
   for (std::size_t i = 0; i < second.size(); ++i)
-    if (!second[i].was_sound())
-      add(sums[i], second[i]);
+    if (!second[i].report.was_sound())
+      add(sums[i].report, second[i].report);
 }
 
-Repairs repair(std::vector<Surface>& surfaces, const std::vector<std::string>& names,
-               const std::optional<Distance>& largest_hole) {
-  return for_each(surfaces, names, [&](Surface& surface) {
+Repairs repair(Surfaces& surfaces, const std::optional<Distance>& largest_hole) {
+  return for_each(surfaces, [&](Surface& surface) {
     return DSC::repair_surface_3(surface, repair_options(surface, largest_hole));
   });
 }
 
 /// Merges points that TetGen would treat as equal. Returns whether a surface was changed.
-bool merge_near_vertices(std::vector<Surface>& surfaces, const std::vector<std::string>& names,
-                         Repairs& repairs) {
+bool merge_near_vertices(Surfaces& surfaces, Repairs& repairs) {
   DSC::Surface_repair_options_3 options;
   options.merge_distance = 1e-6; // in mean edges: what TetGen treats as equal
-  const Repairs merged = for_each(
-      surfaces, names, [&](Surface& surface) { return DSC::repair_surface_3(surface, options); });
+  const Repairs merged =
+      for_each(surfaces, [&](Surface& surface) { return DSC::repair_surface_3(surface, options); });
   add(repairs, merged);
   return std::any_of(merged.begin(), merged.end(),
-                     [](const auto& report) { return !report.was_sound(); });
+                     [](const Repair& repair) { return !repair.report.was_sound(); });
 }
 
 /// Wraps the surfaces. TetGen can then fill them.
-void wrap(std::vector<Surface>& surfaces, const std::vector<std::string>& names, Repairs& repairs) {
-  add(repairs,
-      for_each(surfaces, names, [](Surface& surface) { return DSC::wrap_surface_3(surface); }));
+void wrap(Surfaces& surfaces, Repairs& repairs) {
+  add(repairs, for_each(surfaces, [](Surface& surface) { return DSC::wrap_surface_3(surface); }));
 }
 
 } // namespace
 
-std::vector<Surface> read_and_repair(const Run_start& start, Repairs* repairs) {
-  std::vector<Surface> surfaces = read_surfaces(start.inputs);
-  Repairs done = repair(surfaces, start.inputs, start.largest_hole);
+Surfaces read_and_repair(const Run_start& start, Repairs* repairs) {
+  Surfaces surfaces = read_surfaces(start);
+  Repairs done = repair(surfaces, start.largest_hole);
   if (repairs)
     *repairs = std::move(done);
   return surfaces;
@@ -121,19 +118,18 @@ std::vector<Surface> read_and_repair(const Run_start& start, Repairs* repairs) {
 
 std::unique_ptr<Tracked_complex> track_repaired_surfaces(const Run_options& options,
                                                          Repairs& repairs) {
-  const std::vector<std::string>& names = options.start.inputs;
-  std::vector<Surface> surfaces = start_surfaces(
-      options.start, read_and_repair(options.start, &repairs), most_triangles_to_fill);
+  Surfaces surfaces = start_surfaces(options.start, read_and_repair(options.start, &repairs),
+                                     most_triangles_to_fill);
   for (const bool merges : {false, true})
     try {
-      if (!merges || merge_near_vertices(surfaces, names, repairs))
-        return track_surfaces(surfaces, names, options);
+      if (!merges || merge_near_vertices(surfaces, repairs))
+        return track_surfaces(surfaces, options);
     } catch (const Tetrahedralization_error& error) {
       if (is_out_of_memory(error))
         throw;
     }
-  wrap(surfaces, names, repairs);
-  return track_surfaces(surfaces, names, options);
+  wrap(surfaces, repairs);
+  return track_surfaces(surfaces, options);
 }
 
 } // namespace dsc

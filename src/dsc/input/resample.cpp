@@ -210,8 +210,9 @@ bool does_self_intersect(const Surface& surface) {
 
 } // namespace
 
-void resample(std::vector<Surface>& surfaces, const std::vector<std::string>& names,
-              std::size_t triangles) {
+void resample(Surfaces& given, std::size_t triangles) {
+  std::vector<Surface>& surfaces = given.all;
+  const std::vector<std::string>& names = given.titles;
   double total = 0;
   for (const Surface& surface : surfaces)
     total += static_cast<double>(surface.triangles.size());

@@ -39,7 +39,8 @@ struct Run_start
   bool repairs = false;            ///< whether surfaces that bound no solid are repaired
   std::string thresholds;          ///< of a gray image, as written; empty for labels
   std::string labels; ///< name of the array of a .vtu file with the labels, `none` for label 1
-                      ///< everywhere; empty for an array with a known name
+                      ///< everywhere and in all parts of a surface; empty for an array with a
+                      ///< known name
   std::optional<Distance> largest_hole; ///< length of the boundary of the largest hole to be
                                         ///< filled; the default of the library if not set
   /// How thin parts are resolved.

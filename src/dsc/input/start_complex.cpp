@@ -55,10 +55,9 @@ std::unique_ptr<Tracked_complex> track_inequalities(const Run_start& start,
 }
 
 /// Builds the complex from surfaces that bound solids.
-std::unique_ptr<Tracked_complex> track_surfaces_of_run(const Run_options& options,
-                                                       const std::vector<std::string>& names) {
+std::unique_ptr<Tracked_complex> track_surfaces_of_run(const Run_options& options) {
   try {
-    return track_surfaces(start_surfaces(options.start, most_triangles_to_fill), names, options);
+    return track_surfaces(start_surfaces(options.start, most_triangles_to_fill), options);
   } catch (const Tetrahedralization_error& error) {
     if (is_out_of_memory(error))
       throw;
@@ -78,8 +77,7 @@ std::unique_ptr<Tracked_complex> track_in_space(const Run_options& options) {
   const Run_start& start = options.start;
   if (input_kind(start) == Input_kind::inequalities)
     return track_inequalities(start, *options.domain);
-  return track_surfaces_of_run(options, start.inputs.empty() ? std::vector<std::string>{"the ball"}
-                                                             : start.inputs);
+  return track_surfaces_of_run(options);
 }
 
 } // namespace dsc

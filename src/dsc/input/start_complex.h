@@ -41,9 +41,7 @@ inline constexpr std::size_t most_triangles_to_fill = 300'000;
 /// Builds a complex from surfaces and the space around them. Surfaces may share walls. A surface
 /// with walls inside gets a label for each of its regions, which is printed. The interface is
 /// refined if it has fewer triangles than the run asks for.
-/// \param names names of the surfaces, for messages
-std::unique_ptr<Tracked_complex> track_surfaces(const std::vector<Surface>& surfaces,
-                                                const std::vector<std::string>& names,
+std::unique_ptr<Tracked_complex> track_surfaces(const Surfaces& surfaces,
                                                 const Run_options& options);
 
 /// Returns whether TetGen ran out of memory. Then another surface of the same size fails, too.

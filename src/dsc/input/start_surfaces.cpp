@@ -100,24 +100,25 @@ bool are_separate(const std::vector<Surface>& surfaces) {
 
 } // namespace
 
-std::vector<Surface> start_surfaces(const Run_start& start, std::size_t most_triangles) {
-  return start_surfaces(start, read_surfaces(start.inputs), most_triangles);
+Surfaces start_surfaces(const Run_start& start, std::size_t most_triangles) {
+  return start_surfaces(start, read_surfaces(start), most_triangles);
 }
 
-std::vector<Surface> start_surfaces(const Run_start& start, std::vector<Surface> surfaces,
-                                    std::size_t most_triangles) {
+Surfaces start_surfaces(const Run_start& start, Surfaces surfaces, std::size_t most_triangles) {
   if (start.inputs.empty())
-    return {sphere(*start.ball, start.triangles > 0 ? start.triangles : triangles_of_balls)};
+    return {{sphere(*start.ball, start.triangles > 0 ? start.triangles : triangles_of_balls)},
+            {"the ball"},
+            {}};
   if (start.triangles > 0) {
     std::size_t present = 0;
-    for (const Surface& surface : surfaces)
+    for (const Surface& surface : surfaces.all)
       present += surface.triangles.size();
     const std::size_t target = std::min(start.triangles, std::max(present, most_triangles));
-    if (target != present && are_separate(surfaces))
-      resample(surfaces, start.inputs, target);
+    if (target != present && are_separate(surfaces.all))
+      resample(surfaces, target);
   }
   if (start.ball)
-    fit(surfaces, *start.ball);
+    fit(surfaces.all, *start.ball);
   return surfaces;
 }
 

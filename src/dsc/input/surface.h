@@ -7,6 +7,8 @@
 
 #include "input/run_start.h"
 
+#include <CGAL/Mesh_files/Label_names.h>
+#include <CGAL/Mesh_files/Surface_parts.h>
 #include <CGAL/Triangle_soup_repair/Labeled_surface_3.h>
 #include <CGAL/Triangle_soup_repair/Surface_repair_report_3.h>
 
@@ -14,6 +16,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,17 +27,44 @@ namespace dsc {
 using Surface_point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 using Surface = DSC::Labeled_surface_3<Surface_point>;
 
-/// Reads surfaces. They get the labels 1, 2 and so on.
-/// \throws std::runtime_error if a surface cannot be read
-std::vector<Surface> read_surfaces(const std::vector<std::string>& paths);
+/// Surfaces with different labels.
+struct Surfaces
+{
+  std::vector<Surface> all;
+  std::vector<std::string> titles; ///< of the surfaces, for messages: file and name of the part
+  CGAL::Deformable_simplicial_complexes::Label_names names; ///< of the labels, from the files
+};
+
+/// Reads the surfaces of the files of a run. They get the labels 1, 2 and so on. The named parts of
+/// a file, such as the solids of an STL file, are separate surfaces, unless they bound solids only
+/// together, or the labels are `none`.
+/// \throws std::runtime_error if a file cannot be read
+Surfaces read_surfaces(const Run_start& start);
+
+/// Returns a name that is not among those of other labels, such as `ring (2)` for `ring`. Different
+/// files may contain the same name.
+/// \param taken the names of the other labels; the result is added
+std::string distinct_name(const std::string& name, std::set<std::string>& taken);
+
+/// Reads a file as one surface with label 1.
+/// \param parts receives the named parts, unless it is null
+/// \throws std::runtime_error if the file cannot be read
+Surface read_surface(const std::string& path, DSC::Surface_parts* parts = nullptr);
+
+/// The repair of a surface.
+struct Repair
+{
+  std::string surface; ///< its title
+  DSC::Surface_repair_report_3 report;
+};
 
 /// The repairs of each surface of a run; empty if surfaces are not repaired.
-using Repairs = std::vector<DSC::Surface_repair_report_3>;
+using Repairs = std::vector<Repair>;
 
 /// Reads the surfaces of a run and repairs them, so that they bound solids.
 /// \param repairs receives the repairs, unless it is null
 /// \throws Input_error if a surface cannot be repaired; std::runtime_error if it cannot be read
-std::vector<Surface> read_and_repair(const Run_start& start, Repairs* repairs);
+Surfaces read_and_repair(const Run_start& start, Repairs* repairs);
 
 /// Returns a description of the repairs, in one line.
 std::string what_was_repaired(const DSC::Surface_repair_report_3& report);
@@ -42,22 +72,18 @@ std::string what_was_repaired(const DSC::Surface_repair_report_3& report);
 /// Returns the initial surfaces of a run: the surfaces of its files or, without files, its ball.
 /// \param most_triangles surfaces of files are not refined to more triangles
 /// \throws std::runtime_error if a surface cannot be read or resampled
-std::vector<Surface>
-start_surfaces(const Run_start& start,
-               std::size_t most_triangles = std::numeric_limits<std::size_t>::max());
+Surfaces start_surfaces(const Run_start& start,
+                        std::size_t most_triangles = std::numeric_limits<std::size_t>::max());
 
 /// The same if the surfaces of the files have been read, and perhaps repaired.
-std::vector<Surface>
-start_surfaces(const Run_start& start, std::vector<Surface> surfaces,
-               std::size_t most_triangles = std::numeric_limits<std::size_t>::max());
+Surfaces start_surfaces(const Run_start& start, Surfaces surfaces,
+                        std::size_t most_triangles = std::numeric_limits<std::size_t>::max());
 
 /// Decimates or refines surfaces to about `triangles` triangles in total, by a common factor.
 /// Refinement keeps the shape. Decimation collapses the edges with the smallest cost.
-/// \param names names of the surfaces, for messages
 /// \throws Input_error if a surface is open, intersects itself afterwards, or must be refined and
 /// has edges in common with another surface
-void resample(std::vector<Surface>& surfaces, const std::vector<std::string>& names,
-              std::size_t triangles);
+void resample(Surfaces& surfaces, std::size_t triangles);
 
 } // namespace dsc
 

@@ -21,8 +21,13 @@ double norm(const Vector& v) { return std::sqrt(v.squared_length()); }
 } // namespace
 
 Surface_statistics surface_statistics(const std::string& path) {
-  const Surface surface = read_surfaces({path}).front();
+  DSC::Surface_parts parts;
+  const Surface surface = read_surface(path, &parts);
   Surface_statistics result = {};
+  for (const std::string& name : parts.names)
+    result.parts.emplace_back(name, 0);
+  for (const std::size_t part : parts.of_triangles)
+    ++result.parts[part].second;
   result.triangles = surface.triangles.size();
   result.min_angle = 180;
 

@@ -9,6 +9,8 @@
 
 #include <CGAL/Mesh_files/checkpoint.h>
 
+#include <utility>
+
 namespace dsc {
 
 int checkpoint_dimension(const std::string& path) {
@@ -20,8 +22,10 @@ int checkpoint_dimension(const std::string& path) {
 
 std::unique_ptr<Tracked_complex> track_checkpoint_3(const std::string& path,
                                                     std::string& metadata) {
-  auto tracked = restored<Tracked_complex_3>(path, CGAL::IO::read_checkpoint(path), metadata);
-  tracked->carry(take_arrays(metadata));
+  auto checkpoint = CGAL::IO::read_checkpoint(path);
+  DSC::Mesh_arrays arrays = take_arrays(checkpoint.metadata);
+  auto tracked = restored<Tracked_complex_3>(path, std::move(checkpoint), metadata);
+  tracked->carry(std::move(arrays));
   return tracked;
 }
 

@@ -5,7 +5,9 @@
 #include "input/domain_box.h"
 #include "input/start_complex.h"
 #include "input/surface.h"
+#include "input/surface_errors.h"
 #include "motions/tracked_complex_3.h"
+#include "output/label_titles.h"
 #include "programs/errors.h"
 
 #include <CGAL/Complex_construction/fill_solids_3.h>
@@ -27,6 +29,7 @@
 #include <iostream>
 #include <limits>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -60,9 +63,7 @@ const char* hint(Reason reason) {
   std::string message = names[error.surface()];
   if (error.other_surface() != error.surface())
     message += " and " + names[error.other_surface()];
-  const std::string what = error.what(); // surface NUMBER ...
-  throw Input_error(message + what.substr(what.find(' ', what.find(' ') + 1)) +
-                    hint(error.reason()));
+  throw Input_error(message + ": " + message_of(error) + hint(error.reason()));
 }
 
 /// Returns the names of the surfaces at each patch.
@@ -93,6 +94,21 @@ void tell_labels(const Patches& patches, const std::vector<std::string>& names) 
     std::cout << "dsc: " << names[later] << " covers " << names[earlier] << " where they overlap\n";
   for (const std::size_t i : patches.covered)
     std::cout << "dsc: nothing is left of " << names[i] << '\n';
+}
+
+/// Returns the names of the labels of surfaces. The other regions of a named part, which internal
+/// walls divide, are called like `ring (2)`.
+Label_names names_of_labels(const Surfaces& surfaces, const std::optional<Patches>& patches) {
+  Label_names result = surfaces.names;
+  std::set<std::string> taken;
+  for (const auto& [label, name] : result)
+    taken.insert(name);
+  for (std::size_t i = 0; patches && i < surfaces.all.size(); ++i)
+    if (const auto part = surfaces.names.find(surfaces.all[i].label); part != surfaces.names.end())
+      for (const int label : patches->labels[i])
+        if (label != part->first)
+          result.emplace(label, distinct_name(part->second, taken));
+  return result;
 }
 
 /// Returns the complex of the space inside and around surfaces, which may share walls and overlap.
@@ -203,11 +219,11 @@ void resample(Complex& complex, std::size_t triangles, unsigned threads) {
 
 } // namespace
 
-std::unique_ptr<Tracked_complex> track_surfaces(const std::vector<Surface>& surfaces,
-                                                const std::vector<std::string>& names,
+std::unique_ptr<Tracked_complex> track_surfaces(const Surfaces& surfaces,
                                                 const Run_options& options) {
   std::optional<Patches> patches;
-  auto result = fill(surfaces, names, options, patches);
+  auto result = fill(surfaces.all, surfaces.titles, options, patches);
+  result->label_names = names_of_labels(surfaces, patches);
   const std::size_t triangles = options.start.triangles;
   // Separate surfaces were decimated, or refined up to the number of triangles that may be filled.
   const auto present = static_cast<double>(result->complex.interface_facets().size()),

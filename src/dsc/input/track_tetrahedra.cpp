@@ -98,6 +98,7 @@ std::unique_ptr<Tracked_complex> track_tetrahedra(const std::string& path,
     result = track_in_mesh(path, mesh, options.start);
   if (!result)
     result = track_in_box(path, mesh, options);
+  result->label_names = mesh.arrays.label_names;
   result->carry(arrays_on(result->complex, mesh));
   return result;
 }

@@ -5,6 +5,7 @@
 #ifndef DSC_TRACKED_CHECKPOINT_H
 #define DSC_TRACKED_CHECKPOINT_H
 
+#include "motions/run_position.h"
 #include "motions/tracked_complex.h"
 #include "programs/errors.h"
 
@@ -23,7 +24,8 @@ int checkpoint_dimension(const std::string& path);
 /// Reads the complex and the metadata of a checkpoint in space.
 std::unique_ptr<Tracked_complex> track_checkpoint_3(const std::string& path, std::string& metadata);
 
-/// Returns the complex of a checkpoint that was read, and stores its metadata.
+/// Returns the complex of a checkpoint that was read, with the names of its labels, and stores its
+/// metadata.
 template <class Tracked, class Checkpoint>
 std::unique_ptr<Tracked> restored(const std::string& path, Checkpoint&& checkpoint,
                                   std::string& metadata) {
@@ -34,6 +36,7 @@ std::unique_ptr<Tracked> restored(const std::string& path, Checkpoint&& checkpoi
     throw Input_error(path + ": " + error.what());
   }
   metadata = std::move(checkpoint.metadata);
+  tracked->label_names = label_names_of(metadata);
   return tracked;
 }
 

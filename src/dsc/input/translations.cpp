@@ -166,7 +166,7 @@ void require_program(const std::string& name, const std::string& file) {
 bool is_foreign(const std::string& path) {
   static constexpr std::array extensions = {"csv", "geojson", "mha", "mhd", "meshb", "msh", "nhdr",
                                             "nii", "nrrd",    "pcd", "ppm", "pvtu",  "tif", "tiff",
-                                            "vti", "vtk",     "vtp", "vtr", "vts"};
+                                            "vti", "vtk",     "vtm", "vtp", "vtr",   "vts", "3mf"};
   const std::string format = extension(path);
   return std::find(extensions.begin(), extensions.end(), format) != extensions.end() ||
          (format == "gz" && extension(fs::path(path).stem().string()) == "nii");

@@ -19,7 +19,6 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/parts/assign_part.h>
 #include <CGAL/Interface_remeshing/improve_mesh.h>
 #include <CGAL/Mesh_files/MEDIT_3.h>
-#include <CGAL/Mesh_files/VTU_3.h>
 #include <CGAL/Mesh_files/internal/grids/Written_vertices.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
@@ -231,7 +230,8 @@ void require_entities(const Complex_at_rest& complex, const Mesh_entities& entit
 
 } // namespace
 
-Mesh_at_rest::Mesh_at_rest(const std::string& path, Labeled_tetrahedra& mesh) {
+Mesh_at_rest::Mesh_at_rest(const std::string& path, Labeled_tetrahedra& mesh)
+    : m_names(mesh.arrays.label_names) {
   mesh.separate_touching_cells();
   try {
     m_vertices = DSC::assign_solid_3(m_complex, mesh.points, mesh.tetrahedra, mesh.labels);
@@ -240,7 +240,9 @@ Mesh_at_rest::Mesh_at_rest(const std::string& path, Labeled_tetrahedra& mesh) {
   }
 }
 
-Mesh_at_rest::Mesh_at_rest(const State& state) { assign_part(m_complex, finite_state(state)); }
+Mesh_at_rest::Mesh_at_rest(const State& state, const Label_names& names) : m_names(names) {
+  assign_part(m_complex, finite_state(state));
+}
 
 Mesh_content Mesh_at_rest::content(Labeled_tetrahedra mesh, const std::string& format,
                                    Unused_content& unused) const {
@@ -248,7 +250,7 @@ Mesh_content Mesh_at_rest::content(Labeled_tetrahedra mesh, const std::string& f
 }
 
 Statistics Mesh_at_rest::statistics() const {
-  Statistics result = statistics_of(m_complex);
+  Statistics result = statistics_of(m_complex, m_names);
   result.vertices = DSC::internal::Written_vertices<Solid_complex>(m_complex).vertices().size();
   return result;
 }
@@ -300,12 +302,11 @@ Improvement_outcome Mesh_at_rest::improve(const Improvement_options& options,
 
 void Mesh_at_rest::write(const std::string& path, Mesh_content content) const {
   leave_out_copies(content, m_complex);
-  if (extension(path) == "vtu")
-    CGAL::IO::write_VTU(path, m_complex, content.arrays);
-  else if (extension(path) == "mesh")
-    CGAL::IO::write_MEDIT(path, m_complex, content.entities);
-  else
-    write_complex(path, m_complex);
+  content.arrays.label_names = m_names;
+  if (extension(path) != "mesh")
+    return write_complex(path, m_complex, content.arrays);
+  tell_lost_names(path, m_names);
+  CGAL::IO::write_MEDIT(path, m_complex, content.entities);
 }
 
 } // namespace dsc

@@ -14,6 +14,7 @@
 #include "motions/run_position.h"
 #include "motions/start_distance.h"
 #include "motions/tracked_complex.h"
+#include "output/label_titles.h"
 #include "output/output_folder.h"
 #include "output/progress_line.h"
 #include "output/report.h"
@@ -37,9 +38,9 @@
 namespace dsc {
 namespace {
 
-void print_repairs(const std::vector<std::string>& inputs, const Repairs& repairs) {
-  for (std::size_t i = 0; i < repairs.size(); ++i)
-    std::printf("dsc: %s: %s\n", inputs[i].c_str(), what_was_repaired(repairs[i]).c_str());
+void print_repairs(const Repairs& repairs) {
+  for (const Repair& repair : repairs)
+    std::printf("dsc: %s: %s\n", repair.surface.c_str(), what_was_repaired(repair.report).c_str());
 }
 
 void print_changes(const Run_position& position, const std::string& changes) {
@@ -247,6 +248,9 @@ private:
   void write_files();
   void save_after_error();
   void report_interruption();
+  std::string metadata() const {
+    return to_metadata(m_position, m_options.step, m_complex->label_names);
+  }
 
   Run_options m_options;
   std::optional<Output_folder> m_folder;
@@ -290,7 +294,11 @@ void Run::start() {
   if (!m_options.output.quiet) {
     if (!changes.empty())
       print_changes(m_position, changes);
-    print_repairs(with_user_names(m_options.start.inputs), repairs);
+    print_repairs(repairs);
+    if (!m_complex->label_names.empty())
+      m_complex->run_once([&] {
+        std::printf("dsc: names of labels: %s\n", label_titles(m_complex->label_names).c_str());
+      });
   }
   if (!m_options.output.quiet && m_options.resume.empty())
     print_missing(m_complex->missing_facets(m_options.start.thin_parts.edge_per_thickness),
@@ -316,7 +324,7 @@ void Run::start() {
 
 void Run::write_files() {
   if (m_folder)
-    m_folder->write(*m_complex, m_position, to_metadata(m_position, m_options.step));
+    m_folder->write(*m_complex, m_position, metadata());
 }
 
 void Run::advance() {
@@ -388,7 +396,7 @@ void Run::report_interruption() {
   if (m_folder)
     checkpoint = m_folder->checkpoint();
   else
-    m_complex->write_checkpoint(checkpoint, to_metadata(m_position, m_options.step));
+    m_complex->write_checkpoint(checkpoint, metadata());
   print_interruption(m_position, checkpoint, m_options.steps - m_done);
 }
 
@@ -405,7 +413,7 @@ int Run::finish() {
   if (!m_options.output.quiet) {
     print_divided(m_divided_steps);
     print_boundary(m_stopped_at_boundary);
-    for (const std::string& message : m_balance.messages())
+    for (const std::string& message : m_balance.messages(m_complex->label_names))
       std::printf("dsc: %s\n", message.c_str());
     print_flat_cells(m_flat_cells);
     print_summary(m_position, m_complex->statistics(), m_unfinished, m_seconds);

@@ -4,6 +4,7 @@
 
 #include "motions/run_balance.h"
 
+#include "output/label_titles.h"
 #include "programs/errors.h"
 
 #include <algorithm>
@@ -13,21 +14,9 @@
 namespace dsc {
 namespace {
 
-constexpr std::size_t most_names = 5; // labels that a message names
-
-// Returns a list like "3, 5, 8 and 2 others".
-std::string names(const std::vector<std::string>& items) {
-  std::string result;
-  for (std::size_t i = 0; i < items.size() && i < most_names; ++i)
-    result += (i > 0 ? ", " : "") + items[i];
-  if (items.size() > most_names)
-    result += " and " + std::to_string(items.size() - most_names) + " others";
-  return result;
-}
-
-std::string text_of(const char* format, double a, int b) {
+std::string percentage(double part) {
   char text[64];
-  std::snprintf(text, sizeof text, format, a, b);
+  std::snprintf(text, sizeof text, "%+.2g %%", 100 * part);
   return text;
 }
 
@@ -56,23 +45,24 @@ std::vector<Label_balance> Run_balance::labels() const {
   return result;
 }
 
-std::vector<std::string> Run_balance::messages() const {
+std::vector<std::string> Run_balance::messages(const Label_names& names) const {
   static constexpr double part = 1e-3; // of the volume of a label
   std::vector<std::string> vanished, unexplained;
   for (const auto& [label, entry] : m_labels) {
     if (entry.vanished > 0)
-      vanished.push_back(std::to_string(label) + " (step " + std::to_string(entry.vanished) + ")");
+      vanished.push_back(label_title(label, names) + " (step " + std::to_string(entry.vanished) +
+                         ")");
     if (std::abs(entry.sum.unexplained) > part * entry.most)
-      unexplained.push_back(
-          text_of("%+.2g %% of label %d", 100 * entry.sum.unexplained / entry.most, label));
+      unexplained.push_back(percentage(entry.sum.unexplained / entry.most) + " of label " +
+                            label_title(label, names));
   }
   std::vector<std::string> result;
   if (!vanished.empty())
-    result.push_back(std::string(noun(vanished.size(), "label", "labels")) + " " + names(vanished) +
-                     " vanished");
+    result.push_back(std::string(noun(vanished.size(), "label", "labels")) + " " +
+                     listed(vanished) + " vanished");
   if (!unexplained.empty())
     result.push_back("the motion and changes of topology do not explain a change of the volume: " +
-                     names(unexplained) +
+                     listed(unexplained) +
                      "; use smaller steps, or a surface with more triangles (--triangles)");
   return result;
 }

@@ -7,6 +7,8 @@
 
 #include "output/statistics.h"
 
+#include <CGAL/Mesh_files/Label_names.h>
+
 #include <map>
 #include <string>
 #include <vector>
@@ -25,7 +27,8 @@ public:
 
   /// Returns the lines to be printed: the labels that vanished, and the labels with an unexplained
   /// change of more than a thousandth of their volume.
-  std::vector<std::string> messages() const;
+  std::vector<std::string>
+  messages(const CGAL::Deformable_simplicial_complexes::Label_names& names) const;
 
 private:
   struct Entry

@@ -11,7 +11,26 @@
 
 namespace dsc {
 
-std::string to_metadata(const Run_position& position, const Step_options& step) {
+using CGAL::Deformable_simplicial_complexes::Label_names;
+
+namespace {
+
+Json labels_json(const Label_names& names) {
+  Json result = Json::array();
+  for (const auto& [label, name] : names)
+    result.push_back({{"label", label}, {"name", name}});
+  return result;
+}
+
+std::string text_of(const Json& metadata) {
+  return metadata.dump(-1, ' ', false,
+                       Json::error_handler_t::replace); // names may contain any bytes
+}
+
+} // namespace
+
+std::string to_metadata(const Run_position& position, const Step_options& step,
+                        const Label_names& names) {
   // Contains nothing that depends on interruptions or the number of threads, so that checkpoints of
   // the same state are equal.
   Json parameters = motion_json(step.motion);
@@ -28,11 +47,17 @@ std::string to_metadata(const Run_position& position, const Step_options& step) 
   parameters["figure"] = static_cast<int>(position.start.figure);
   if (const std::optional<Ball>& ball = position.start.ball)
     parameters["ball"] = {{"center", ball->center}, {"radius", ball->radius}};
-  return Json{{"step", position.step},
-              {"time", position.time},
-              {"input", with_user_names(position.start.inputs)},
-              {"parameters", parameters}}
-      .dump(-1, ' ', false, Json::error_handler_t::replace); // names may contain any bytes
+  Json result = {{"step", position.step},
+                 {"time", position.time},
+                 {"input", with_user_names(position.start.inputs)},
+                 {"parameters", parameters}};
+  if (!names.empty())
+    result["labels"] = labels_json(names);
+  return text_of(result);
+}
+
+std::string to_metadata(const Label_names& names) {
+  return names.empty() ? "" : text_of(Json{{"labels", labels_json(names)}});
 }
 
 std::optional<Saved_run> from_metadata(const std::string& metadata) {
@@ -69,6 +94,18 @@ std::optional<Saved_run> from_metadata(const std::string& metadata) {
   } catch (const std::out_of_range&) {
     return std::nullopt;
   }
+}
+
+Label_names label_names_of(const std::string& metadata) {
+  Label_names result;
+  try {
+    const Json json = Json::parse(metadata);
+    for (const Json& label : json.at("labels"))
+      result.emplace(label.at("label"), label.at("name"));
+  } catch (const Json::exception&) { // without names
+    return {};
+  }
+  return result;
 }
 
 } // namespace dsc

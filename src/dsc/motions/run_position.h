@@ -8,6 +8,8 @@
 #include "input/run_start.h"
 #include "motions/motion.h"
 
+#include <CGAL/Mesh_files/Label_names.h>
+
 #include <optional>
 #include <string>
 
@@ -29,11 +31,19 @@ struct Saved_run
 };
 
 /// Returns the metadata of a checkpoint, as JSON text.
-std::string to_metadata(const Run_position& position, const Step_options& step);
+std::string to_metadata(const Run_position& position, const Step_options& step,
+                        const CGAL::Deformable_simplicial_complexes::Label_names& names);
+
+/// Returns the metadata of a checkpoint of no run, with the names of its labels; empty without
+/// them.
+std::string to_metadata(const CGAL::Deformable_simplicial_complexes::Label_names& names);
 
 /// Returns the run described by the metadata of a checkpoint; `nullopt` if another program wrote
 /// the checkpoint.
 std::optional<Saved_run> from_metadata(const std::string& metadata);
+
+/// Returns the names of labels in the metadata of a checkpoint, which any program may have written.
+CGAL::Deformable_simplicial_complexes::Label_names label_names_of(const std::string& metadata);
 
 } // namespace dsc
 

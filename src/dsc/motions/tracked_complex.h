@@ -9,6 +9,8 @@
 #include "motions/motion.h"
 #include "output/statistics.h"
 
+#include <CGAL/Mesh_files/Label_names.h>
+
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -31,6 +33,8 @@ public:
   virtual ~Tracked_complex() = default;
 
   virtual int dimension() const = 0;
+
+  CGAL::Deformable_simplicial_complexes::Label_names label_names; ///< from the input
 
   /// Calls a function on one process. A complex can be distributed among processes, which all call
   /// the same functions; one of them writes files. If `function()` throws, all of them throw.

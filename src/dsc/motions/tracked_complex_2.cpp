@@ -11,6 +11,7 @@
 #include "input/unused.h"
 #include "motions/tracked_whole_impl.h"
 #include "output/angle_statistics.h"
+#include "output/label_titles.h"
 #include "programs/errors.h"
 #include "programs/option_values.h"
 
@@ -135,7 +136,8 @@ Statistics Tracked_complex_2::statistics() const {
   statistics.interface_facets = complex.interface_facets().size();
   for (const auto& [label, length, euler_characteristic] : complex.label_regions())
     statistics.labels.push_back({label, complex.number_of_cells(label), complex.area(label), length,
-                                 complex.number_of_components(label), euler_characteristic});
+                                 complex.number_of_components(label), euler_characteristic,
+                                 label_name(label, label_names)});
   set_angles(complex, statistics);
   statistics.min_quality = worst_quality();
   return statistics;

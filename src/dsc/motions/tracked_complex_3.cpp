@@ -28,7 +28,7 @@ namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc {
 
-Statistics Tracked_complex_3::statistics() const { return statistics_of(complex); }
+Statistics Tracked_complex_3::statistics() const { return statistics_of(complex, label_names); }
 
 namespace {
 
@@ -94,7 +94,7 @@ void Tracked_complex_3::write_interface_vtu(const std::string& path) const {
   Mesh_arrays on_interface;
   for (const DSC::Mesh_array& array : m_carried.points)
     on_interface.points.push_back(array.selected(rows));
-  CGAL::IO::write_interface_VTU(path, complex, on_interface);
+  CGAL::IO::write_interface_VTU(path, complex, with_names(std::move(on_interface)));
 }
 
 void Tracked_complex_3::write_checkpoint(const std::string& path,
@@ -103,7 +103,7 @@ void Tracked_complex_3::write_checkpoint(const std::string& path,
 }
 
 void Tracked_complex_3::write(const std::string& path) const {
-  write_complex(path, complex, arrays.of_cells());
+  write_complex(path, complex, with_names(arrays.of_cells()));
   if (extension(path) == "vtu" || extension(path) == "png")
     return;
   for (const auto* list : {&m_carried.points, &m_carried.cells})
@@ -116,7 +116,7 @@ void Tracked_complex_3::write_subdivided(const std::string& path, int subdivisio
   const auto smooth = DSC::subdivide_interface(surface, subdivisions);
   const DSC::Mesh_arrays values = arrays.of_interface();
   if (values.points.empty())
-    CGAL::IO::write_interface(path, smooth);
+    CGAL::IO::write_interface(path, smooth, label_names);
   else
     CGAL::IO::write_interface(
         path, smooth, subdivided_velocities(surface, values.points[0].values, subdivisions));

@@ -6,6 +6,7 @@
 
 #include "motions/motion_step.h"
 #include "output/angle_statistics.h"
+#include "output/label_titles.h"
 #include "programs/errors.h"
 
 #include <CGAL/Distributed_complexes/PVTU.h>
@@ -120,7 +121,7 @@ Statistics Tracked_distributed::statistics() const {
   for (const auto& m : complex.label_measures())
     statistics.labels.push_back({m.label, m.cells, m.measure * scale * scale * scale,
                                  m.interface_measure * scale * scale, m.components,
-                                 int(m.euler_characteristic)});
+                                 int(m.euler_characteristic), label_name(m.label, label_names)});
   Angle_statistics angles;
   std::int64_t facets = 0;
   for (std::uint32_t c : mesh.own_cells()) {
@@ -195,7 +196,8 @@ double Tracked_distributed::sweep_seconds() const {
 // Writes a file of the whole complex, which the first process must be able to hold.
 void Tracked_distributed::write_whole(
     const std::function<void(const Tracked_complex_3&)>& write) const {
-  const Tracked_complex_3 whole(complex.gather());
+  Tracked_complex_3 whole(complex.gather());
+  whole.label_names = label_names;
   run_once([&] { write(whole); });
 }
 

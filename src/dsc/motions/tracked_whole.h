@@ -45,6 +45,14 @@ public:
   Complex complex;
   Output_arrays arrays; ///< of the output files
 
+protected:
+  /// Adds the names of the labels to arrays.
+  CGAL::Deformable_simplicial_complexes::Mesh_arrays
+  with_names(CGAL::Deformable_simplicial_complexes::Mesh_arrays arrays) const {
+    arrays.label_names = label_names;
+    return arrays;
+  }
+
 private:
   std::optional<typename Complex::State> m_kept;
 };

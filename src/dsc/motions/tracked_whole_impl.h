@@ -66,12 +66,12 @@ template <class Complex_> double Tracked_whole<Complex_>::sweep_seconds() const 
 
 template <class Complex_>
 void Tracked_whole<Complex_>::write_interface_vtu(const std::string& path) const {
-  CGAL::IO::write_interface_VTU(path, complex, arrays.of_interface());
+  CGAL::IO::write_interface_VTU(path, complex, with_names(arrays.of_interface()));
 }
 
 template <class Complex_>
 void Tracked_whole<Complex_>::write_volume_vtu(const std::string& path) const {
-  CGAL::IO::write_VTU(path, complex, arrays.of_cells());
+  CGAL::IO::write_VTU(path, complex, with_names(arrays.of_cells()));
 }
 
 template <class Complex_>

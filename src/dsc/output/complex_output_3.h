@@ -7,6 +7,7 @@
 
 #include "input/files.h"
 #include "output/angle_statistics.h"
+#include "output/label_titles.h"
 #include "output/picture.h"
 #include "output/statistics.h"
 #include "programs/option_values.h"
@@ -31,8 +32,9 @@ template <class Complex> double least_quality(const Complex& complex) {
   return result;
 }
 
-/// Returns the statistics of a complex in space.
-template <class Complex> Statistics statistics_of(const Complex& complex) {
+/// Returns the statistics of a complex in space whose labels may have names.
+template <class Complex>
+Statistics statistics_of(const Complex& complex, const Label_names& names) {
   const double scale = complex.normalization().scale;
   Statistics statistics = {};
   statistics.dimension = 3;
@@ -40,9 +42,10 @@ template <class Complex> Statistics statistics_of(const Complex& complex) {
   statistics.cells = complex.number_of_cells();
   statistics.interface_facets = complex.interface_facets().size();
   for (const auto& [label, area, euler_characteristic] : complex.label_interfaces())
-    statistics.labels.push_back(
-        {label, complex.number_of_cells(label), complex.volume(label) * scale * scale * scale,
-         area * scale * scale, complex.number_of_components(label), euler_characteristic});
+    statistics.labels.push_back({label, complex.number_of_cells(label),
+                                 complex.volume(label) * scale * scale * scale,
+                                 area * scale * scale, complex.number_of_components(label),
+                                 euler_characteristic, label_name(label, names)});
   set_angles(complex, statistics);
   statistics.min_quality = least_quality(complex);
   return statistics;
@@ -62,11 +65,12 @@ template <class Complex> void write_picture_png(const std::string& path, const C
 }
 
 /// Writes the cells or the interface of a complex in space, in the format of the extension.
-/// \param arrays arrays of a .vtu file
+/// \param arrays arrays of a .vtu file, and the names of the labels
 template <class Complex>
 void write_complex(const std::string& path, const Complex& complex,
-                   const CGAL::Deformable_simplicial_complexes::Mesh_arrays& arrays = {}) {
+                   const CGAL::Deformable_simplicial_complexes::Mesh_arrays& arrays) {
   require_extension(path, {"off", "obj", "ply", "stl", "vtu", "mesh", "png"});
+  tell_lost_names(path, arrays.label_names);
   const std::string format = extension(path);
   if (format == "vtu")
     CGAL::IO::write_VTU(path, complex, arrays);
@@ -76,7 +80,8 @@ void write_complex(const std::string& path, const Complex& complex,
     CGAL::IO::write_MEDIT(path, complex);
   else
     CGAL::IO::write_interface(path,
-                              CGAL::Deformable_simplicial_complexes::extract_interface(complex));
+                              CGAL::Deformable_simplicial_complexes::extract_interface(complex),
+                              arrays.label_names);
 }
 
 } // namespace dsc

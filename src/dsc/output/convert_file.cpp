@@ -15,6 +15,7 @@
 #include "input/unused.h"
 #include "motions/mesh_at_rest.h"
 #include "motions/tracked_complex_3.h"
+#include "output/label_titles.h"
 #include "programs/errors.h"
 #include "programs/option_values.h"
 
@@ -61,17 +62,26 @@ void require_format(const std::string& input, const std::string& content, const 
                     "' cannot contain; write " + known);
 }
 
-void convert_surface(const std::string& input, const std::string& output) {
+void convert_surface(const std::string& input, const std::string& output,
+                     const std::string& labels) {
   require_format(input, "a surface", output, {"off", "obj", "ply", "stl", "vtp", "vtk"});
-  const Surface surface = read_surfaces({input}).front();
+  DSC::Surface_parts parts;
+  const Surface surface = read_surface(input, labels == "none" ? nullptr : &parts);
   DSC::Interface_surface_3<Complex> result;
   for (const Surface_point& p : surface.points)
     result.points.emplace_back(p.x(), p.y(), p.z());
   result.triangles = surface.triangles;
+  DSC::Label_names names;
+  for (std::size_t i = 0; i < parts.names.size(); ++i)
+    if (!parts.names[i].empty())
+      names[int(i) + 1] = parts.names[i];
   result.labels.assign(surface.triangles.size(), {1, 0});
+  for (std::size_t i = 0; i < parts.of_triangles.size(); ++i)
+    result.labels[i][0] = int(parts.of_triangles[i]) + 1;
+  tell_lost_names(output, names);
   const bool is_foreign_format = is_one_of(extension(output), {"vtp", "vtk"});
   const std::string path = is_foreign_format ? temporary_file("surface.ply") : output;
-  CGAL::IO::write_interface(path, result);
+  CGAL::IO::write_interface(path, result, names);
   if (is_foreign_format)
     write_foreign(path, output);
 }
@@ -128,7 +138,7 @@ void convert_file(const std::string& input, const std::string& output, const std
   case Input_kind::image:
     return convert_image(native, output);
   default:
-    return convert_surface(native, output);
+    return convert_surface(native, output, labels);
   }
 }
 

@@ -8,6 +8,7 @@
 #include "input/files.h"
 #include "output/collection.h"
 #include "output/frame_of_vtu.h"
+#include "output/label_titles.h"
 #include "output/report_json.h"
 #include "programs/errors.h"
 
@@ -110,12 +111,21 @@ void add_events(const std::vector<Json>& steps, Film& film) {
                                                          event["kind"].get<std::string>());
 }
 
+/// Returns the labels that are given by their numbers or names.
+std::vector<int> labels_of(const std::vector<std::string>& texts, const Label_names& names) {
+  std::vector<int> result;
+  for (const std::string& text : texts)
+    if (const std::optional<int> label = label_of(text, names))
+      result.push_back(*label);
+  return result;
+}
+
 /// \throws Input_error if a label to be left out is not one of the labels
-void require_labels(const std::vector<int>& left_out, const std::set<int>& labels) {
-  for (const int label : left_out)
-    if (labels.count(label) == 0)
-      throw Input_error("no state has the label " + std::to_string(label) +
-                        "; correct the option --without");
+void require_labels(const std::vector<std::string>& left_out, const std::set<int>& labels,
+                    const Label_names& names) {
+  for (const std::string& text : left_out)
+    if (const std::optional<int> label = label_of(text, names); !label || labels.count(*label) == 0)
+      throw Input_error("no state has the label " + text + "; correct the option --without");
 }
 
 /// \throws Input_error if a report is given and none of its steps is at the time of a state
@@ -137,8 +147,11 @@ std::string film_of_run(const Film_options& options) {
   std::optional<Film> film;
   std::vector<Read_frame> waiting; // first states without cells, which have no dimension
   std::set<int> labels;
+  Label_names names;
   const auto add = [&](const Read_frame& read) {
     film->add(read.frame);
+    for (const auto& [label, name] : read.label_names)
+      film->set_name(label, name);
     if (const Json* step = step_at(read.frame.time, steps))
       add_series(*step, options.is_surface, *film);
   };
@@ -152,7 +165,8 @@ std::string film_of_run(const Film_options& options) {
     Read_frame read = frame_of_vtu(file);
     for (const auto& pair : read.frame.labels)
       labels.insert(pair.begin(), pair.begin() + (read.content == Film::Content::cells ? 1 : 2));
-    leave_out(options.without, read);
+    names.insert(read.label_names.begin(), read.label_names.end());
+    leave_out(labels_of(options.without, read.label_names), read);
     read.frame.time = time;
     read.frame.step = step_of_file(file).value_or(std::int64_t(i));
     const bool is_empty = read.frame.simplices.empty();
@@ -174,7 +188,7 @@ std::string film_of_run(const Film_options& options) {
                         "of a single run");
     add(read);
   }
-  require_labels(options.without, labels);
+  require_labels(options.without, labels, names);
   if (!film)
     throw Input_error("the states of '" + options.run + "' have no cells or facets to show");
   add_events(steps, *film);

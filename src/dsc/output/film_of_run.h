@@ -12,11 +12,11 @@ namespace dsc {
 
 struct Film_options
 {
-  std::string run;          ///< folder of a run, collection (.pvd) or mesh (.vtu)
-  std::string report;       ///< report of the run (.json); none if empty
-  unsigned every = 1;       ///< only every N-th state, and the last one
-  std::vector<int> without; ///< labels whose cells are left out
-  bool is_surface = false;  ///< whether only the interface is shown
+  std::string run;                  ///< folder of a run, collection (.pvd) or mesh (.vtu)
+  std::string report;               ///< report of the run (.json); none if empty
+  unsigned every = 1;               ///< only every N-th state, and the last one
+  std::vector<std::string> without; ///< labels, or their names, whose cells are left out
+  bool is_surface = false;          ///< whether only the interface is shown
 };
 
 /// Returns a film of the states of a run as an HTML file.

@@ -79,6 +79,7 @@ Read_frame frame_of_vtu(const std::string& path) {
   const std::size_t corners = cells == 0 ? 3 : corners_of(reader, cells);
   result.content = is_interface ? Film::Content::facets : Film::Content::cells;
   result.dimension = int(corners) - (is_interface ? 0 : 1);
+  result.label_names = reader.label_names();
   Film_frame& frame = result.frame;
   const std::vector<double> coordinates = reader.array("Points", "", points, 3);
   for (std::size_t i = 0; i < coordinates.size(); i += 3)

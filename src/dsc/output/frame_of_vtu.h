@@ -7,6 +7,8 @@
 
 #include "film.h"
 
+#include <CGAL/Mesh_files/Label_names.h>
+
 #include <string>
 #include <vector>
 
@@ -18,6 +20,7 @@ struct Read_frame
   int dimension;
   Film::Content content;
   Film_frame frame; ///< without step and time
+  CGAL::Deformable_simplicial_complexes::Label_names label_names;
 };
 
 /// Reads the cells of a complex or the facets of its interface, with arrays of numbers that are

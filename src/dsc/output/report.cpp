@@ -32,9 +32,10 @@ Json parameters_json(const Run_options& options, const Run_start& start) {
 
 Json repairs_json(const Repairs& repairs) {
   Json json = Json::array();
-  for (const auto& r : repairs)
+  for (const auto& [surface, r] : repairs)
     json.push_back(
-        {{"merged_points", r.merged_points},
+        {{"surface", surface},
+         {"merged_points", r.merged_points},
          {"degenerate_triangles", r.degenerate_triangles},
          {"repeated_triangles", r.repeated_triangles},
          {"stitched_points", r.stitched_points},

@@ -9,6 +9,7 @@
 
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dsc {
@@ -24,13 +25,17 @@ const Names plane = {"triangles", "area", "length", "interface_segments"},
 
 Json labels_json(const std::vector<Label_statistics>& labels, const Names& names) {
   Json json = Json::array();
-  for (const Label_statistics& label : labels)
-    json.push_back({{"label", label.label},
-                    {names.cells, label.cells},
-                    {names.measure, label.volume},
-                    {names.interface_measure, label.area},
-                    {"components", label.components},
-                    {"euler_characteristic", label.euler_characteristic}});
+  for (const Label_statistics& label : labels) {
+    Json entry = {{"label", label.label}};
+    if (!label.name.empty())
+      entry["name"] = label.name;
+    entry.update({{names.cells, label.cells},
+                  {names.measure, label.volume},
+                  {names.interface_measure, label.area},
+                  {"components", label.components},
+                  {"euler_characteristic", label.euler_characteristic}});
+    json.push_back(std::move(entry));
+  }
   return json;
 }
 

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
@@ -27,6 +28,7 @@ struct Label_statistics
   double area;   ///< of the interface of the label; its length in the plane
   std::size_t components;
   int euler_characteristic; ///< of the interface of the label; in the plane, of its region
+  std::string name;         ///< from the input; may be empty
 };
 
 /// The statistics of a complex. Angles are in degrees.
@@ -111,6 +113,8 @@ struct Surface_statistics
   double volume; ///< volume inside, if the surface is closed and oriented
   double min_angle;
   double max_angle;
+  /// names of the parts, and their numbers of triangles
+  std::vector<std::pair<std::string, std::size_t>> parts;
 };
 
 /// Returns the statistics of the surface of a file.

@@ -10,6 +10,7 @@
 #include "input/All_inputs.h"
 #include "input/unused.h"
 #include "motions/run.h"
+#include "motions/run_position.h"
 #include "motions/tracked_distributed.h"
 #include "programs/errors.h"
 #include "programs/mpi_processes.h"
@@ -62,6 +63,7 @@ public:
     if (m_processes.reduced(DSC::Communicator::Operation::maximum, is_of_one ? 1 : 0) == 0) {
       auto result = std::make_unique<dsc::Tracked_distributed>(m_processes, divide);
       metadata = CGAL::IO::read_checkpoint(path, result->complex);
+      result->label_names = dsc::label_names_of(metadata);
       return result;
     }
     auto result = distributed([&] { return dsc::All_inputs::resume(path, metadata); });
@@ -94,6 +96,8 @@ private:
     if (has_failed)
       throw dsc::Input_error("the first process could not build the complex");
     auto result = std::make_unique<dsc::Tracked_distributed>(m_processes, divide);
+    if (built) // the first process writes reports and whole files
+      result->label_names = built->label_names;
     const auto* const whole = dynamic_cast<dsc::Tracked_complex_3*>(built.get());
     if (whole != nullptr && whole->carries_arrays())
       dsc::print_note("several processes",

@@ -75,7 +75,7 @@ class Controls {
       box.value = label;
       const swatch = make('span', 'swatch');
       swatch.style.background = film.colors[i];
-      row.append(box, swatch, `Label ${label}`);
+      row.append(box, swatch, film.withNames(`Label ${label}`));
       element('labels').append(row);
     }
     element('labels').addEventListener('change', () => {

@@ -44,8 +44,9 @@ class Film {
     this.hidden = json.hidden || [];
     this.cells = json.cells;
     this.fields = json.fields || [];
-    this.series = json.series || [];
-    this.events = json.events || [];
+    this.names = new Map(json.names || []);
+    this.series = (json.series || []).map((series) => ({ ...series, name: this.withNames(series.name) }));
+    this.events = (json.events || []).map((event) => ({ ...event, text: this.withNames(event.text) }));
     this.entries = json.frames;
     this.blobs = json.blobs;
     this.corners = this.dimension + (this.cells ? 1 : 0);
@@ -54,6 +55,14 @@ class Film {
   }
 
   get count() { return this.entries.length; }
+
+  // Returns a text with the names of the labels in it, such as "label 2 shell" for "label 2".
+  withNames(text) {
+    return text.replace(/label (-?\d+)/gi, (part, label) => {
+      const name = this.names.get(Number(label));
+      return name ? `${part} ${name}` : part;
+    });
+  }
 
   // Returns the integers of a blob. Throws Error if their number differs from the expected one.
   async read(index, expected, name) {

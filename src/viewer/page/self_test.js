@@ -142,7 +142,7 @@ class SelfTest {
     const { film } = this;
     if (!film.cells) return;
     for (const series of film.series) {
-      const name = /^(volume|area) of label (-?\d+)$/.exec(series.name);
+      const name = /^(volume|area) of label (-?\d+)( |$)/.exec(series.name);
       if (!name) continue;
       film.frames.forEach((frame, i) => {
         if (series.values[i] === null) return;

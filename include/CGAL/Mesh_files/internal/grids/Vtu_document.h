@@ -8,6 +8,7 @@
 #ifndef CGAL_MESH_FILES_INTERNAL_GRIDS_VTU_DOCUMENT_H
 #define CGAL_MESH_FILES_INTERNAL_GRIDS_VTU_DOCUMENT_H
 
+#include <CGAL/Mesh_files/Label_names.h>
 #include <CGAL/Mesh_files/Mesh_arrays.h>
 #include <CGAL/Mesh_files/internal/grids/vtk_numbers.h>
 #include <CGAL/Mesh_files/internal/text/little_endian.h>
@@ -52,6 +53,26 @@ public:
     m_data += bytes;
   }
 
+  // Adds the names of labels as data of the whole grid: the array `named_labels`, and the array of
+  // strings `label_names`, which are the codes of their bytes with a zero after each name.
+  void label_names(const Label_names& names) {
+    if (names.empty())
+      return;
+    const std::string form =
+        "NumberOfTuples=\"" + std::to_string(names.size()) + "\" format=\"ascii\">";
+    std::string labels, bytes;
+    for (const auto& [label, name] : names) {
+      labels += ' ' + std::to_string(label);
+      for (const unsigned char c : name)
+        bytes += ' ' + std::to_string(int(c));
+      bytes += " 0";
+    }
+    m_field_data = "    <FieldData>\n      <DataArray type=\"Int32\" Name=\"named_labels\" " +
+                   form + labels +
+                   "</DataArray>\n      <Array type=\"String\" Name=\"label_names\" " + form +
+                   bytes + "</Array>\n    </FieldData>\n";
+  }
+
   // Adds the section with the coordinates. Points of the plane get the third coordinate 0.
   template <class Point> void points(const std::vector<Point>& points) {
     std::vector<double> coordinates;
@@ -81,8 +102,8 @@ public:
            "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
            "header_type=\"UInt64\">\n"
            "  <UnstructuredGrid>\n"
-        << "    <Piece NumberOfPoints=\"" << m_number_of_points << "\" NumberOfCells=\""
-        << m_number_of_cells << "\">\n"
+        << m_field_data << "    <Piece NumberOfPoints=\"" << m_number_of_points
+        << "\" NumberOfCells=\"" << m_number_of_cells << "\">\n"
         << m_xml
         << "    </Piece>\n"
            "  </UnstructuredGrid>\n"
@@ -112,7 +133,7 @@ private:
   }
 
   std::size_t m_number_of_points, m_number_of_cells;
-  std::string m_xml;
+  std::string m_field_data, m_xml;
   std::string m_data;
 };
 

@@ -9,6 +9,7 @@
 #define CGAL_MESH_FILES_INTERNAL_GRIDS_VTU_READER_H
 
 #include <CGAL/Mesh_files/File_error.h>
+#include <CGAL/Mesh_files/Label_names.h>
 #include <CGAL/Mesh_files/Mesh_arrays.h>
 #include <CGAL/Mesh_files/internal/grids/vtk_numbers.h>
 #include <CGAL/Mesh_files/internal/text/Xml_element.h>
@@ -18,8 +19,10 @@
 #include <CGAL/Mesh_files/internal/text/number_of_word.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -84,13 +87,33 @@ public:
     return result;
   }
 
-  // Returns the number of arrays with data of the whole grid.
+  // Returns the number of arrays with data of the whole grid, other than names of labels.
   std::size_t number_of_global_arrays() const {
     std::size_t result = 0;
     if (const std::optional<Xml_element> arrays = child(m_grid, "FieldData"))
       visit_xml(
           arrays->content, m_path, [&](const Xml_element&) { ++result; }, [](std::string_view) {});
-    return result;
+    return label_names().empty() ? result : result - 2;
+  }
+
+  // Returns the names of labels, see Vtu_document::label_names(). Returns nothing if the field data
+  // has no such arrays.
+  Label_names label_names() const {
+    const std::vector<double> labels = global_numbers("named_labels"),
+                              bytes = global_numbers("label_names");
+    Label_names result;
+    std::string name;
+    for (const double byte : bytes) {
+      const double label = result.size() < labels.size() ? labels[result.size()] : .5;
+      if (!(0 <= byte && byte <= 255) || std::abs(label) > (std::numeric_limits<int>::max)() ||
+          label != std::trunc(label))
+        return {};
+      if (byte > 0)
+        name += static_cast<char>(static_cast<unsigned char>(byte));
+      else if (!result.emplace(static_cast<int>(label), std::exchange(name, "")).second)
+        return {};
+    }
+    return name.empty() && result.size() == labels.size() ? result : Label_names();
   }
 
   // Returns the values of an array. Throws `File_error` unless there are `components` values for
@@ -156,6 +179,18 @@ private:
     return result;
   }
 
+  // Returns the numbers of an array with data of the whole grid; none if there is no such array.
+  std::vector<double> global_numbers(const std::string& name) const {
+    std::vector<double> result;
+    if (const std::optional<Xml_element> arrays = child(m_grid, "FieldData"))
+      for (const char* kind : {"DataArray", "Array"})
+        for_each_child(*arrays, kind, m_path, [&](const Xml_element& array) {
+          if (array.attribute("Name") == name)
+            result = numbers(array, "the array " + in_quotes(name) + " of FieldData");
+        });
+    return result;
+  }
+
   // Elements named "Array" contain strings.
   template <class Visit> void for_each_array(const std::string& section, const Visit& visit) const {
     if (const std::optional<Xml_element> arrays = child(m_piece, section))
@@ -198,7 +233,9 @@ private:
     if (m_file.attribute("byte_order") == "BigEndian")
       fail("the numbers are big-endian; write them as text or as LittleEndian");
 
-    const std::string type_name = element.attribute("type");
+    std::string type_name = element.attribute("type");
+    if (type_name == "String")
+      type_name = "UInt8"; // bytes
     const Vtk_number_type* type = find_vtk_number_type(type_name);
     if (!type)
       fail(known_as + " has numbers of the unknown type " + in_quotes(type_name) +

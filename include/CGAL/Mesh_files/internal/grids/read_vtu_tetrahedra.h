@@ -331,6 +331,7 @@ inline Vtu_tetrahedra read_vtu_tetrahedra(const std::string& path, const std::st
     for (Mesh_array& array : on_cells)
       array = array.selected(cells);
   result.unused.add("arrays of field data", reader.number_of_global_arrays());
+  result.arrays.label_names = reader.label_names();
 
   const Vtu_label_choice choice(reader, on_cells);
   const std::size_t chosen = choice.find(label_array, result.unused);

@@ -107,6 +107,7 @@ void write_cells_vtu(const std::string& path, const Complex& dsc, const Mesh_arr
     if (!is_computed_vtu_array(array.name))
       document.array(array);
   document.end("CellData");
+  document.label_names(arrays.label_names);
   document.points(points);
   document.cells(connectivity, vtu_simplex(Complex::dimension));
   replace_file_by_stream(path, [&](std::ostream& out) { document.write(out); });
@@ -141,6 +142,7 @@ void write_facets_vtu(const std::string& path, const Complex& dsc, const Mesh_ar
     if (array.name != "label_pair")
       document.array(array);
   document.end("CellData");
+  document.label_names(arrays.label_names);
   document.points(interface_.points);
   document.cells(connectivity, vtu_simplex(Complex::dimension - 1));
   replace_file_by_stream(path, [&](std::ostream& out) { document.write(out); });

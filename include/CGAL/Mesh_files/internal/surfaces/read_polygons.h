@@ -28,6 +28,10 @@
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
+// What a name of a part belongs to: an object of an OBJ file or a solid of an STL file, or a group
+// of an OBJ file.
+enum class Part_kind { object, group };
+
 // A statement of an OBJ file that gives neither a point nor a polygon.
 struct Obj_statement
 {
@@ -40,8 +44,6 @@ inline const Obj_statement* find_obj_statement(std::string_view keyword) {
   static constexpr Obj_statement statements[] = {{"vt", "texture coordinates"},
                                                  {"vn", "normals"},
                                                  {"vp", "points in parameter space"},
-                                                 {"g", "groups"},
-                                                 {"o", "objects"},
                                                  {"s", "smoothing groups"},
                                                  {"mg", "merging groups"},
                                                  {"usemtl", "materials of polygons"},
@@ -96,6 +98,10 @@ template <class Sink> void read_obj(File_scanner& scanner, Sink& sink) {
       while (scanner.next_on_line())
         corners.push_back(index_of_corner());
       sink.polygon(corners);
+    } else if (keyword == "o" || keyword == "g") {
+      const Part_kind kind = keyword == "o" ? Part_kind::object : Part_kind::group;
+      const std::string name = scanner.rest_of_line();
+      sink.part(kind, name.substr(0, name.find(" #"))); // a comment follows white space
     } else if (!scanner.is_keyword()) {
       scanner.fail(in_quotes(keyword) + " is not expected; is it an OBJ file?");
     } else if (const Obj_statement* const statement = find_obj_statement(keyword)) {
@@ -196,7 +202,7 @@ public:
       if (is("solid") || is("endsolid")) {
         is_in_solid = is("solid");
         solids += is_in_solid;
-        skip_name();
+        read_name(is_in_solid);
       } else if (solids == 0) {
         m_scanner.fail("the file does not begin with solid; is it an STL file?");
       } else if (is("facet")) {
@@ -208,7 +214,6 @@ public:
     }
     if (is_in_solid || solids == 0)
       m_scanner.fail("the solid does not end; is it a complete STL file?");
-    m_sink.unused("names of solids", solids > 1 ? solids : 0);
     m_sink.unused("lines outside facets", others);
   }
 
@@ -221,11 +226,24 @@ private:
                       [](char a, char b) { return a == b || a == b - 'a' + 'A'; });
   }
 
-  // Skips the name of a solid. It ends at the end of the line or before a facet.
-  void skip_name() {
-    while (m_scanner.next_on_line())
-      if (is("facet") && m_scanner.next_on_line() && is("normal"))
-        return read_facet();
+  // Reads the name of a solid. It ends at the end of the line or before a facet.
+  void read_name(bool begins_solid) {
+    std::string name;
+    bool is_before_facet = false;
+    while (!is_before_facet && m_scanner.next_on_line()) {
+      const std::string word(m_scanner.word());
+      if (is("facet") && m_scanner.next_on_line()) {
+        is_before_facet = is("normal");
+        if (!is_before_facet)
+          m_scanner.back();
+      }
+      if (!is_before_facet)
+        name.append(name.empty() ? "" : " ").append(word);
+    }
+    if (begins_solid)
+      m_sink.part(Part_kind::object, is_before_facet ? name : name + m_scanner.comment());
+    if (is_before_facet)
+      read_facet();
   }
 
   void read_facet() {
@@ -264,6 +282,7 @@ enum class Surface_format { none, off, obj, ply, stl };
 // - `normal(x, y, z)`: the normal of the last point, if the file gives it;
 // - `polygon(corners)`: the indices of the corners, a `std::vector<std::size_t>`. A polygon may
 //   come before its points, and its indices may be wrong;
+// - `part(kind, name)`: the name of the part to which the next polygons belong; may be empty;
 // - `unused(kind, number)`: content that is not passed, reported at the end.
 //
 // Stores only the current polygon. Throws `File_error` with the line if the file is invalid.

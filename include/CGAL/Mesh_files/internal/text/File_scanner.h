@@ -70,6 +70,19 @@ public:
     return false;
   }
 
+  // Returns the words up to the end of the line, with single spaces, and the comment after them.
+  // Moves to the end of the line.
+  std::string rest_of_line() {
+    std::string result;
+    while (next_on_line())
+      result.append(result.empty() ? "" : " ").append(word());
+    return result + comment();
+  }
+
+  // Returns the comment of the line with the white space before it. Files use the mark in names,
+  // too.
+  const std::string& comment() const { return m_comment; }
+
   // Moves back to before the current word.
   void back() { m_end = m_begin; }
 
@@ -165,7 +178,12 @@ private:
     if (m_line_number == 0 ? !read_first_line(line) : !std::getline(m_in, line, m_line_end))
       return false;
     ++m_line_number;
-    line.erase((std::min)(line.find('#'), line.size()));
+    m_comment.clear();
+    if (const std::size_t mark = line.find('#'); mark != std::string::npos) {
+      const std::size_t end = line.substr(0, mark).find_last_not_of(white_space) + 1;
+      m_comment = line.substr(end, line.find_last_not_of(white_space) + 1 - end);
+      line.erase(mark);
+    }
     return true;
   }
 
@@ -198,7 +216,7 @@ private:
 
   std::istream& m_in;
   std::string m_path;
-  std::string m_line;
+  std::string m_line, m_comment;
   std::size_t m_begin = 0, m_end = 0; // range of the current word in the line
   std::size_t m_line_number = 0;
   char m_line_end = '\n';
