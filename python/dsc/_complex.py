@@ -842,6 +842,7 @@ class Complex2(Complex):
         *,
         box: npt.ArrayLike | None = None,
         improve: bool | None = None,
+        spacing_per_segment: float | None = None,
         edge_per_thickness: float | None = None,
         most_new_facets: int | None = None,
         progress: Progress | None = None,
@@ -853,6 +854,8 @@ class Complex2(Complex):
         labels: labels of the regions; by default 1, 2, ... Label 0 is the outside.
         box: two opposite corners, shape (2, 2); by default a square around the polygons
         improve: whether the triangles are improved at the end
+        spacing_per_segment: spacing of additional vertices beside a polygon, in lengths of its nearest
+            segment, in [.5, 10], default 3; fluids need about 1.2
         edge_per_thickness: longest edge of the interface in thicknesses of the part or the gap at it;
             longer ones are split. 0 splits none. Default 3
         most_new_facets: largest number of facets that are added in this way, default 10 000

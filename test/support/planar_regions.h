@@ -51,8 +51,9 @@ inline Complex region(const Polygon& polygon, const Polygon& hole, const CGAL::B
     curves.emplace_back().add_polyline(hole);
     curves.back().label = 0;
   }
-  return DSC::make_deformable_simplicial_complex_2<Complex>(curves,
-                                                            DSC::parameters::enclosing_box(box));
+  return DSC::make_deformable_simplicial_complex_2<Complex>(
+      curves, DSC::parameters::enclosing_box(box).spacing_per_segment(
+                  DSC::Construction_options<2>::fine_spacing));
 }
 
 // Returns a grid of columns and rows of quadrilaterals, each divided into two triangles.

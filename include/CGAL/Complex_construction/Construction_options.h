@@ -46,6 +46,11 @@ template <int dimension> struct Construction_options
   bool normalize = false;
   /// Number of pieces that each edge of the box is divided into, in [1, 1000], in space.
   unsigned box_subdivision = 4;
+  /// Spacing of additional vertices beside a curve in the plane, in lengths of its nearest segment,
+  /// in [.5, 10]. The default gives few triangles; solvers of equations, such as those of fluids,
+  /// need `fine_spacing`.
+  double spacing_per_segment = 3;
+  static constexpr double fine_spacing = 1.2; ///< gives triangles of the size of the segments
   /// Thin parts are resolved by new facets of the interface.
   Thin_part_options thin_parts;
   /// Whether the mesh is improved at the end, as in each pass of a deformation. `improve_mesh()`
@@ -64,6 +69,8 @@ template <int dimension> struct Construction_options
     require_quality(quality_threshold);
     if (box_subdivision < 1 || box_subdivision > 1000)
       throw Error("the subdivision of the enclosing box is out of range: use 1 to 1000");
+    if (!(spacing_per_segment >= .5 && spacing_per_segment <= 10))
+      throw Error("the spacing of vertices beside curves is out of range: use .5 to 10 segments");
   }
 };
 

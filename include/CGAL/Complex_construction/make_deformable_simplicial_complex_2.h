@@ -57,7 +57,7 @@ Complex assign_and_improve(Complex dsc, const std::vector<Planar_kernel::Point_2
 template <class Complex, class Label>
 Complex fill_box(Complex dsc, const Curve_soup_2& soup, const Bbox_2& box,
                  const Construction_options<2>& options, const Label& label) {
-  Planar_filling_2 filling = fill_planar_box(soup, box);
+  Planar_filling_2 filling = fill_planar_box(soup, box, options.spacing_per_segment);
   const auto labels = label(filling);
   filling.locate = nullptr; // releases the triangulation
   if constexpr (!Complex::Domain::has_outside)
@@ -101,8 +101,8 @@ as few segments as possible: it is the label of the curve entered last. If sever
 entered at once, the one that was given last counts. Points outside all curves have label 0.
 
 The rectangle is filled with CGAL's constrained Delaunay triangulation. Its points are as dense as
-the points of the curves near them, and sparser away from them. The coordinates of the points of the
-curves are bitwise unchanged.
+the named parameter `spacing_per_segment` says near the curves, and sparser away from them. The
+coordinates of the points of the curves are bitwise unchanged.
 
 \tparam Complex an instance of `Deformable_simplicial_complex_2`
 \tparam NP a sequence of named parameters

@@ -10,6 +10,7 @@
 CGAL_DSC_PARAMETER(normalize)
 CGAL_DSC_PARAMETER(enclosing_box)
 CGAL_DSC_PARAMETER(box_subdivision)
+CGAL_DSC_PARAMETER(spacing_per_segment)
 CGAL_DSC_PARAMETER(improve)
 CGAL_DSC_PARAMETER(quality_threshold)
 CGAL_DSC_PARAMETER(relabeling_threshold)

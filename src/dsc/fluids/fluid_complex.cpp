@@ -248,7 +248,8 @@ Complex complex_of_boundaries(const Fluid_scene& scene, const std::string& folde
     const Scene_boundaries<Curve> boundaries(
         scene, [&](const auto& shape) { return curve_of_shape(shape, scene.edge, folder); },
         curves_of_boxes);
-    return DSC::make_deformable_simplicial_complex_2<Complex>(boundaries.all(), domain);
+    return DSC::make_deformable_simplicial_complex_2<Complex>(
+        boundaries.all(), domain.spacing_per_segment(DSC::Construction_options<2>::fine_spacing));
   } else {
     const Scene_boundaries<Surface> boundaries(
         scene, [&](const auto& shape) { return surface_of_shape(shape, scene.edge, folder); },

@@ -100,15 +100,17 @@ template <class Kernel> void check_crossings(const Curve_soup_2& soup) {
                first, second, std::move(segments));
 }
 
-// Points that a mesh needs in addition to the points of curves. Near a curve their spacing is about
-// the length of its segments, and it grows with the distance from the curves. Points on the
+// Points that a mesh needs in addition to the points of curves. Their spacing near a curve is given
+// in lengths of its segments, and it grows with the distance from the curves. Points on the
 // boundary of the box follow the same spacing if curves end there.
 class Graded_points_2
 {
 public:
   using Point = Planar_kernel::Point_2;
 
-  Graded_points_2(const Curve_soup_2& soup, const Bbox_2& box) : m_box(box) {
+  Graded_points_2(const Curve_soup_2& soup, const Bbox_2& box, double spacing_per_segment)
+      : m_box(box), m_densest(spacing_per_segment),
+        m_gradation((std::min)(steepest, spacing_per_segment / 2)), m_clearance(m_gradation) {
     const auto in_space = [&](std::size_t v) {
       return Planar_kernel::Point_3(soup.points[v].x(), soup.points[v].y(), 0);
     };
@@ -146,11 +148,7 @@ private:
   static constexpr int most_parts = 1000;
   // maximum number of halvings, since coordinates are of type `double`
   static constexpr int most_divisions = 40;
-  static constexpr double densest = 1.2; // spacing at a curve, in lengths of the nearest segment
-  // minimum distance of a point from a curve, in the same unit
-  static constexpr double clearance = .6;
-  // maximum ratio of the spacing to the distance from the curves
-  static constexpr double gradation = .6;
+  static constexpr double steepest = 1; // maximum gradation
 
   static int number_of_parts(double n) {
     return int(std::lround((std::max)(1., (std::min)(double(most_parts), n))));
@@ -182,7 +180,7 @@ private:
     const bool is_corner =
         (x == m_box.xmin() || x == m_box.xmax()) && (y == m_box.ymin() || y == m_box.ymax());
     const Nearest near = m_reaches_box && !is_corner ? nearest(x, y) : Nearest{1, 0};
-    if (near.distance > clearance * near.length)
+    if (near.distance > m_clearance * near.length)
       m_points.emplace_back(x, y);
   }
 
@@ -200,20 +198,24 @@ private:
     Progress_scope::check();
     const double x = (x0 + x1) / 2, y = (y0 + y1) / 2, side = (std::max)(x1 - x0, y1 - y0);
     const auto [distance, length] = nearest(x, y);
-    if (side > (std::max)(densest * length, gradation * distance) && divisions < most_divisions) {
+    if (side > (std::max)(m_densest * length, m_gradation * distance) &&
+        divisions < most_divisions) {
       divide(x0, y0, x, y, divisions + 1);
       divide(x, y0, x1, y, divisions + 1);
       divide(x0, y, x, y1, divisions + 1);
       divide(x, y, x1, y1, divisions + 1);
       return;
     }
-    if (distance > clearance * length)
+    if (distance > m_clearance * length)
       m_points.emplace_back(x, y);
     if (m_reaches_box)
       add_border(x0, y0, x1, y1);
   }
 
   Bbox_2 m_box;
+  double m_densest;   // spacing at a curve, in lengths of the nearest segment
+  double m_gradation; // maximum ratio of the spacing to the distance from the curves
+  double m_clearance; // minimum distance of a point from a curve, in lengths of the nearest segment
   int m_columns, m_rows;
   bool m_reaches_box;
   Segments m_segments; // in the plane z = 0, because the AABB tree is three-dimensional
@@ -305,7 +307,8 @@ insert_curves(const Curve_soup_2& soup, Planar_triangulation_2<Kernel>& triangul
 // Triangulates a box like `fill_planar_box()`. Curves may end on the box. There may be no curve.
 // Throws `Crossing_segments` if segments cross or overlap.
 template <class Kernel = Planar_kernel>
-Planar_filling_2 fill_box_between(const Curve_soup_2& soup, const Bbox_2& box) {
+Planar_filling_2 fill_box_between(const Curve_soup_2& soup, const Bbox_2& box,
+                                  double spacing_per_segment) {
   using Point = typename Kernel::Point_2;
   using Triangulation = Planar_triangulation_2<Kernel>;
   static constexpr std::size_t none = std::size_t(-1);
@@ -313,7 +316,7 @@ Planar_filling_2 fill_box_between(const Curve_soup_2& soup, const Bbox_2& box) {
   const Progress_phase phase("filling the box with triangles");
   const auto triangulation = std::make_shared<Triangulation>();
   const auto handles = insert_curves<Kernel>(soup, *triangulation);
-  insert_points(Graded_points_2(soup, box).points(), *triangulation);
+  insert_points(Graded_points_2(soup, box, spacing_per_segment).points(), *triangulation);
 
   Planar_filling_2 filling;
   for (auto v : triangulation->finite_vertex_handles())
@@ -348,9 +351,10 @@ Planar_filling_2 fill_box_between(const Curve_soup_2& soup, const Bbox_2& box) {
 // Triangulates a box with curves in it. Throws `Invalid_surface_error` if segments cross or
 // overlap.
 template <class Kernel = Planar_kernel>
-Planar_filling_2 fill_planar_box(const Curve_soup_2& soup, const Bbox_2& box) {
+Planar_filling_2 fill_planar_box(const Curve_soup_2& soup, const Bbox_2& box,
+                                 double spacing_per_segment) {
   try {
-    return fill_box_between<Kernel>(soup, box);
+    return fill_box_between<Kernel>(soup, box, spacing_per_segment);
   } catch (const Crossing_segments&) {
     check_crossings<Kernel>(soup);
     throw;

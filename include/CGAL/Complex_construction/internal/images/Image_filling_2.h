@@ -8,6 +8,7 @@
 #ifndef CGAL_COMPLEX_CONSTRUCTION_INTERNAL_IMAGES_IMAGE_FILLING_2_H
 #define CGAL_COMPLEX_CONSTRUCTION_INTERNAL_IMAGES_IMAGE_FILLING_2_H
 
+#include <CGAL/Complex_construction/Construction_options.h>
 #include <CGAL/Complex_construction/Labeled_image_2.h>
 #include <CGAL/Complex_construction/internal/building/Curve_soup_2.h>
 #include <CGAL/Complex_construction/internal/building/Planar_filling_2.h>
@@ -147,7 +148,8 @@ Image_filling_2 fill_image(const Labeled_image_2& image, double edge,
                 " pixel edges between different labels, more than " + std::to_string(most_edges) +
                 ": filter or segment a noisy image or a photograph; reduce or divide other images");
   const Image_curves_2<Kernel> curves(chains, edge);
-  Planar_filling_2 filling = fill_box_between<Kernel>(curves.soup(), box.value_or(image.bbox()));
+  Planar_filling_2 filling = fill_box_between<Kernel>(curves.soup(), box.value_or(image.bbox()),
+                                                      Construction_options<2>::fine_spacing);
   filling.locate = nullptr; // releases the triangulation
   Image_filling_2 result;
   auto seeds = curves.seeds(filling.triangles);

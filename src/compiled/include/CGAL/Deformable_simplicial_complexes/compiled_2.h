@@ -31,10 +31,10 @@
 namespace CGAL {
 namespace Deformable_simplicial_complexes::internal {
 using Default_complex_2 = Deformable_simplicial_complex_2<>;
-CGAL_DSC_INSTANTIATION template Planar_filling_2 fill_planar_box<Planar_kernel>(const Curve_soup_2&,
-                                                                                const Bbox_2&);
 CGAL_DSC_INSTANTIATION template Planar_filling_2
-fill_box_between<Planar_kernel>(const Curve_soup_2&, const Bbox_2&);
+fill_planar_box<Planar_kernel>(const Curve_soup_2&, const Bbox_2&, double);
+CGAL_DSC_INSTANTIATION template Planar_filling_2
+fill_box_between<Planar_kernel>(const Curve_soup_2&, const Bbox_2&, double);
 CGAL_DSC_INSTANTIATION template Image_filling_2
 fill_image<Planar_kernel>(const Labeled_image_2&, double, const std::optional<Bbox_2>&);
 } // namespace Deformable_simplicial_complexes::internal
