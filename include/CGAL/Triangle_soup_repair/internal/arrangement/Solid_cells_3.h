@@ -46,9 +46,7 @@ inline Shared_soup_3 share_triangles(const Triangle_soup_3& soup,
   std::map<Triangle_indices, std::size_t> known;
   std::vector<std::map<std::size_t, int>> shares;
   for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
-    Triangle_indices corners = soup.triangles[t];
-    std::sort(corners.begin(), corners.end());
-    const auto [place, is_new] = known.emplace(corners, result.triangles.size());
+    const auto [place, is_new] = known.emplace(sorted(soup.triangles[t]), result.triangles.size());
     if (is_new) {
       result.triangles.push_back(soup.triangles[t]);
       result.first.push_back(t);
@@ -106,17 +104,14 @@ private:
       if (m_regions.in_front_of(t) != m_regions.behind(t))
         for (const auto& [surface, times] : m_soup.shares[t])
           result[surface] |= times > 1;
-    const auto sides = sorted_sides(m_soup.triangles);
-    std::map<std::size_t, int> times_at_edge;
-    for (auto side = sides.begin(); side != sides.end();) {
-      const auto end = end_of_edge(side, sides.end());
-      times_at_edge.clear();
-      for (; side != end; ++side)
+    for_each_edge(sorted_sides(m_soup.triangles), [&](auto side, std::size_t number) {
+      std::map<std::size_t, int> times_at_edge;
+      for (const auto end = side + number; side != end; ++side)
         for (const auto& [surface, times] : m_soup.shares[side->triangle])
           times_at_edge[surface] += times;
       for (const auto& [surface, times] : times_at_edge)
         result[surface] |= times % 2 == 1;
-    }
+    });
     return result;
   }
 

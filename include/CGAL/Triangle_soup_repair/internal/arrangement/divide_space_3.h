@@ -27,7 +27,6 @@
 #include <cstddef>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <utility>
@@ -53,24 +52,21 @@ struct Divided_space_3
   double weld_distance;
 };
 
-// Returns the triangles of surfaces. Throws `Invalid_surface_error` if there are none, or if
-// coordinates or indices are wrong.
+// Returns the triangles of surfaces, which may be open and intersect.
 inline Joined_soup_3 join_surfaces(const std::vector<Triangle_soup_3>& surfaces) {
-  if (surfaces.empty())
-    refuse_surface(Invalid_surface_error::Reason::empty, 0);
-  std::vector<Merged_soup_3> merged;
-  for (std::size_t s = 0; s < surfaces.size(); ++s) {
-    check_numbers(surfaces[s], s);
-    merged.push_back(merge_points(surfaces[s]));
-  }
-  return join(merged);
+  return join_soups(surfaces, [](const Merged_soup_3&, std::size_t) {});
+}
+
+// Returns the given distance, or else that of the rounding.
+inline double distance_of(const std::optional<double>& given, const Triangle_soup_3& soup) {
+  return given ? *given : rounding_distance(soup.points);
 }
 
 // Returns whether features of surfaces are nearer to each other than the weld distance.
 inline bool have_contacts(const std::vector<Triangle_soup_3>& surfaces,
                           const std::optional<double>& weld_distance) {
   const Joined_soup_3 joined = join_surfaces(surfaces);
-  const double distance = weld_distance.value_or(rounding_distance(joined.points));
+  const double distance = distance_of(weld_distance, joined);
   Split_soup_3 soup = undivided(joined);
   merge_near_points(soup, distance);
   return soup.points != joined.points || Soup_contacts_3(soup, distance).size() > 0;
@@ -87,13 +83,10 @@ inline void check_boundaries(const Split_soup_3& soup, const Joined_soup_3& inpu
   std::map<Coordinates_3, std::size_t> points;
   for (std::size_t i = 0; i < input.points.size(); ++i)
     points.emplace(input.points[i], input.point_origins[i].index);
-  const auto sides = sorted_sides(soup.triangles);
-  std::map<std::size_t, std::vector<std::size_t>> triangles_of; // by surfaces
-  for (auto side = sides.begin(); side != sides.end();) {
-    const auto end = end_of_edge(side, sides.end());
+  for_each_edge(sorted_sides(soup.triangles), [&](auto side, std::size_t number) {
     const auto vertices = side->vertices;
-    triangles_of.clear();
-    for (; side != end; ++side) {
+    std::map<std::size_t, std::vector<std::size_t>> triangles_of; // by surfaces
+    for (const auto end = side + number; side != end; ++side) {
       const auto& origin = input.triangle_origins[soup.origins[side->triangle]];
       triangles_of[origin.surface].push_back(origin.index);
     }
@@ -106,7 +99,7 @@ inline void check_boundaries(const Split_soup_3& soup, const Joined_soup_3& inpu
         if (v != points.end() && w != points.end())
           boundary.vertices.insert(boundary.vertices.end(), {v->second, w->second});
       }
-  }
+  });
   if (!boundaries.empty()) {
     const auto& [surface, boundary] = *boundaries.begin();
     refuse_surface(Invalid_surface_error::Reason::open, surface,
@@ -167,7 +160,7 @@ inline std::optional<Split_soup_3> split_surfaces(const Joined_soup_3& input, do
 // \param distance receives the distance
 inline Split_soup_3 split_surfaces(const Joined_soup_3& input,
                                    const std::optional<double>& weld_distance, double& distance) {
-  const double first = weld_distance.value_or(rounding_distance(input.points));
+  const double first = distance_of(weld_distance, input);
   check_self_intersections(input, undivided(input).origins, input, first);
   for (const double factor : {1., .25, 4., .0625, 16.}) {
     distance = factor * first;

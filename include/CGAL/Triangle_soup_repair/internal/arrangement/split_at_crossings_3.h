@@ -202,10 +202,8 @@ void insert_intersection(Split_triangle_3<Kernel>& s, Split_triangle_3<Kernel>& 
   }
 }
 
-inline bool have_same_corners(Triangle_indices a, Triangle_indices b) {
-  std::sort(a.begin(), a.end());
-  std::sort(b.begin(), b.end());
-  return a == b;
+inline bool have_same_corners(const Triangle_indices& a, const Triangle_indices& b) {
+  return sorted(a) == sorted(b);
 }
 
 // Merges equal points and removes degenerate triangles.

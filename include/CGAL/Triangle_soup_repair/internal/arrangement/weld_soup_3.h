@@ -72,9 +72,7 @@ inline void cancel_folds(Split_soup_3& soup) {
   std::map<std::pair<std::size_t, Triangle_indices>, std::size_t> unpaired;
   std::vector<char> is_kept(soup.triangles.size(), 1);
   for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
-    Triangle_indices corners = soup.triangles[t];
-    std::sort(corners.begin(), corners.end());
-    const auto [place, is_new] = unpaired.insert({{soup.origins[t], corners}, t});
+    const auto [place, is_new] = unpaired.insert({{soup.origins[t], sorted(soup.triangles[t])}, t});
     if (!is_new) {
       is_kept[t] = is_kept[place->second] = 0;
       unpaired.erase(place);
@@ -238,8 +236,7 @@ private:
 // Returns the corners of all triangles, sorted.
 inline std::vector<Triangle_indices> sorted_corners(const Triangle_soup_3& soup) {
   std::vector<Triangle_indices> result = soup.triangles;
-  for (Triangle_indices& t : result)
-    std::sort(t.begin(), t.end());
+  std::transform(result.begin(), result.end(), result.begin(), sorted);
   std::sort(result.begin(), result.end());
   return result;
 }

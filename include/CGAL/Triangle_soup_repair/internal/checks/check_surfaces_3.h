@@ -75,19 +75,15 @@ inline void check_closedness(const Merged_soup_3& soup, std::size_t surface) {
   using Reason = Invalid_surface_error::Reason;
 
   Offenders open, odd;
-  const std::vector<Triangle_side> sides = sorted_sides(soup.triangles);
-  for (auto side = sides.begin(); side != sides.end();) {
-    const auto end = end_of_edge(side, sides.end());
-    if ((end - side) % 2 == 1) {
-      Offenders& offenders = end - side == 1 ? open : odd;
-      for (std::size_t v : side->vertices)
-        offenders.vertices.push_back(soup.input_points[v]);
-      std::for_each(side, end, [&offenders](const Triangle_side& s) {
-        offenders.facets.push_back(s.triangle);
-      });
-    }
-    side = end;
-  }
+  for_each_edge(sorted_sides(soup.triangles), [&](auto side, std::size_t number) {
+    if (number % 2 == 0)
+      return;
+    Offenders& offenders = number == 1 ? open : odd;
+    for (std::size_t v : side->vertices)
+      offenders.vertices.push_back(soup.input_points[v]);
+    for (const auto end = side + number; side != end; ++side)
+      offenders.facets.push_back(side->triangle);
+  });
   open.refuse(Reason::open, surface);
   odd.refuse(Reason::non_manifold_edge, surface);
 }
@@ -123,19 +119,28 @@ inline void refuse_crossings(const Joined_soup_3& soup,
 }
 
 // Returns the union of soups. Equal points of a soup are merged. Throws `Invalid_surface_error` if
-// triangles are degenerate or intersect in their interiors, or `check_each(soup, index)` throws.
+// there are no triangles, coordinates or indices are wrong, or `check_each(soup, index)` throws.
 template <class CheckEach>
-Joined_soup_3 check_soups(const std::vector<Triangle_soup_3>& soups, const CheckEach& check_each) {
+Joined_soup_3 join_soups(const std::vector<Triangle_soup_3>& soups, const CheckEach& check_each) {
   if (soups.empty())
     refuse_surface(Invalid_surface_error::Reason::empty, 0);
   std::vector<Merged_soup_3> merged;
   for (std::size_t s = 0; s < soups.size(); ++s) {
     check_numbers(soups[s], s);
     merged.push_back(merge_points(soups[s]));
-    check_areas(merged.back(), s);
     check_each(merged.back(), s);
   }
-  Joined_soup_3 joined = join(merged);
+  return join(merged);
+}
+
+// The same. Throws `Invalid_surface_error` also if triangles are degenerate or intersect in their
+// interiors.
+template <class CheckEach>
+Joined_soup_3 check_soups(const std::vector<Triangle_soup_3>& soups, const CheckEach& check_each) {
+  Joined_soup_3 joined = join_soups(soups, [&](const Merged_soup_3& soup, std::size_t s) {
+    check_areas(soup, s);
+    check_each(soup, s);
+  });
   refuse_crossings(joined, crossing_triangles(joined));
   return joined;
 }

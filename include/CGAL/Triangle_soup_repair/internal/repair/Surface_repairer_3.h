@@ -371,13 +371,10 @@ private:
   // Returns the edges with a single triangle.
   std::set<std::array<Coordinates_3, 2>> open_edges() const {
     std::set<std::array<Coordinates_3, 2>> result;
-    const auto sides = sorted_sides(m_soup.triangles);
-    for (auto side = sides.begin(); side != sides.end();) {
-      const auto end = end_of_edge(side, sides.end());
-      if (end - side == 1)
+    for_each_edge(sorted_sides(m_soup.triangles), [&](auto side, std::size_t number) {
+      if (number == 1)
         result.insert(edge(m_soup.points[side->vertices[0]], m_soup.points[side->vertices[1]]));
-      side = end;
-    }
+    });
     return result;
   }
 

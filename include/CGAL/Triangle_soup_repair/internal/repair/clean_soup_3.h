@@ -15,7 +15,6 @@
 #include <array>
 #include <cstddef>
 #include <map>
-#include <numeric>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
@@ -26,19 +25,12 @@ namespace CGAL::Deformable_simplicial_complexes::internal {
 inline std::vector<Triangle_indices> triangles_without_fins(const Triangle_soup_3& soup) {
   Disjoint_sets sheets(soup.triangles.size());
   const auto sides = sorted_sides(soup.triangles);
-  const auto for_each_edge = [&sides](const auto& visit) {
-    for (auto side = sides.cbegin(); side != sides.cend();) {
-      const auto end = end_of_edge(side, sides.cend());
-      visit(side, std::size_t(end - side));
-      side = end;
-    }
-  };
-  for_each_edge([&](auto side, std::size_t size) {
+  for_each_edge(sides, [&](auto side, std::size_t size) {
     if (size == 2)
       sheets.join(side[0].triangle, side[1].triangle);
   });
   std::vector<char> is_open(soup.triangles.size(), 0), is_attached(soup.triangles.size(), 0);
-  for_each_edge([&](auto side, std::size_t size) {
+  for_each_edge(sides, [&](auto side, std::size_t size) {
     if (size == 1)
       is_open[sheets.find(side->triangle)] = 1;
     for (std::size_t i = 0; size > 2 && i < size; ++i)
@@ -69,11 +61,8 @@ inline std::size_t remove_collapsed_triangles(Triangle_soup_3& soup) {
 inline std::size_t remove_repeated_triangles(Triangle_soup_3& soup) {
   const std::size_t before = soup.triangles.size();
   std::map<Triangle_indices, std::vector<std::size_t>> groups;
-  for (std::size_t t = 0; t < before; ++t) {
-    Triangle_indices v = soup.triangles[t];
-    std::sort(v.begin(), v.end());
-    groups[v].push_back(t);
-  }
+  for (std::size_t t = 0; t < before; ++t)
+    groups[sorted(soup.triangles[t])].push_back(t);
   std::vector<std::size_t> kept;
   for (const auto& [corners, group] : groups)
     kept.push_back(group.front());
@@ -81,45 +70,35 @@ inline std::size_t remove_repeated_triangles(Triangle_soup_3& soup) {
   std::vector<Triangle_indices> triangles;
   std::vector<char> is_even;
   for (std::size_t t : kept) {
-    Triangle_indices v = soup.triangles[t];
-    triangles.push_back(v);
-    std::sort(v.begin(), v.end());
-    is_even.push_back(groups[v].size() % 2 == 0);
+    triangles.push_back(soup.triangles[t]);
+    is_even.push_back(groups[sorted(soup.triangles[t])].size() % 2 == 0);
   }
 
   // The sheets: triangles that occur an even number of times and share edges.
-  std::vector<std::size_t> wall(triangles.size());
-  std::iota(wall.begin(), wall.end(), std::size_t(0));
-  const auto find = [&wall](std::size_t t) {
-    while (wall[t] != t)
-      t = wall[t] = wall[wall[t]];
-    return t;
-  };
+  Disjoint_sets walls(triangles.size());
   const std::vector<Triangle_side> sides = sorted_sides(triangles);
   const auto for_each_wall_edge = [&](const auto& visit) {
-    for (auto side = sides.begin(); side != sides.end();) {
-      const auto end = end_of_edge(side, sides.end());
+    for_each_edge(sides, [&](auto side, std::size_t number) {
       std::vector<std::size_t> even;
-      for (auto s = side; s != end; ++s)
+      for (auto s = side; s != side + number; ++s)
         if (is_even[s->triangle])
           even.push_back(s->triangle);
       if (!even.empty())
-        visit(even, std::size_t(end - side));
-      side = end;
-    }
+        visit(even, number);
+    });
   };
   for_each_wall_edge([&](const std::vector<std::size_t>& even, std::size_t) {
     for (std::size_t t : even)
-      wall[(std::max)(find(t), find(even.front()))] = (std::min)(find(t), find(even.front()));
+      walls.join(t, even.front());
   });
-  std::vector<long> gain(triangles.size(),
-                         0); // odd edges that become even without a sheet, less the reverse
+  // of sheets: odd edges that become even without the sheet, less the reverse
+  std::vector<long> gain(triangles.size(), 0);
   for_each_wall_edge([&](const std::vector<std::size_t>& even, std::size_t number) {
-    gain[find(even.front())] += long(number % 2) - long((number - even.size()) % 2);
+    gain[walls.find(even.front())] += long(number % 2) - long((number - even.size()) % 2);
   });
   soup.triangles.clear();
   for (std::size_t t = 0; t < triangles.size(); ++t)
-    if (!is_even[t] || gain[find(t)] <= 0)
+    if (!is_even[t] || gain[walls.find(t)] <= 0)
       soup.triangles.push_back(triangles[t]);
   if (soup.triangles.empty()) // the soup is a single sheet with two sides
     soup.triangles = triangles;

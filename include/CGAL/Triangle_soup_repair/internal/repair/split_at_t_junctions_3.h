@@ -57,20 +57,17 @@ private:
   Point point(std::size_t v) const { return exact_point(m_soup.points[v]); }
 
   void collect_open_edges() {
-    const auto sides = sorted_sides(m_soup.triangles);
-    for (auto side = sides.begin(); side != sides.end();) {
-      const auto end = end_of_edge(side, sides.end());
-      if ((end - side) % 2 == 1) {
-        m_edges.push_back(side->vertices);
-        const double length =
-            std::sqrt(squared_distance(point(side->vertices[0]), point(side->vertices[1])));
-        for (std::size_t v : side->vertices) {
-          double& shortest = m_shortest.emplace(v, length).first->second;
-          shortest = (std::min)(shortest, length);
-        }
+    for_each_edge(sorted_sides(m_soup.triangles), [&](auto side, std::size_t number) {
+      if (number % 2 == 0)
+        return;
+      m_edges.push_back(side->vertices);
+      const double length =
+          std::sqrt(squared_distance(point(side->vertices[0]), point(side->vertices[1])));
+      for (std::size_t v : side->vertices) {
+        double& shortest = m_shortest.emplace(v, length).first->second;
+        shortest = (std::min)(shortest, length);
       }
-      side = end;
-    }
+    });
   }
 
   void collect_points_on_edges() {

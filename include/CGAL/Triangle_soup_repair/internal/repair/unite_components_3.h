@@ -73,15 +73,13 @@ private:
   void connect() {
     m_sides = sorted_sides(m_soup.triangles);
     std::vector<std::vector<Neighbor>> neighbors(m_soup.triangles.size());
-    for (auto side = m_sides.cbegin(); side != m_sides.cend();) {
-      const auto end = end_of_edge(side, m_sides.cend());
-      if (end - side == 2) {
-        const bool agrees = runs_forward(side[0]) != runs_forward(side[1]);
-        neighbors[side[0].triangle].push_back({side[1].triangle, agrees});
-        neighbors[side[1].triangle].push_back({side[0].triangle, agrees});
-      }
-      side = end;
-    }
+    for_each_edge(m_sides, [&](auto side, std::size_t number) {
+      if (number != 2)
+        return;
+      const bool agrees = runs_forward(side[0]) != runs_forward(side[1]);
+      neighbors[side[0].triangle].push_back({side[1].triangle, agrees});
+      neighbors[side[1].triangle].push_back({side[0].triangle, agrees});
+    });
     static constexpr std::size_t unknown = std::size_t(-1);
     m_components.assign(m_soup.triangles.size(), unknown);
     std::vector<char> is_turned(m_soup.triangles.size(), 0);
@@ -110,15 +108,14 @@ private:
   // orientation.
   void find_closed_components() {
     m_is_closed.assign(m_first_triangles.size(), 1);
-    for (auto side = m_sides.cbegin(); side != m_sides.cend();) {
-      const auto end = end_of_edge(side, m_sides.cend());
+    for_each_edge(m_sides, [&](auto side, std::size_t number) {
       std::map<std::size_t, int> sums;
-      for (; side != end; ++side)
+      for (const auto end = side + number; side != end; ++side)
         sums[m_components[side->triangle]] += runs_forward(*side) ? 1 : -1;
       for (const auto& [component, sum] : sums)
         if (sum != 0)
           m_is_closed[component] = 0;
-    }
+    });
   }
 
   void find_crossings() {
@@ -205,9 +202,8 @@ inline Counted_triangles_3 count_triangles(const Split_soup_3& split,
   counted.soup.points = split.points;
   std::map<Triangle_indices, std::size_t> known;
   for (std::size_t t = 0; t < split.triangles.size(); ++t) {
-    Triangle_indices corners = split.triangles[t];
-    std::sort(corners.begin(), corners.end());
-    const auto [place, is_new] = known.emplace(corners, counted.soup.triangles.size());
+    const auto [place, is_new] =
+        known.emplace(sorted(split.triangles[t]), counted.soup.triangles.size());
     if (is_new) {
       counted.soup.triangles.push_back(split.triangles[t]);
       counted.multiplicities.push_back(0);

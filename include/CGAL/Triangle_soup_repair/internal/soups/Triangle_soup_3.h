@@ -159,6 +159,22 @@ end_of_edge(std::vector<Triangle_side>::const_iterator first,
       first, end, [first](const Triangle_side& side) { return side.vertices != first->vertices; });
 }
 
+// Calls `visit(first, number)` with the first side on each edge and the number of sides on it.
+template <class Visit>
+void for_each_edge(const std::vector<Triangle_side>& sorted_sides, const Visit& visit) {
+  for (auto side = sorted_sides.begin(); side != sorted_sides.end();) {
+    const auto end = end_of_edge(side, sorted_sides.end());
+    visit(side, std::size_t(end - side));
+    side = end;
+  }
+}
+
+// Returns the corners in increasing order, which identify a triangle.
+inline Triangle_indices sorted(Triangle_indices corners) {
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+
 } // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_TRIANGLE_SOUP_REPAIR_INTERNAL_SOUPS_TRIANGLE_SOUP_3_H

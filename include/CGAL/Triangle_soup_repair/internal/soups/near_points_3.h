@@ -29,20 +29,17 @@ enum class Merged_points { OF_OPEN_EDGES, ALL };
 inline std::size_t merge_near_points(Triangle_soup_3& soup, double distance, Merged_points which) {
   static constexpr double part = .1; // of the shortest open edge: its ends are never merged
   std::map<std::size_t, double> squared_limits;
-  const auto sides = sorted_sides(soup.triangles);
-  for (auto side = sides.begin(); side != sides.end();) {
-    const auto end = end_of_edge(side, sides.end());
-    if (which == Merged_points::ALL || (end - side) % 2 == 1) {
-      const double squared_length = squared_distance(exact_point(soup.points[side->vertices[0]]),
-                                                     exact_point(soup.points[side->vertices[1]]));
-      for (std::size_t v : side->vertices) {
-        double& limit = squared_limits.emplace(v, distance * distance).first->second;
-        if (which == Merged_points::OF_OPEN_EDGES)
-          limit = (std::min)(limit, part * part * squared_length);
-      }
+  for_each_edge(sorted_sides(soup.triangles), [&](auto side, std::size_t number) {
+    if (which == Merged_points::OF_OPEN_EDGES && number % 2 == 0)
+      return;
+    const double squared_length = squared_distance(exact_point(soup.points[side->vertices[0]]),
+                                                   exact_point(soup.points[side->vertices[1]]));
+    for (std::size_t v : side->vertices) {
+      double& limit = squared_limits.emplace(v, distance * distance).first->second;
+      if (which == Merged_points::OF_OPEN_EDGES)
+        limit = (std::min)(limit, part * part * squared_length);
     }
-    side = end;
-  }
+  });
 
   // Points close to each other are in the same or in adjacent boxes of a grid.
   using Box = std::array<double, 3>;
