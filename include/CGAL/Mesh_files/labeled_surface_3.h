@@ -218,7 +218,7 @@ void write_interface(const std::string& path,
 Writes an extracted and possibly subdivided interface with names of labels. If there are names, STL
 files get a solid, and OBJ files an object, for each label other than 0: the whole boundary of the
 label, with normals out of it. Triangles between two such labels belong to both. Labels without name
-are called like `label 3`. Otherwise the function is the same as the overload above.
+are called like `label 3`. Otherwise the function is the same as `write_interface()`.
 
 \param path name of the file; its folder must exist
 \param surface a result of `extract_interface()` or `subdivide_interface()`
@@ -229,9 +229,10 @@ are called like `label 3`. Otherwise the function is the same as the overload ab
 \sa `read_labeled_surface()`
 */
 template <class Complex>
-void write_interface(const std::string& path,
-                     const Deformable_simplicial_complexes::Interface_surface_3<Complex>& surface,
-                     const Deformable_simplicial_complexes::Label_names& names) {
+void write_named_interface(
+    const std::string& path,
+    const Deformable_simplicial_complexes::Interface_surface_3<Complex>& surface,
+    const Deformable_simplicial_complexes::Label_names& names) {
   namespace internal = Deformable_simplicial_complexes::internal;
   const internal::Surface_format format = internal::surface_format(path);
   const bool has_solids = format == internal::Surface_format::stl;

@@ -116,7 +116,7 @@ void Tracked_complex_3::write_subdivided(const std::string& path, int subdivisio
   const auto smooth = DSC::subdivide_interface(surface, subdivisions);
   const DSC::Mesh_arrays values = arrays.of_interface();
   if (values.points.empty())
-    CGAL::IO::write_interface(path, smooth, label_names);
+    CGAL::IO::write_named_interface(path, smooth, label_names);
   else
     CGAL::IO::write_interface(
         path, smooth, subdivided_velocities(surface, values.points[0].values, subdivisions));

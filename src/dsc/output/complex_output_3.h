@@ -79,9 +79,9 @@ void write_complex(const std::string& path, const Complex& complex,
   else if (format == "mesh")
     CGAL::IO::write_MEDIT(path, complex);
   else
-    CGAL::IO::write_interface(path,
-                              CGAL::Deformable_simplicial_complexes::extract_interface(complex),
-                              arrays.label_names);
+    CGAL::IO::write_named_interface(
+        path, CGAL::Deformable_simplicial_complexes::extract_interface(complex),
+        arrays.label_names);
 }
 
 } // namespace dsc

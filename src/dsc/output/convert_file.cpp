@@ -81,7 +81,7 @@ void convert_surface(const std::string& input, const std::string& output,
   tell_lost_names(output, names);
   const bool is_foreign_format = is_one_of(extension(output), {"vtp", "vtk"});
   const std::string path = is_foreign_format ? temporary_file("surface.ply") : output;
-  CGAL::IO::write_interface(path, result, names);
+  CGAL::IO::write_named_interface(path, result, names);
   if (is_foreign_format)
     write_foreign(path, output);
 }

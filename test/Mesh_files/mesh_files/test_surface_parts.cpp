@@ -131,10 +131,10 @@ TEST(Surface_parts, are_written_with_their_names) {
   surface.labels = {{1, 0}, {1, 0}, {1, 0}, {1, 7}, {7, 0}, {7, 0}, {7, 0}};
   const Temporary_folder folder;
   for (const std::string name : {"a.stl", "a.obj"}) {
-    CGAL::IO::write_interface(folder / name, surface, Label_names{{1, "one # a"}});
+    CGAL::IO::write_named_interface(folder / name, surface, Label_names{{1, "one # a"}});
     const std::string first = name == "a.stl" ? "one # a" : "one";
     EXPECT_EQ(read(folder / name), (Read{{first, "label 7"}, {4, 4}, ""})) << name;
-    CGAL::IO::write_interface(folder / name, surface, Label_names());
+    CGAL::IO::write_named_interface(folder / name, surface, Label_names());
     EXPECT_EQ(read(folder / name).triangles, std::vector<std::size_t>{7}) << name;
   }
 }
