@@ -20,7 +20,6 @@
 #include <CGAL/Origin.h>
 
 #include <cstddef>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {

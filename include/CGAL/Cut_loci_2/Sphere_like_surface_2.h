@@ -18,7 +18,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {

@@ -31,7 +31,6 @@
 #include <cstdint>
 #include <cstring>
 #include <functional>
-#include <string>
 #include <unordered_map>
 #include <utility>
 #include <vector>

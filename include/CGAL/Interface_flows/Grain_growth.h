@@ -27,13 +27,11 @@
 #include <CGAL/Origin.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <map>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {

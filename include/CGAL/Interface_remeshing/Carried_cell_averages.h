@@ -17,7 +17,6 @@
 #include <CGAL/property_map.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <type_traits>
 #include <utility>

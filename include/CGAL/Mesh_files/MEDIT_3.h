@@ -16,7 +16,6 @@
 #include <CGAL/Mesh_files/Unused_content.h>
 #include <CGAL/Mesh_files/internal/grids/Medit_reader.h>
 #include <CGAL/Mesh_files/internal/grids/Written_vertices.h>
-#include <CGAL/Mesh_files/internal/text/files.h>
 #include <CGAL/Mesh_files/internal/text/open_input.h>
 #include <CGAL/Mesh_files/replace_file.h>
 #include <CGAL/Mesh_support/Progress_scope.h>

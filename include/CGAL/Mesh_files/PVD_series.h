@@ -12,7 +12,6 @@
 
 #include <CGAL/Mesh_files/File_error.h>
 #include <CGAL/Mesh_files/internal/text/Xml_element.h>
-#include <CGAL/Mesh_files/internal/text/files.h>
 #include <CGAL/Mesh_files/replace_file.h>
 
 #include <cmath>

@@ -16,7 +16,6 @@
 #include <CGAL/Mesh_files/replace_file.h>
 
 #include <fstream>
-#include <istream>
 #include <ostream>
 #include <sstream>
 #include <string>

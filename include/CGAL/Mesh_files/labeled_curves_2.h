@@ -16,7 +16,6 @@
 #include <CGAL/Mesh_files/Unused_content.h>
 #include <CGAL/Mesh_files/internal/curves/read_poly.h>
 #include <CGAL/Mesh_files/internal/curves/read_wkt.h>
-#include <CGAL/Mesh_files/internal/text/files.h>
 #include <CGAL/Mesh_files/replace_file.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -26,7 +25,6 @@
 #include <ostream>
 #include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL::IO {

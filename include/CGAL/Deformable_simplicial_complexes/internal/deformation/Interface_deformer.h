@@ -36,7 +36,6 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
-#include <optional>
 #include <utility>
 #include <vector>
 

@@ -10,16 +10,12 @@
 
 #include <CGAL/Mesh_files/File_error.h>
 #include <CGAL/Mesh_files/internal/text/open_input.h>
-#include <CGAL/Mesh_support/Progress_scope.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <ios>
-#include <locale>
-#include <ostream>
 #include <string>
 #include <string_view>
 #include <system_error>
