@@ -139,10 +139,10 @@ MODULES = {
 SEAM = {
     KERNEL: """
         destinations/Destinations destinations/Interface_tolerance bookkeeping/Failure_memory bookkeeping/Label_totals
-        complex/Complex_builder complex/apply_to_corners complex/assemble_triangulation
+        complex/apply_to_corners complex/assemble_triangulation
         complex/hilbert_order complex/sort_by_time_stamp deformation/deform improvement/Mesh_improver
         improvement/Mesh_operations interface/Changed_facets
-        interface/Interface_fan motion/Harmonic_extension operations/triangle_quality parts/assign_part parts/separate_touching_cells
+        interface/Interface_fan motion/Harmonic_extension operations/triangle_quality parts/assign_part
         topology/Manifold_relabeling
         traversal/Domain_box bookkeeping/Marks
         traversal/Work_list traversal/cell_corners traversal/local_edge_length""",

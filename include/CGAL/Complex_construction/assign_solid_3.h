@@ -17,7 +17,6 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/assemble_triangulation.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/hilbert_order.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parts/assign_part.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/parts/separate_touching_cells.h>
 #include <CGAL/Mesh_support/coordinates.h>
 #include <CGAL/Mesh_support/internal/numbers/Extent.h>
 

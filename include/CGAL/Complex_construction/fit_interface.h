@@ -11,7 +11,6 @@
 #include <CGAL/license/Complex_construction.h>
 
 #include <CGAL/Complex_construction/internal/fitting/Missed_volumes.h>
-#include <CGAL/Complex_construction/internal/fitting/labels_at.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>

@@ -10,7 +10,7 @@
 
 #include <CGAL/license/Complex_construction.h>
 
-#include <CGAL/Complex_construction/internal/thin_parts/improve_new_mesh.h>
+#include <CGAL/Complex_construction/refine_thin_parts.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/destinations/Destinations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Domain_box.h>

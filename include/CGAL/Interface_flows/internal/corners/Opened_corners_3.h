@@ -17,7 +17,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_split.h>
-#include <CGAL/Interface_flows/internal/corners/refine_around.h>
+#include <CGAL/Interface_remeshing/refine_cells.h>
 
 #include <CGAL/Origin.h>
 #include <CGAL/number_utils.h>
