@@ -140,7 +140,7 @@ SEAM = {
     KERNEL: """
         destinations/Destinations destinations/Interface_tolerance bookkeeping/Failure_memory bookkeeping/Label_totals
         complex/apply_to_corners complex/assemble_triangulation
-        complex/hilbert_order complex/sort_by_time_stamp deformation/deform improvement/Mesh_improver
+        complex/hilbert_order complex/sort_by_time_stamp improvement/Mesh_improver
         improvement/Mesh_operations interface/Changed_facets
         interface/Interface_fan motion/Harmonic_extension operations/triangle_quality parts/assign_part
         topology/Manifold_relabeling
@@ -148,13 +148,13 @@ SEAM = {
         traversal/Work_list traversal/cell_corners traversal/local_edge_length""",
     "Interface_remeshing": """
         extraction/Extracted_facets interface/Curvature_lengths
-        remeshing/Detail_controller remeshing/Interface_improver values/overlap_measure""",
+        remeshing/Detail_controller values/overlap_measure""",
     "Triangle_soup_repair": """
         checks/check_surfaces_3 checks/refuse_surface soups/Soup_bisector_3 soups/Triangle_soup_3
         soups/soup_intersections_3""",
     "Mesh_files": """
         checkpoints/checkpoint_file grids/Vtu_document grids/Written_vertices grids/read_vtu_tetrahedra grids/write_vtu pictures/colors text/Xml_element
-        text/files text/number_of_word text/open_input""",
+        text/files text/number_of_word""",
     "Interface_flows": """
         curvature/Interface_forces paths/interface_paths paths/velocity_properties""",
 }

@@ -53,14 +53,7 @@ inline void classify_boundary(State<3>& state) {
   for (const auto& facet : facets)
     for (const std::size_t v : facet)
       box.add(state.points[v]);
-  const auto sides = [&](std::size_t v) {
-    Boundary_class::Bits bits = Boundary_class::inside;
-    for (int axis = 0; axis < 3; ++axis) {
-      bits |= state.points[v][axis] == box.lower(axis) ? 1 << (2 * axis) : 0;
-      bits |= state.points[v][axis] == box.upper(axis) ? 2 << (2 * axis) : 0;
-    }
-    return bits;
-  };
+  const auto sides = [&](std::size_t v) { return box.sides(state.points[v]); };
   const bool is_box = std::all_of(facets.begin(), facets.end(), [&](const auto& f) {
     return (sides(f[0]) & sides(f[1]) & sides(f[2])) != 0;
   });

@@ -299,7 +299,7 @@ Complex make_deformable_simplicial_complex_2(std::vector<typename Complex::Point
                                              const NP& np = parameters::default_values()) {
   const auto options = construction_options<2>(np);
   Complex dsc;
-  internal::merge_equal_points(points, triangles);
+  internal::merge_equal_points<2>(points, triangles);
   const auto orientation = dsc.orientation();
   const bool has_numbers = std::all_of(points.begin(), points.end(), [](const auto& p) {
     return has_finite_coordinates(coordinates_of<2>(p));

@@ -287,7 +287,7 @@ Complex make_deformable_simplicial_complex_3(std::vector<typename Complex::Point
                                              const NP& np = parameters::default_values()) {
   const auto options = construction_options<3>(np);
   Complex dsc;
-  internal::merge_equal_points(points, tetrahedra);
+  internal::merge_equal_points<3>(points, tetrahedra);
   internal::orient_tetrahedra(points, tetrahedra, dsc.geom_traits());
   dsc.assign(points, tetrahedra, labels);
   internal::improve_new_mesh(dsc, options);

@@ -18,7 +18,6 @@
 #include <CGAL/Distributed_complexes/Distributed_complex.h>
 #include <CGAL/Distributed_complexes/internal/patches/Distributed_adaptation.h>
 #include <CGAL/Distributed_complexes/internal/patches/Patch.h>
-#include <CGAL/Distributed_complexes/internal/patches/remesh_in_patches.h>
 #include <CGAL/Distributed_complexes/internal/ranks/Distributed_mesh.h>
 #include <CGAL/Distributed_complexes/internal/ranks/Piece.h>
 #include <CGAL/Interface_remeshing/Detail_options.h>

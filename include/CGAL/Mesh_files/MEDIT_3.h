@@ -16,7 +16,7 @@
 #include <CGAL/Mesh_files/Unused_content.h>
 #include <CGAL/Mesh_files/internal/grids/Medit_reader.h>
 #include <CGAL/Mesh_files/internal/grids/Written_vertices.h>
-#include <CGAL/Mesh_files/internal/text/open_input.h>
+#include <CGAL/Mesh_files/internal/text/files.h>
 #include <CGAL/Mesh_files/replace_file.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
@@ -171,8 +171,7 @@ void read_MEDIT(std::istream& in, std::vector<Point>& points,
   if (entities != nullptr)
     *entities = std::move(reader.entities());
   if (unused != nullptr)
-    for (const auto& [kind, number] : reader.unused().numbers())
-      unused->add(kind, number);
+    unused->add(reader.unused());
 }
 
 /*!

@@ -141,8 +141,7 @@ void read_VTU(const std::string& path, std::vector<Point>& points,
   if (arrays != nullptr)
     *arrays = std::move(read.arrays);
   if (unused != nullptr)
-    for (const auto& [kind, number] : read.unused.numbers())
-      unused->add(kind, number);
+    unused->add(read.unused);
 }
 
 } // namespace CGAL::IO

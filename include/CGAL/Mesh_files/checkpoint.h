@@ -12,7 +12,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/State.h>
 #include <CGAL/Mesh_files/internal/checkpoints/checkpoint_file.h>
-#include <CGAL/Mesh_files/internal/text/open_input.h>
+#include <CGAL/Mesh_files/internal/text/files.h>
 #include <CGAL/Mesh_files/replace_file.h>
 
 #include <fstream>

@@ -17,14 +17,13 @@
 #include <CGAL/Mesh_files/Mesh_arrays.h>
 #include <CGAL/Mesh_files/Surface_parts.h>
 #include <CGAL/Mesh_files/Unused_content.h>
-#include <CGAL/Mesh_files/internal/surfaces/equal_points.h>
 #include <CGAL/Mesh_files/internal/surfaces/read_polygons.h>
 #include <CGAL/Mesh_files/internal/surfaces/surface_sinks.h>
 #include <CGAL/Mesh_files/internal/text/File_scanner.h>
 #include <CGAL/Mesh_files/internal/text/files.h>
-#include <CGAL/Mesh_files/internal/text/open_input.h>
 #include <CGAL/Mesh_files/replace_file.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
+#include <CGAL/Mesh_support/internal/sets/equal_points.h>
 #include <CGAL/Triangle_soup_repair/Labeled_surface_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -230,9 +229,10 @@ read_labeled_surface(const std::string& path, int label = 1,
   internal::read_polygons(in, format, second_scanner, triangles);
   if (parts)
     *parts = {triangles.parts.names(), std::move(triangles.part_of_triangle)};
-  if (format == internal::Surface_format::stl)
-    internal::merge_equal_points(surface);
-  else if (unused)
+  if (format == internal::Surface_format::stl) {
+    internal::merge_equal_points<3>(surface.points, surface.triangles);
+    surface.points.shrink_to_fit();
+  } else if (unused)
     unused->add("points without polygons", internal::number_of_unused_points(surface));
   return surface;
 }

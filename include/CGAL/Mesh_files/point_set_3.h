@@ -17,7 +17,6 @@
 #include <CGAL/Mesh_files/internal/text/File_scanner.h>
 #include <CGAL/Mesh_files/internal/text/files.h>
 #include <CGAL/Mesh_files/internal/text/number_of_word.h>
-#include <CGAL/Mesh_files/internal/text/open_input.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
