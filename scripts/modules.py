@@ -108,7 +108,6 @@ MODULES = {
         "ranks": "pieces of complexes on several ranks, messages, components",
         "patches": "patches that are treated in rounds, adaptation of a distributed interface",
         "motion": "the deformation algorithm on several ranks",
-        "curvature": "the system of an implicit step of mean curvature flow on several ranks",
     },
     "Interface_flows": {
         "corners": "corners and edges of fronts: arcs, cylinders, and vertices that corners pass",
