@@ -108,7 +108,6 @@ MODULES = {
         "ranks": "pieces of complexes on several ranks, messages, components",
         "patches": "patches that are treated in rounds, adaptation of a distributed interface",
         "motion": "the deformation algorithm on several ranks",
-        "curvature": "the system of an implicit step of mean curvature flow on several ranks",
     },
     "Interface_flows": {
         "corners": "corners and edges of fronts: arcs, cylinders, and vertices that corners pass",
@@ -139,22 +138,22 @@ MODULES = {
 SEAM = {
     KERNEL: """
         destinations/Destinations destinations/Interface_tolerance bookkeeping/Failure_memory bookkeeping/Label_totals
-        complex/Complex_builder complex/apply_to_corners complex/assemble_triangulation
-        complex/hilbert_order complex/sort_by_time_stamp deformation/deform improvement/Mesh_improver
+        complex/apply_to_corners complex/assemble_triangulation
+        complex/hilbert_order complex/sort_by_time_stamp improvement/Mesh_improver
         improvement/Mesh_operations interface/Changed_facets
-        interface/Interface_fan motion/Harmonic_extension operations/triangle_quality parts/assign_part parts/separate_touching_cells
+        interface/Interface_fan motion/Harmonic_extension operations/triangle_quality parts/assign_part
         topology/Manifold_relabeling
         traversal/Domain_box bookkeeping/Marks
         traversal/Work_list traversal/cell_corners traversal/local_edge_length""",
     "Interface_remeshing": """
         extraction/Extracted_facets interface/Curvature_lengths
-        remeshing/Detail_controller remeshing/Interface_improver values/overlap_measure""",
+        remeshing/Detail_controller values/overlap_measure""",
     "Triangle_soup_repair": """
         checks/check_surfaces_3 checks/refuse_surface soups/Soup_bisector_3 soups/Triangle_soup_3
         soups/soup_intersections_3""",
     "Mesh_files": """
         checkpoints/checkpoint_file grids/Vtu_document grids/Written_vertices grids/read_vtu_tetrahedra grids/write_vtu pictures/colors text/Xml_element
-        text/files text/number_of_word text/open_input""",
+        text/files text/number_of_word""",
     "Interface_flows": """
         curvature/Interface_forces paths/interface_paths paths/velocity_properties""",
 }
@@ -190,12 +189,9 @@ class Header:
     def __init__(self, path):
         parts = path.relative_to(INCLUDE).parts
         self.name = "/".join(parts)
-        self.is_license = parts[0] == "license"  # license/PACKAGE.h
-        if self.is_license:
-            self.package = path.stem
-        else:
-            self.package = (parts[0] if len(parts) > 1 else
-                            PACKAGE_OF_TOP_HEADER.get(self.name, KERNEL))
+        self.is_license = parts[0] == "license"  # of all packages
+        self.package = (parts[0] if len(parts) > 1 and not self.is_license else
+                        PACKAGE_OF_TOP_HEADER.get(self.name, KERNEL))
         self.is_internal = "internal" in parts
         after = parts[parts.index("internal") + 1:] if self.is_internal else ()
         self.module = after[0] if len(after) > 1 else None
@@ -226,12 +222,14 @@ def read_headers():
 
 def broken_by(h, other):
     """Yields a line for each rule that the include of another header breaks."""
+    if other.is_license:
+        return
     if other.package != h.package:
         if other.package not in PACKAGES[h.package]:
             yield f"{h.name} includes {other.name} of a package that it must not use"
         if not other.is_open:
             yield f"{h.name} includes {other.name}, which is internal to its package"
-    elif h.package == KERNEL and not h.is_license and not other.is_license:
+    elif h.package == KERNEL and not h.is_license:
         if other.part() and PARTS.index(other.part()) > PARTS.index(h.part()):
             yield f"{h.name}, part {h.part()}, includes {other.name}, part {other.part()}"
     if other.package == h.package and h.is_internal and other.is_internal:

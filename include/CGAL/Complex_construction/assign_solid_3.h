@@ -8,7 +8,7 @@
 #ifndef CGAL_COMPLEX_CONSTRUCTION_ASSIGN_SOLID_3_H
 #define CGAL_COMPLEX_CONSTRUCTION_ASSIGN_SOLID_3_H
 
-#include <CGAL/license/Complex_construction.h>
+#include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <CGAL/Complex_construction/internal/building/Solid_tetrahedra_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
@@ -17,7 +17,6 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/assemble_triangulation.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/hilbert_order.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parts/assign_part.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/parts/separate_touching_cells.h>
 #include <CGAL/Mesh_support/coordinates.h>
 #include <CGAL/Mesh_support/internal/numbers/Extent.h>
 
@@ -25,7 +24,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
@@ -55,14 +53,7 @@ inline void classify_boundary(State<3>& state) {
   for (const auto& facet : facets)
     for (const std::size_t v : facet)
       box.add(state.points[v]);
-  const auto sides = [&](std::size_t v) {
-    Boundary_class::Bits bits = Boundary_class::inside;
-    for (int axis = 0; axis < 3; ++axis) {
-      bits |= state.points[v][axis] == box.lower(axis) ? 1 << (2 * axis) : 0;
-      bits |= state.points[v][axis] == box.upper(axis) ? 2 << (2 * axis) : 0;
-    }
-    return bits;
-  };
+  const auto sides = [&](std::size_t v) { return box.sides(state.points[v]); };
   const bool is_box = std::all_of(facets.begin(), facets.end(), [&](const auto& f) {
     return (sides(f[0]) & sides(f[1]) & sides(f[2])) != 0;
   });

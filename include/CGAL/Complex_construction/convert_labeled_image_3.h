@@ -8,15 +8,15 @@
 #ifndef CGAL_COMPLEX_CONSTRUCTION_CONVERT_LABELED_IMAGE_3_H
 #define CGAL_COMPLEX_CONSTRUCTION_CONVERT_LABELED_IMAGE_3_H
 
-#include <CGAL/license/Complex_construction.h>
+#include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <CGAL/Complex_construction/Construction_options.h>
 #include <CGAL/Complex_construction/Octree_tetrahedra_3.h>
 #include <CGAL/Complex_construction/internal/conversion/Voxel_components_3.h>
 #include <CGAL/Complex_construction/internal/conversion/Voxel_frame_3.h>
 #include <CGAL/Complex_construction/internal/conversion/Voxel_pyramid_3.h>
-#include <CGAL/Complex_construction/internal/thin_parts/improve_new_mesh.h>
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Complex_construction/refine_thin_parts.h>
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>

@@ -8,11 +8,11 @@
 #ifndef CGAL_COMPLEX_CONSTRUCTION_FILL_TORUS_H
 #define CGAL_COMPLEX_CONSTRUCTION_FILL_TORUS_H
 
-#include <CGAL/license/Complex_construction.h>
+#include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <CGAL/Complex_construction/fit_interface.h>
 #include <CGAL/Complex_construction/internal/building/grids.h>
-#include <CGAL/Complex_construction/internal/fitting/labels_at.h>
+#include <CGAL/Complex_construction/internal/fitting/Missed_volumes.h>
 #include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Mesh_support/coordinates.h>

@@ -8,10 +8,9 @@
 #ifndef CGAL_COMPLEX_CONSTRUCTION_FIT_INTERFACE_H
 #define CGAL_COMPLEX_CONSTRUCTION_FIT_INTERFACE_H
 
-#include <CGAL/license/Complex_construction.h>
+#include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <CGAL/Complex_construction/internal/fitting/Missed_volumes.h>
-#include <CGAL/Complex_construction/internal/fitting/labels_at.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
@@ -20,7 +19,6 @@
 #include <CGAL/Origin.h>
 
 #include <cstddef>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {

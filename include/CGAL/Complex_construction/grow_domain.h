@@ -8,9 +8,9 @@
 #ifndef CGAL_COMPLEX_CONSTRUCTION_GROW_DOMAIN_H
 #define CGAL_COMPLEX_CONSTRUCTION_GROW_DOMAIN_H
 
-#include <CGAL/license/Complex_construction.h>
+#include <CGAL/license/Deformable_simplicial_complexes.h>
 
-#include <CGAL/Complex_construction/internal/thin_parts/improve_new_mesh.h>
+#include <CGAL/Complex_construction/refine_thin_parts.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/destinations/Destinations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Domain_box.h>

@@ -8,12 +8,15 @@
 #ifndef CGAL_COMPLEX_CONSTRUCTION_REFINE_THIN_PARTS_H
 #define CGAL_COMPLEX_CONSTRUCTION_REFINE_THIN_PARTS_H
 
-#include <CGAL/license/Complex_construction.h>
+#include <CGAL/license/Deformable_simplicial_complexes.h>
 
+#include <CGAL/Complex_construction/Construction_options.h>
 #include <CGAL/Complex_construction/Thin_part_options.h>
 #include <CGAL/Complex_construction/internal/thin_parts/Thickness.h>
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver.h>
 #include <CGAL/Interface_remeshing/refine_cells.h>
+#include <CGAL/Mesh_support/For_each_index.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <algorithm>
@@ -132,6 +135,25 @@ Thin_part_report refine_thin_parts(Complex& complex,
     complex.measure_interface_edges();
   return report;
 }
+
+namespace internal {
+
+// Resolves thin parts of a mesh that was just made, improves it, and sorts its storage.
+template <class Complex>
+void improve_new_mesh(Complex& dsc, const Construction_options<Complex::dimension>& options) {
+  if constexpr (Complex::Domain::has_outside)
+    refine_thin_parts(dsc, options.thin_parts);
+  const Progress_phase phase("improving the mesh");
+  if (options.improve) {
+    Any_visitor<Complex> visitor;
+    const For_each_index sequential;
+    Mesh_improver<Complex> improver(dsc, visitor, options.quality_threshold, sequential);
+    improver.improve_all(options.quality_threshold, options.number_of_iterations, 0);
+  }
+  dsc.sort_storage();
+}
+
+} // namespace internal
 
 } // namespace CGAL::Deformable_simplicial_complexes
 

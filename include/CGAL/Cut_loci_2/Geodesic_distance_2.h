@@ -8,7 +8,7 @@
 #ifndef CGAL_CUT_LOCI_2_GEODESIC_DISTANCE_2_H
 #define CGAL_CUT_LOCI_2_GEODESIC_DISTANCE_2_H
 
-#include <CGAL/license/Cut_loci_2.h>
+#include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <CGAL/Cut_loci_2/Geodesic_front_2.h>
 #include <CGAL/Cut_loci_2/internal/geodesics/directions.h>
@@ -63,45 +63,34 @@ public:
             Pair(state[2], state[3])};
   }
 
-  // Returns the geodesics `known` and further geodesics to a point, sorted by length. They include
-  // the `number` shortest ones. Newton's method finds them from geodesics that come near the point.
-  std::vector<Geodesic> geodesics_to(const Point& p, std::size_t number,
-                                     std::vector<Geodesic> known) const {
-    static constexpr double similar = .05, inexact = 2; // radians, steps
-    const auto is_shorter = [](const Geodesic& a, const Geodesic& b) {
-      return a.length < b.length;
-    };
+  // Returns the length of the shortest geodesic to a point; infinity if none comes near it.
+  double shortest_to(const Point& p) const {
+    static constexpr double similar = .05, same = 1e-3, inexact = 2; // radians, radians, steps
+    double result = std::numeric_limits<double>::infinity();
+    std::vector<Geodesic> known; // equal geodesics meet everywhere
     for (const Arrival* a : arrivals_near(p)) {
       const Geodesic g = corrected(*a, p);
-      if (is_farther(a->geodesic, g) ||
-          (known.size() >= number &&
-           g.length > known[number - 1].length + inexact * m_front.step()))
+      if (is_farther(a->geodesic, g) || g.length > result + inexact * m_front.step())
         continue;
       if (std::any_of(known.begin(), known.end(), [&](const Geodesic& k) {
             return std::abs(turn(k.angle, g.angle)) < similar;
           }))
         continue;
       const auto found = geodesic_to(p, g);
-      if (found && std::all_of(known.begin(), known.end(),
-                               [&](const Geodesic& k) { return are_distinct(k, *found); }))
-        known.insert(std::upper_bound(known.begin(), known.end(), *found, is_shorter), *found);
+      if (found && std::all_of(known.begin(), known.end(), [&](const Geodesic& k) {
+            return std::abs(turn(k.angle, found->angle)) > same;
+          })) {
+        known.push_back(*found);
+        result = (std::min)(result, found->length);
+      }
     }
-    return known;
+    return result;
   }
 
-  // Returns the position of a state, in the copy of the torus that is nearest to p.
-  Point near(const Point& p, const typename Front::State& state) const {
-    return m_front.complex().domain().near(p, Point(state[0], state[1]));
-  }
+  // Returns the vector from a point to a state, in the copy of the torus that is nearest.
   Pair miss(const Point& p, const typename Front::State& state) const {
-    const Point q = near(p, state);
+    const Point q = m_front.complex().domain().near(p, Point(state[0], state[1]));
     return Pair(q.x() - p.x(), q.y() - p.y());
-  }
-
-  // Returns whether two geodesics differ. Equal geodesics meet everywhere.
-  static bool are_distinct(const Geodesic& a, const Geodesic& b) {
-    static constexpr double same = 1e-3; // in radians
-    return std::abs(turn(a.angle, b.angle)) > same;
   }
 
   // Returns whether a step of Newton's method is too long to be trusted.
@@ -111,10 +100,6 @@ public:
              to.length < 2 * from.length);
   }
 
-protected:
-  const Front& m_front;
-
-public:
   // Returns the geodesic to a point that Newton's method finds from the geodesic `start`.
   std::optional<Geodesic> geodesic_to(const Point& p, const Geodesic& start) const {
     static constexpr int iterations = 30; // many, because convergence is slow at conjugate points
@@ -186,6 +171,7 @@ private:
     return {a.geodesic.angle - step[0], a.geodesic.length - length * step[1]};
   }
 
+  const Front& m_front;
   std::map<Square, std::vector<Arrival>> m_arrivals;
 };
 
@@ -253,8 +239,7 @@ public:
     if (straight.length < near * spacing)
       if (const auto found = m_finder.geodesic_to(p, {straight.angle, straight.length}))
         return found->length;
-    const auto geodesics = m_finder.geodesics_to(p, 1, {});
-    return geodesics.empty() ? std::numeric_limits<double>::infinity() : geodesics[0].length;
+    return m_finder.shortest_to(p);
   }
 
   /// Returns the front.

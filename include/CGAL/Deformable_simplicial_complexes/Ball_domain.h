@@ -138,14 +138,7 @@ template <class Complex> void Ball_domain::classify_boundary(const Complex& comp
     for (Vertex_handle v : hull.back())
       box.add(complex.position(v));
   }
-  const auto sides = [&](Vertex_handle v) {
-    Boundary_class::Bits bits = Boundary_class::inside;
-    for (int axis = 0; axis < d; ++axis) {
-      bits |= complex.position(v)[axis] == box.lower(axis) ? 1 << (2 * axis) : 0;
-      bits |= complex.position(v)[axis] == box.upper(axis) ? 2 << (2 * axis) : 0;
-    }
-    return bits;
-  };
+  const auto sides = [&](Vertex_handle v) { return box.sides(complex.position(v)); };
   const bool is_box = std::all_of(hull.begin(), hull.end(), [&](const auto& f) {
     unsigned common = sides(f[0]);
     for (Vertex_handle v : f)

@@ -15,7 +15,6 @@
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_flip_2.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_removal_3.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/operations/Facet_normals.h>
 #include <CGAL/Deformable_simplicial_complexes/multi_face_removal_3.h>
 #include <CGAL/Deformable_simplicial_complexes/relabeling.h>
 

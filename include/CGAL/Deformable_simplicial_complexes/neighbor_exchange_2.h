@@ -28,6 +28,67 @@
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 
+// The sides of a polygon of cells, counterclockwise, numbered cyclically: any number is valid.
+template <class Complex> class Polygon_sides
+{
+public:
+  using Cell_handle = typename Complex::Cell_handle;
+  using Index = typename Cavity<Complex>::Index;
+
+  struct Side
+  {
+    typename Complex::Vertex_handle from, to;
+    Cell_handle cell; // inside
+  };
+
+  std::size_t size() const { return m_sides.size(); }
+  const Side& operator[](std::size_t k) const { return m_sides[k % m_sides.size()]; }
+  auto begin() const { return m_sides.begin(); }
+  auto end() const { return m_sides.end(); }
+
+  // Adds the side of a cell that is opposite to the vertex i.
+  void add(Cell_handle c, int i) {
+    m_sides.push_back({c->vertex((i + 1) % 3), c->vertex((i + 2) % 3), c});
+  }
+
+  // Connects sides with a vertex.
+  void connect(Cavity<Complex>& cavity, std::size_t first, std::size_t last, Index apex) const {
+    for (std::size_t k = first; k < last; ++k)
+      cavity.create(triangle(cavity, k, apex), (*this)[k].cell);
+  }
+
+  // Connects the first ones of some sides with the vertex `one`, and the others with the vertex
+  // `other`, so that the worst quality is best.
+  void divide(Cavity<Complex>& cavity, std::size_t first, std::size_t last, Index one,
+              Index other) const {
+    const auto between = [&](std::size_t k) -> typename Cavity<Complex>::Indices {
+      return {one, cavity.add((*this)[k].from), other};
+    };
+    std::size_t best = first;
+    double best_quality = -std::numeric_limits<double>::infinity();
+    for (std::size_t j = first; j <= last; ++j) {
+      double quality = cavity.quality(between(j));
+      for (std::size_t k = first; k < last; ++k)
+        quality = (std::min)(quality, cavity.quality(triangle(cavity, k, k < j ? one : other)));
+      if (quality > best_quality) {
+        best = j;
+        best_quality = quality;
+      }
+    }
+    cavity.create(between(best), (*this)[first].cell);
+    connect(cavity, first, best, one);
+    connect(cavity, best, last, other);
+  }
+
+private:
+  typename Cavity<Complex>::Indices triangle(Cavity<Complex>& cavity, std::size_t k,
+                                             Index apex) const {
+    return {apex, cavity.add((*this)[k].from), cavity.add((*this)[k].to)};
+  }
+
+  std::vector<Side> m_sides;
+};
+
 /*
 Cells around a wall: an edge of the interface from a to b, whose ends are vertices where three
 phases meet. A is on the left of the wall, B on its right, C at a, and D at b.
@@ -96,7 +157,7 @@ public:
   double relative_length() const {
     double sum = 0;
     for (int end = 0; end < 4; ++end)
-      sum += length_of(m_complex.displacement(end < 2 ? m_a : m_b, corner(m_ends[end])));
+      sum += length_of(m_complex.displacement(end < 2 ? m_a : m_b, m_sides[m_ends[end]].from));
     return 4 * length_of(m_complex.displacement(m_a, m_b)) / sum;
   }
 
@@ -120,19 +181,16 @@ public:
                         ? cavity.add(m_complex.exact(to_a), m_b->boundary_class())
                         : cavity.add(m_a, m_complex.exact(to_a)),
                 b = cavity.add(m_b, m_complex.exact(to_b));
-    for (std::size_t k = m_ends[3]; k < m_sides.size(); ++k)
-      create(cavity, k, a);
-    for (std::size_t k = 0; k < m_ends[0]; ++k)
-      create(cavity, k, a);
-    divide(cavity, m_ends[0], m_ends[1], a, b);
-    for (std::size_t k = m_ends[1]; k < m_ends[2]; ++k)
-      create(cavity, k, b);
-    divide(cavity, m_ends[2], m_ends[3], b, a);
+    m_sides.connect(cavity, m_ends[3], m_sides.size(), a);
+    m_sides.connect(cavity, 0, m_ends[0], a);
+    m_sides.divide(cavity, m_ends[0], m_ends[1], a, b);
+    m_sides.connect(cavity, m_ends[1], m_ends[2], b);
+    m_sides.divide(cavity, m_ends[2], m_ends[3], b, a);
     if (!cavity.is_admissible())
       return std::nullopt;
 
     const auto length = [&](const Point& p, std::size_t k) {
-      return length_of(m_complex.position_near(p, corner(k)) - p);
+      return length_of(m_complex.position_near(p, m_sides[k].from) - p);
     };
     const auto tension = [&](const Phase& p, const Phase& q) {
       return p && q && *p != *q ? energy.tension(*p, *q) : 0;
@@ -153,19 +211,10 @@ private:
   using Vector = typename Complex::Approximate_vector;
   using Phase = std::optional<typename Complex::Label>; // empty for the outside of the domain
 
-  // Side of the polygon, counterclockwise, with its inner cell.
-  struct Side
-  {
-    Vertex_handle from, to;
-    Cell_handle cell;
-  };
-
   // Adds the sides opposite to v between two cells around it, counterclockwise.
   void walk(Vertex_handle v, Cell_handle first, Cell_handle last) {
-    for (Cell_handle c = next(v, first); c != last; c = next(v, c)) {
-      const int i = c->index(v);
-      m_sides.push_back({c->vertex((i + 1) % 3), c->vertex((i + 2) % 3), c});
-    }
+    for (Cell_handle c = next(v, first); c != last; c = next(v, c))
+      m_sides.add(c, c->index(v));
     if (v == m_a)
       m_sides_of_a = m_sides.size();
   }
@@ -202,41 +251,10 @@ private:
     return k;
   }
 
-  // Returns the first vertex of side k.
-  Vertex_handle corner(std::size_t k) const { return m_sides[k % m_sides.size()].from; }
-
-  typename Cavity<Complex>::Indices triangle(Cavity<Complex>& cavity, std::size_t k,
-                                             Index apex) const {
-    return {apex, cavity.add(m_sides[k].from), cavity.add(m_sides[k].to)};
-  }
-  void create(Cavity<Complex>& cavity, std::size_t k, Index apex) const {
-    cavity.create(triangle(cavity, k, apex), m_sides[k].cell);
-  }
-
-  // Connects the first sides of a phase at an end of the wall with the vertex `one`, and the others
-  // with the vertex `other`.
-  void divide(Cavity<Complex>& cavity, std::size_t first, std::size_t last, Index one,
-              Index other) const {
-    std::size_t best = first;
-    double best_quality = -std::numeric_limits<double>::infinity();
-    for (std::size_t j = first; j <= last; ++j) {
-      double quality = cavity.quality({one, cavity.add(corner(j)), other});
-      for (std::size_t k = first; k < last; ++k)
-        quality = (std::min)(quality, cavity.quality(triangle(cavity, k, k < j ? one : other)));
-      if (quality > best_quality) {
-        best = j;
-        best_quality = quality;
-      }
-    }
-    cavity.create({one, cavity.add(corner(best)), other}, m_sides[first].cell);
-    for (std::size_t k = first; k < last; ++k)
-      create(cavity, k, k < best ? one : other);
-  }
-
   const Complex& m_complex;
   Vertex_handle m_a, m_b;
   Cell_handle m_cell, m_other;
-  std::vector<Side> m_sides; // from the corner of A opposite to the wall
+  Polygon_sides<Complex> m_sides; // from the corner of A opposite to the wall
   std::size_t m_sides_of_a = 0;
   std::array<std::size_t, 4> m_ends; // ends of the sides in A, C, B and D
   std::array<Phase, 2> m_beyond;     // C and D

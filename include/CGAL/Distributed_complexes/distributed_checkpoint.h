@@ -8,7 +8,7 @@
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_DISTRIBUTED_CHECKPOINT_H
 #define CGAL_DISTRIBUTED_COMPLEXES_DISTRIBUTED_CHECKPOINT_H
 
-#include <CGAL/license/Distributed_complexes.h>
+#include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <CGAL/Distributed_complexes/Communicator.h>
 #include <CGAL/Distributed_complexes/Distributed_complex.h>
@@ -16,7 +16,7 @@
 #include <CGAL/Distributed_complexes/internal/ranks/Piece.h>
 #include <CGAL/Distributed_complexes/internal/ranks/Placement.h>
 #include <CGAL/Mesh_files/internal/checkpoints/checkpoint_file.h>
-#include <CGAL/Mesh_files/internal/text/open_input.h>
+#include <CGAL/Mesh_files/internal/text/files.h>
 #include <CGAL/Mesh_files/replace_file.h>
 #include <CGAL/Mesh_support/coordinates.h>
 

@@ -8,7 +8,7 @@
 #ifndef CGAL_INTERFACE_FLOWS_GRAIN_GROWTH_H
 #define CGAL_INTERFACE_FLOWS_GRAIN_GROWTH_H
 
-#include <CGAL/license/Interface_flows.h>
+#include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
@@ -27,13 +27,11 @@
 #include <CGAL/Origin.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <map>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {

@@ -8,15 +8,41 @@
 #ifndef CGAL_INTERFACE_REMESHING_IMPROVE_INTERFACE_H
 #define CGAL_INTERFACE_REMESHING_IMPROVE_INTERFACE_H
 
-#include <CGAL/license/Interface_remeshing.h>
+#include <CGAL/license/Deformable_simplicial_complexes.h>
 
+#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Interface_remeshing/Interface_improvement_options.h>
-#include <CGAL/Interface_remeshing/internal/remeshing/Interface_improver.h>
+#include <CGAL/Interface_remeshing/internal/remeshing/Interface_remesher.h>
+#include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Mesh_support/named_parameters.h>
 
 namespace CGAL::Deformable_simplicial_complexes {
+namespace internal {
+
+// Implements `improve_interface()`.
+template <class Complex>
+Improvement_report remesh_interface(Complex& dsc,
+                                    const Interface_improvement_options<Complex>& options) {
+  options.check();
+  const Progress_phase phase("improving the interface");
+  Any_visitor<Complex> no_visitor;
+  Interface_remesher<Complex> improver(dsc, options.visitor ? *options.visitor : no_visitor,
+                                       options);
+  for (unsigned i = 0; i < options.number_of_iterations; ++i) {
+    if (options.split_junctions)
+      improver.split_junctions();
+    improver.split_long_edges();
+    improver.collapse_short_edges();
+    improver.reconnect();
+    improver.smooth_vertices();
+    improver.improve_cells();
+  }
+  return improver.report();
+}
+
+} // namespace internal
 
 /*!
 \ingroup PkgInterfaceRemeshingRef

@@ -8,16 +8,16 @@
 #ifndef CGAL_INTERFACE_REMESHING_JUNCTION_SPLIT_2_H
 #define CGAL_INTERFACE_REMESHING_JUNCTION_SPLIT_2_H
 
-#include <CGAL/license/Interface_remeshing.h>
+#include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
+#include <CGAL/Deformable_simplicial_complexes/neighbor_exchange_2.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -48,7 +48,7 @@ public:
     Cell_handle c = first;
     do {
       const int i = c->index(v);
-      m_sides.push_back({c->vertex((i + 1) % 3), c->vertex((i + 2) % 3), c});
+      m_sides.add(c, i);
       c = c->neighbor((i + 1) % 3);
     } while (c != first);
     const std::size_t n = m_sides.size();
@@ -89,28 +89,20 @@ public:
           0))
       return false;
     cavity.begin(Proposal_kind::insertion);
-    for (const Side& side : m_sides)
+    for (const auto& side : m_sides)
       cavity.remove(side.cell);
     const Index old_one = cavity.add(m_center),
                 new_one =
                     cavity.add(m_complex.exact(m_complex.position(m_center) + displacement),
                                is_at_side(s) ? m_center->boundary_class() : Boundary_class::inside);
-    divide(cavity, s + number() - 1, old_one, new_one);
-    create(cavity, s, new_one);
-    divide(cavity, s + 1, new_one, old_one);
-    for (std::size_t other = s + 2; other + 1 < s + number(); ++other)
-      create(cavity, other, old_one);
+    m_sides.divide(cavity, begin(s + number() - 1), begin(s + number()), old_one, new_one);
+    m_sides.connect(cavity, begin(s), begin(s + 1), new_one);
+    m_sides.divide(cavity, begin(s + 1), begin(s + 2), new_one, old_one);
+    m_sides.connect(cavity, begin(s + 2), begin(s + number() - 1), old_one);
     return cavity.is_admissible();
   }
 
 private:
-  // Side of the polygon, counterclockwise.
-  struct Side
-  {
-    Vertex_handle from, to;
-    Cell_handle cell;
-  };
-
   using Phase = std::optional<typename Complex::Label>; // empty for the outside of the domain
 
   static double length(const Vector& v) { return std::sqrt(v.squared_length()); }
@@ -122,8 +114,7 @@ private:
     return p && q ? m_energy.tension(*p, *q) : 0;
   }
 
-  // Sectors and sides are numbered cyclically: any number is valid.
-  const Side& side(std::size_t k) const { return m_sides[k % m_sides.size()]; }
+  // Sectors are numbered cyclically, like sides: any number is valid.
   std::size_t begin(std::size_t s) const {
     return m_begins[s % number()] + s / number() * m_sides.size();
   }
@@ -131,7 +122,9 @@ private:
   Phase before(std::size_t s) const { return sector_phase(s + number() - 1); }
   Phase after(std::size_t s) const { return sector_phase(s + 1); }
   bool is_at_side(std::size_t s) const { return !before(s) || !after(s); }
-  Vector to_corner(std::size_t k) const { return m_complex.displacement(m_center, side(k).from); }
+  Vector to_corner(std::size_t k) const {
+    return m_complex.displacement(m_center, m_sides[k].from);
+  }
 
   // Returns the force of the two interface edges that bound a sector, along the side if the sector
   // is at a side.
@@ -146,43 +139,10 @@ private:
     return along * ((result * along) / along.squared_length());
   }
 
-  typename Cavity<Complex>::Indices triangle(Cavity<Complex>& cavity, std::size_t k,
-                                             Index apex) const {
-    return {apex, cavity.add(side(k).from), cavity.add(side(k).to)};
-  }
-
-  void create(Cavity<Complex>& cavity, std::size_t s, Index apex) const {
-    for (std::size_t k = begin(s); k < begin(s + 1); ++k)
-      cavity.create(triangle(cavity, k, apex), side(k).cell);
-  }
-
-  // Connects the first sides of a sector with the vertex `one`, and the others with the vertex
-  // `other`.
-  void divide(Cavity<Complex>& cavity, std::size_t s, Index one, Index other) const {
-    const std::size_t first = begin(s), last = begin(s + 1);
-    const auto between = [&](std::size_t k) -> typename Cavity<Complex>::Indices {
-      return {one, cavity.add(side(k).from), other};
-    };
-    std::size_t best = first;
-    double best_quality = -std::numeric_limits<double>::infinity();
-    for (std::size_t j = first; j <= last; ++j) {
-      double quality = cavity.quality(between(j));
-      for (std::size_t k = first; k < last; ++k)
-        quality = (std::min)(quality, cavity.quality(triangle(cavity, k, k < j ? one : other)));
-      if (quality > best_quality) {
-        best = j;
-        best_quality = quality;
-      }
-    }
-    cavity.create(between(best), side(first).cell);
-    for (std::size_t k = first; k < last; ++k)
-      cavity.create(triangle(cavity, k, k < best ? one : other), side(k).cell);
-  }
-
   const Complex& m_complex;
   const Interface_energy& m_energy;
   Vertex_handle m_center;
-  std::vector<Side> m_sides;
+  Polygon_sides<Complex> m_sides;
   std::vector<std::size_t> m_begins; // first side of each sector
 };
 

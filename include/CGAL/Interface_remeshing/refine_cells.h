@@ -8,7 +8,7 @@
 #ifndef CGAL_INTERFACE_REMESHING_REFINE_CELLS_H
 #define CGAL_INTERFACE_REMESHING_REFINE_CELLS_H
 
-#include <CGAL/license/Interface_remeshing.h>
+#include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
@@ -17,6 +17,7 @@
 #include <CGAL/Deformable_simplicial_complexes/edge_split.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <tuple>
 #include <utility>
@@ -83,6 +84,33 @@ bool split_terminal_edge(Complex& complex, typename Complex::Cell_handle cell,
     return false;
   commit_split(complex, cavity, v, w, visitor, report);
   return true;
+}
+
+// Bisects cells until the edges at a vertex are short enough. Returns the number of splits. Linear
+// in the number of cells at the vertex and at split edges.
+template <class Complex>
+std::size_t refine_around(Complex& complex, typename Complex::Vertex_handle vertex, double longest,
+                          Any_visitor<Complex>& visitor) {
+  static constexpr std::size_t most = 1000; // splits; a hundred halve an edge thirty times
+  const auto is_coarse = [&](typename Complex::Cell_handle c) {
+    if (complex.is_infinite(c))
+      return false;
+    for (int i = 0; i < Complex::corners; ++i)
+      if (Complex::Space::length(complex.displacement(vertex, c->vertex(i))) > longest)
+        return true;
+    return false;
+  };
+  Cavity<Complex> cavity(complex);
+  Improvement_report report;
+  std::vector<typename Complex::Cell_handle> star;
+  while (report.split < most) {
+    star.clear();
+    complex.star(vertex, star);
+    const auto cell = std::find_if(star.begin(), star.end(), is_coarse);
+    if (cell == star.end() || !split_terminal_edge(complex, *cell, cavity, visitor, report))
+      break;
+  }
+  return report.split;
 }
 
 } // namespace internal

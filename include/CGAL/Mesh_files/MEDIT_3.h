@@ -8,7 +8,7 @@
 #ifndef CGAL_MESH_FILES_MEDIT_3_H
 #define CGAL_MESH_FILES_MEDIT_3_H
 
-#include <CGAL/license/Mesh_files.h>
+#include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Interface_remeshing/extract_interface_3.h>
@@ -17,7 +17,6 @@
 #include <CGAL/Mesh_files/internal/grids/Medit_reader.h>
 #include <CGAL/Mesh_files/internal/grids/Written_vertices.h>
 #include <CGAL/Mesh_files/internal/text/files.h>
-#include <CGAL/Mesh_files/internal/text/open_input.h>
 #include <CGAL/Mesh_files/replace_file.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
@@ -172,8 +171,7 @@ void read_MEDIT(std::istream& in, std::vector<Point>& points,
   if (entities != nullptr)
     *entities = std::move(reader.entities());
   if (unused != nullptr)
-    for (const auto& [kind, number] : reader.unused().numbers())
-      unused->add(kind, number);
+    unused->add(reader.unused());
 }
 
 /*!

@@ -8,10 +8,12 @@
 #ifndef CGAL_MESH_FILES_SURFACE_PARTS_H
 #define CGAL_MESH_FILES_SURFACE_PARTS_H
 
-#include <CGAL/license/Mesh_files.h>
+#include <CGAL/license/Deformable_simplicial_complexes.h>
 
-#include <CGAL/Mesh_files/internal/surfaces/equal_points.h>
+#include <CGAL/Mesh_support/internal/sets/equal_points.h>
 #include <CGAL/Triangle_soup_repair/Labeled_surface_3.h>
+
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -54,7 +56,11 @@ struct Edge_of_part
 template <class Point>
 std::vector<Edge_of_part> sorted_edges(const Labeled_surface_3<Point>& surface,
                                        const Surface_parts& parts) {
-  const std::vector<std::size_t> place = first_equal_points_of(surface);
+  std::vector<std::array<double, 3>> coordinates;
+  coordinates.reserve(surface.points.size());
+  for (const Point& p : surface.points)
+    coordinates.push_back({to_double(p.x()), to_double(p.y()), to_double(p.z())});
+  const std::vector<std::size_t> place = first_equal_points(coordinates);
   std::vector<Edge_of_part> result;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i) {

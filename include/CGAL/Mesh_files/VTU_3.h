@@ -8,7 +8,7 @@
 #ifndef CGAL_MESH_FILES_VTU_3_H
 #define CGAL_MESH_FILES_VTU_3_H
 
-#include <CGAL/license/Mesh_files.h>
+#include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Mesh_files/Mesh_arrays.h>
@@ -141,8 +141,7 @@ void read_VTU(const std::string& path, std::vector<Point>& points,
   if (arrays != nullptr)
     *arrays = std::move(read.arrays);
   if (unused != nullptr)
-    for (const auto& [kind, number] : read.unused.numbers())
-      unused->add(kind, number);
+    unused->add(read.unused);
 }
 
 } // namespace CGAL::IO

@@ -8,15 +8,14 @@
 #ifndef CGAL_MESH_FILES_CHECKPOINT_H
 #define CGAL_MESH_FILES_CHECKPOINT_H
 
-#include <CGAL/license/Mesh_files.h>
+#include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <CGAL/Deformable_simplicial_complexes/State.h>
 #include <CGAL/Mesh_files/internal/checkpoints/checkpoint_file.h>
-#include <CGAL/Mesh_files/internal/text/open_input.h>
+#include <CGAL/Mesh_files/internal/text/files.h>
 #include <CGAL/Mesh_files/replace_file.h>
 
 #include <fstream>
-#include <istream>
 #include <ostream>
 #include <sstream>
 #include <string>

@@ -8,7 +8,7 @@
 #ifndef CGAL_MESH_FILES_LABELED_CURVES_2_H
 #define CGAL_MESH_FILES_LABELED_CURVES_2_H
 
-#include <CGAL/license/Mesh_files.h>
+#include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <CGAL/Complex_construction/Labeled_curve_2.h>
 #include <CGAL/Deformable_simplicial_complex_2.h>
@@ -16,7 +16,6 @@
 #include <CGAL/Mesh_files/Unused_content.h>
 #include <CGAL/Mesh_files/internal/curves/read_poly.h>
 #include <CGAL/Mesh_files/internal/curves/read_wkt.h>
-#include <CGAL/Mesh_files/internal/text/files.h>
 #include <CGAL/Mesh_files/replace_file.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -26,7 +25,6 @@
 #include <ostream>
 #include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL::IO {

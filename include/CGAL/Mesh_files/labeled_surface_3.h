@@ -8,7 +8,7 @@
 #ifndef CGAL_MESH_FILES_LABELED_SURFACE_3_H
 #define CGAL_MESH_FILES_LABELED_SURFACE_3_H
 
-#include <CGAL/license/Mesh_files.h>
+#include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Interface_remeshing/extract_interface_3.h>
@@ -17,15 +17,13 @@
 #include <CGAL/Mesh_files/Mesh_arrays.h>
 #include <CGAL/Mesh_files/Surface_parts.h>
 #include <CGAL/Mesh_files/Unused_content.h>
-#include <CGAL/Mesh_files/internal/surfaces/equal_points.h>
 #include <CGAL/Mesh_files/internal/surfaces/read_polygons.h>
 #include <CGAL/Mesh_files/internal/surfaces/surface_sinks.h>
-#include <CGAL/Mesh_files/internal/surfaces/write_parts.h>
 #include <CGAL/Mesh_files/internal/text/File_scanner.h>
 #include <CGAL/Mesh_files/internal/text/files.h>
-#include <CGAL/Mesh_files/internal/text/open_input.h>
 #include <CGAL/Mesh_files/replace_file.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
+#include <CGAL/Mesh_support/internal/sets/equal_points.h>
 #include <CGAL/Triangle_soup_repair/Labeled_surface_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -33,13 +31,17 @@
 #include <CGAL/IO/OFF.h>
 #include <CGAL/IO/PLY.h>
 #include <CGAL/IO/STL.h>
+#include <CGAL/Kernel/global_functions.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <ios>
 #include <limits>
+#include <map>
 #include <ostream>
 #include <string>
 #include <system_error>
@@ -48,6 +50,60 @@
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes::internal {
+
+using Triangles_of_labels = std::map<int, std::vector<std::array<std::size_t, 3>>>;
+
+// Returns the triangles that bound each label other than 0, with normals out of the label.
+// Triangles between two labels are triangles of both.
+template <class Surface> Triangles_of_labels triangles_of_labels(const Surface& surface) {
+  Triangles_of_labels result;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    auto triangle = surface.triangles[t];
+    for (const int label : surface.labels[t]) {
+      if (label != 0)
+        result[label].push_back(triangle);
+      std::swap(triangle[1], triangle[2]);
+    }
+  }
+  return result;
+}
+
+// Returns the name of a part in one line.
+inline std::string part_name(int label, const Label_names& names) {
+  const auto name = names.find(label);
+  std::string result = name == names.end() ? "label " + std::to_string(label) : name->second;
+  std::replace_if(
+      result.begin(), result.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return result;
+}
+
+// Writes a solid for each label as STL text.
+template <class Surface>
+void write_solids(std::ostream& out, const Surface& surface, const Label_names& names) {
+  for (const auto& [label, triangles] : triangles_of_labels(surface)) {
+    out << "solid " << part_name(label, names) << '\n';
+    for (const auto& [a, b, c] : triangles) {
+      const auto &p = surface.points[a], &q = surface.points[b], &r = surface.points[c];
+      using Vector = decltype(q - p);
+      const Vector normal = collinear(p, q, r) ? Vector(1, 0, 0) : unit_normal(p, q, r);
+      out << "facet normal " << normal << "\nouter loop\nvertex " << p << "\nvertex " << q
+          << "\nvertex " << r << "\nendloop\nendfacet\n";
+    }
+    out << "endsolid " << part_name(label, names) << '\n';
+  }
+}
+
+// Writes an object for each label as OBJ.
+template <class Surface>
+void write_objects(std::ostream& out, const Surface& surface, const Label_names& names) {
+  for (const auto& p : surface.points)
+    out << "v " << p << '\n';
+  for (const auto& [label, triangles] : triangles_of_labels(surface)) {
+    out << "o " << part_name(label, names) << '\n';
+    for (const auto& [a, b, c] : triangles)
+      out << "f " << a + 1 << ' ' << b + 1 << ' ' << c + 1 << '\n';
+  }
+}
 
 // Returns the format by the extension of the file.
 inline Surface_format surface_format(const std::string& path) {
@@ -173,9 +229,10 @@ read_labeled_surface(const std::string& path, int label = 1,
   internal::read_polygons(in, format, second_scanner, triangles);
   if (parts)
     *parts = {triangles.parts.names(), std::move(triangles.part_of_triangle)};
-  if (format == internal::Surface_format::stl)
-    internal::merge_equal_points(surface);
-  else if (unused)
+  if (format == internal::Surface_format::stl) {
+    internal::merge_equal_points<3>(surface.points, surface.triangles);
+    surface.points.shrink_to_fit();
+  } else if (unused)
     unused->add("points without polygons", internal::number_of_unused_points(surface));
   return surface;
 }

@@ -8,7 +8,7 @@
 #ifndef CGAL_MESH_FILES_POINT_SET_3_H
 #define CGAL_MESH_FILES_POINT_SET_3_H
 
-#include <CGAL/license/Mesh_files.h>
+#include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <CGAL/Mesh_files/File_error.h>
 #include <CGAL/Mesh_files/Unused_content.h>
@@ -17,7 +17,6 @@
 #include <CGAL/Mesh_files/internal/text/File_scanner.h>
 #include <CGAL/Mesh_files/internal/text/files.h>
 #include <CGAL/Mesh_files/internal/text/number_of_word.h>
-#include <CGAL/Mesh_files/internal/text/open_input.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -28,7 +27,6 @@
 #include <fstream>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 

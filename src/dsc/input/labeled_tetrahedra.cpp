@@ -7,7 +7,7 @@
 #include "input/files.h"
 #include "programs/errors.h"
 
-#include <CGAL/Deformable_simplicial_complexes/internal/parts/separate_touching_cells.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/parts/assign_part.h>
 #include <CGAL/Mesh_files/MEDIT_3.h>
 #include <CGAL/Mesh_files/VTU_3.h>
 

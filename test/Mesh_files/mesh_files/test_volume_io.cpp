@@ -11,7 +11,7 @@
 #include <CGAL/Mesh_files/Mesh_entities.h>
 #include <CGAL/Mesh_files/Unused_content.h>
 #include <CGAL/Mesh_files/VTU_3.h>
-#include <CGAL/Mesh_files/internal/text/base64.h>
+#include <CGAL/Mesh_files/internal/grids/Vtu_reader.h>
 
 namespace test_volume_io {
 

@@ -12,7 +12,7 @@
 #include <CGAL/Complex_construction/Tetrahedralization_3.h>
 #include <CGAL/Complex_construction/internal/building/label_cells.h>
 #include <CGAL/Complex_construction/internal/thin_parts/Thickness.h>
-#include <CGAL/Complex_construction/internal/thin_parts/improve_new_mesh.h>
+#include <CGAL/Complex_construction/refine_thin_parts.h>
 #include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/Progress_scope.h>

@@ -22,7 +22,6 @@
 #include <cstdint>
 #include <new>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #define CGAL_DSC_TEMPLATE template <class Derived, class Space, class Quality, class Domain>

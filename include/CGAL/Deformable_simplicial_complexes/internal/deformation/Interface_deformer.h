@@ -29,18 +29,34 @@
 #include <CGAL/Mesh_support/For_each_index.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Mesh_support/coordinates.h>
-#include <CGAL/Mesh_support/internal/threads/Stopwatch.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <limits>
-#include <optional>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
+
+// A clock that measures wall-clock time in seconds, from lap to lap.
+class Stopwatch
+{
+public:
+  // Adds the seconds since the last lap, or since construction.
+  void lap(double& seconds) {
+    const Clock::time_point now = Clock::now();
+    seconds += std::chrono::duration<double>(now - m_start).count();
+    m_start = now;
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  Clock::time_point m_start = Clock::now();
+};
 
 // A vertex of the interface with a destination in a motion that began earlier.
 template <class Complex> struct Moved_vertex

@@ -12,9 +12,9 @@
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
+#include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Failure_memory.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Label_totals.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/deformation/deform.h>
 #include <CGAL/Deformable_simplicial_complexes/quality_measures.h>
 #include <CGAL/Distributed_complexes/Distributed_report.h>
 #include <CGAL/Distributed_complexes/internal/motion/Distributed_motion.h>

@@ -18,7 +18,6 @@
 #include <CGAL/Deformable_simplicial_complexes/State.h>
 #include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parts/assign_part.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/parts/separate_touching_cells.h>
 #include <CGAL/Distributed_complexes/Distributed_report.h>
 #include <CGAL/Distributed_complexes/Part_domain.h>
 #include <CGAL/Mesh_support/coordinates.h>
@@ -28,7 +27,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <functional>
 #include <utility>
 #include <vector>

@@ -71,10 +71,7 @@ public:
       vertices[v].id = cells.ids[v];
       vertices[v].owner = owners[v];
       vertices[v].point = coordinates_of<d>(cells.points[v]);
-      for (int k = 0; k < d; ++k) {
-        vertices[v].boundary_class |= vertices[v].point[k] == m_box.lower(k) ? 1 << (2 * k) : 0;
-        vertices[v].boundary_class |= vertices[v].point[k] == m_box.upper(k) ? 2 << (2 * k) : 0;
-      }
+      vertices[v].boundary_class = m_box.sides(vertices[v].point);
       next = (std::max)(next, std::int64_t(cells.ids[v]) + 1);
     }
     m_mesh.next_id = Global_id(communicator.reduced(Communicator::Operation::maximum, next));

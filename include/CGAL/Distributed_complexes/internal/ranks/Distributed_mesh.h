@@ -26,7 +26,6 @@
 #include <cstring>
 #include <map>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {

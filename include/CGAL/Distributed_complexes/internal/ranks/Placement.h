@@ -14,7 +14,6 @@
 #include <CGAL/Mesh_support/Error.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <unordered_map>

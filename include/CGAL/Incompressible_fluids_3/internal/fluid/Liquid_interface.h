@@ -14,7 +14,6 @@
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
 #include <CGAL/Interface_remeshing/Volume_changer.h>
 
-#include <cmath>
 #include <cstddef>
 #include <map>
 #include <vector>

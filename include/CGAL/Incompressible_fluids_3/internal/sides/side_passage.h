@@ -13,7 +13,6 @@
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/cell_element.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
-#include <CGAL/Incompressible_fluids_3/internal/mesh/slip_changes.h>
 #include <CGAL/Incompressible_fluids_3/internal/sides/Open_sides.h>
 #include <CGAL/Incompressible_fluids_3/internal/sides/side_velocities.h>
 
@@ -28,6 +27,79 @@
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
+
+// A change of a velocity of a mesh, interpolated linearly in one of the simplices at the vertex:
+// the one in which the least coordinate of the shift of the vertex is largest.
+struct Velocity_change
+{
+  std::size_t vertex = 0;
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
+  double least = -std::numeric_limits<double>::infinity();
+
+  // Considers a simplex. The columns are edges from the vertex, and differences of velocities.
+  template <class Columns>
+  void consider(const Columns& edges, const Columns& differences, const Eigen::Vector3d& shift) {
+    using Coordinates = Eigen::Matrix<double, Columns::ColsAtCompileTime, 1>;
+    // The coordinates of the shift in the simplex, which minimize the distance to it.
+    const Coordinates coordinates =
+        (edges.transpose() * edges).ldlt().solve(edges.transpose() * shift);
+    if (!coordinates.allFinite() || !(coordinates.minCoeff() > least))
+      return;
+    least = coordinates.minCoeff();
+    const Coordinates inside = coordinates.cwiseMax(0.);
+    velocity = differences * inside / (std::max)(1., inside.sum());
+  }
+};
+
+/*
+Returns the changes of velocities where two liquids slip along each other. The vertex moves with
+neither of them, so at the end of a step of length dt, it meets other particles than before. The
+velocity of each liquid is interpolated on the interface, in the facet from which the particles
+come. So the change is stable if no liquid slips by more than an edge in a step.
+
+`moving` are the velocities with which the liquids move in the step, and `velocities` are those at
+its end. `positions` are the positions at the end.
+*/
+template <class Mesh>
+std::vector<Velocity_change> changes_by_slip(const Mesh& mesh, const Vectors_3& positions,
+                                             const Vectors_3& moving, const Vectors_3& velocities,
+                                             double dt) {
+  using Index = typename Mesh::Index;
+  std::vector<Velocity_change> result;
+  if (mesh.slips.empty())
+    return result;
+  // The other corners of the facets around each vertex, by the first occurrences of vertices.
+  static constexpr int others = Mesh::dimension - 1;
+  std::vector<std::vector<std::array<Index, others>>> around(mesh.number_of_vertices());
+  for (const auto& facet : mesh.facets)
+    for (std::size_t i = 0; i < Mesh::dimension; ++i) {
+      auto& corners = around[facet.vertices[i]].emplace_back();
+      for (std::size_t k = 0; k < others; ++k)
+        corners[k] = facet.vertices[(i + k + 1) % Mesh::dimension];
+    }
+  const Vectors_3 common = mesh.common(moving);
+  for (const auto& slip : mesh.slips)
+    for (Index v : {slip.first, slip.second}) {
+      const Eigen::Vector3d shift = dt * (common[v] - moving[v]);
+      if (shift.isZero(0))
+        continue;
+      Velocity_change change;
+      change.vertex = v;
+      for (const auto& corners : around[slip.first]) {
+        Eigen::Matrix<double, 3, others> edges, differences;
+        for (int k = 0; k < others; ++k) {
+          const Index corner = corners[std::size_t(k)];
+          const auto ends = mesh.corners_at(std::array<Index, 2>{slip.first, corner}, positions);
+          edges.col(k) = ends[1] - ends[0];
+          differences.col(k) = velocities[mesh.occurrence(corner, *mesh.labels[v])] - velocities[v];
+        }
+        change.consider(edges, differences, shift);
+      }
+      if (change.velocity.allFinite())
+        result.push_back(change);
+    }
+  return result;
+}
 
 // The volumes that cells gain in a unit of time through sides of the domain: their corners at
 // inlets and on open sides do not move with the liquid.
@@ -202,7 +274,6 @@ std::vector<Velocity_change> changes_by_shifts(const Mesh& mesh, const Vectors_3
                                                const Vectors_3& shifts,
                                                const Vectors_3& velocities) {
   static constexpr int others = Mesh::corners - 1;
-  std::vector<double> best(moved.size(), -std::numeric_limits<double>::infinity());
   std::vector<Velocity_change> of_vertices(moved.size());
   for (const auto& cell : mesh.cells)
     for (std::size_t i = 0; i < Mesh::corners; ++i) {
@@ -215,19 +286,13 @@ std::vector<Velocity_change> changes_by_shifts(const Mesh& mesh, const Vectors_3
         edges.col(k) = moved[corner] - moved[v];
         differences.col(k) = velocities[corner] - velocities[v];
       }
-      const Eigen::Matrix<double, others, 1> coordinates =
-          (edges.transpose() * edges).ldlt().solve(edges.transpose() * shifts[v]);
-      const double least = coordinates.minCoeff();
-      if (!coordinates.allFinite() || !(least > best[v]))
-        continue;
-      best[v] = least;
-      const Eigen::Matrix<double, others, 1> inside = coordinates.cwiseMax(0.);
-      of_vertices[v] = {v, differences * inside / (std::max)(1., inside.sum())};
+      of_vertices[v].vertex = v;
+      of_vertices[v].consider(edges, differences, shifts[v]);
     }
   std::vector<Velocity_change> result;
-  for (std::size_t v = 0; v < moved.size(); ++v)
-    if (best[v] > -std::numeric_limits<double>::infinity() && of_vertices[v].velocity.allFinite())
-      result.push_back(of_vertices[v]);
+  for (const Velocity_change& change : of_vertices)
+    if (std::isfinite(change.least) && change.velocity.allFinite())
+      result.push_back(change);
   return result;
 }
 

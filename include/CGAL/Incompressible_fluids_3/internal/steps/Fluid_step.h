@@ -13,7 +13,6 @@
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Component_momenta.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Gas_components.h>
-#include <CGAL/Incompressible_fluids_3/internal/mesh/slip_changes.h>
 #include <CGAL/Incompressible_fluids_3/internal/sides/Open_sides.h>
 #include <CGAL/Incompressible_fluids_3/internal/sides/side_passage.h>
 #include <CGAL/Incompressible_fluids_3/internal/sides/side_velocities.h>
@@ -34,7 +33,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <string>

@@ -8,7 +8,7 @@
 #ifndef CGAL_INTERFACE_FLOWS_INTERNAL_CORNERS_OPENED_CORNERS_2_H
 #define CGAL_INTERFACE_FLOWS_INTERNAL_CORNERS_OPENED_CORNERS_2_H
 
-#include <CGAL/license/Interface_flows.h>
+#include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
@@ -17,7 +17,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_split.h>
-#include <CGAL/Interface_flows/internal/corners/refine_around.h>
+#include <CGAL/Interface_remeshing/refine_cells.h>
 
 #include <algorithm>
 #include <array>

@@ -21,7 +21,6 @@
 #include <cstddef>
 #include <limits>
 #include <set>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {

@@ -13,22 +13,30 @@
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
+#include <CGAL/Deformable_simplicial_complexes/edge_removal_3.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_split.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/destinations/Interface_tolerance.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_operations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Changed_facets.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_fan.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/operations/triangle_quality.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 #include <CGAL/Interface_remeshing/Edge_unit.h>
 #include <CGAL/Interface_remeshing/Interface_improvement_options.h>
+#include <CGAL/Interface_remeshing/internal/interface/curved_midpoint.h>
 #include <CGAL/Interface_remeshing/internal/remeshing/Failed_collapses.h>
+#include <CGAL/Interface_remeshing/junction_split_2.h>
+#include <CGAL/Interface_remeshing/null_space_smoothing_3.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -36,7 +44,7 @@
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
-// The passes of improve_interface() that do not depend on the dimension.
+// The passes of improve_interface().
 template <class Complex> class Interface_remesher
 {
 public:
@@ -107,7 +115,31 @@ public:
     m_touched.clear();
   }
 
-protected:
+  // Replaces interface facets without moving vertices: flips edges between facets, and removes
+  // small facet angles. The vertices of a curve can be connected in one way only.
+  void reconnect() {
+    if constexpr (Complex::dimension == 3) {
+      flip_edges();
+      remove_small_angles();
+    }
+  }
+
+  // Splits each junction of more than three phases into several junctions of three. There is no
+  // such operation in space.
+  void split_junctions() {
+    if constexpr (Complex::dimension == 2)
+      for (auto v : m_complex.interface_vertices()) {
+        Progress_scope::check();
+        while (propose_junction_split(m_complex, v, m_cavity, m_options.interface_energy)) {
+          commit();
+          const auto other = m_cavity.vertices().back().handle;
+          for (auto junction : {v, other})
+            junction->set_spacing(float(m_complex.interface_edge_length(junction)));
+        }
+      }
+  }
+
+private:
   static double radians(double degrees) { return degrees * (CGAL_PI / 180); }
 
   // Returns the cells behind the interface facets.
@@ -163,7 +195,70 @@ protected:
     return true;
   }
 
-private:
+  void flip_edges() {
+    for_each_interface_edge([&](Cell_handle c, int i, int j) {
+      const Interface_edge_3<Complex> edge(m_complex, c, i, j);
+      return edge.is_in_sheet() && edge.violates_delaunay_criterion() &&
+             edge.bend() < radians(m_options.flip_angle) &&
+             propose_interface_edge_flip(m_complex, c, i, j, m_cavity,
+                                         m_options.quality_threshold) &&
+             m_tolerance.allows(m_cavity) && commit();
+    });
+  }
+
+  // Removes small angles of facets. An edge of the facet is flipped or collapsed, whichever sweeps
+  // the smaller volume, if this improves the worst of the changed facets.
+  void remove_small_angles() {
+    work_in_rounds(m_complex, cells_at_interface(), 1, [&](Cell_handle c, Work_list<Cell_handle>&) {
+      for (int k = 0; k < 4; ++k)
+        if (m_complex.is_interface(typename Complex::Facet(c, k)) && has_small_angle(c, k) &&
+            remove_small_angle(c, k))
+          return;
+    });
+  }
+
+  bool has_small_angle(Cell_handle c, int k) const {
+    const auto v = m_complex.facet_vertices({c, k});
+    const auto p = m_complex.position(v[0]);
+    return smallest_angle(std::array<typename Complex::Approximate_point_3, 3>{
+               p, m_complex.position_near(p, v[1]), m_complex.position_near(p, v[2])}) <
+           radians(m_options.minimum_facet_angle);
+  }
+
+  bool remove_small_angle(Cell_handle c, int k) {
+    Cavity<Complex> best(m_complex);
+    double least = std::numeric_limits<double>::infinity();
+    const auto consider = [&](const std::optional<Changed_facets>& change) {
+      if (!change || !(change->worst_after > change->worst_before) ||
+          !(change->swept_volume < least))
+        return;
+      least = change->swept_volume;
+      std::swap(best, m_cavity);
+    };
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j)
+        if (i != j && i != k && j != k) {
+          consider(propose_collapse(c, i, j));
+          if (i < j)
+            consider(propose_flip(c, i, j));
+        }
+    std::swap(best, m_cavity);
+    return least < std::numeric_limits<double>::infinity() && commit();
+  }
+
+  std::optional<Changed_facets> propose_flip(Cell_handle c, int i, int j) {
+    if (m_complex.has_constrained_end(c, i, j))
+      return std::nullopt;
+    const Interface_edge_3<Complex> edge(m_complex, c, i, j);
+    if (!edge.is_in_sheet() || edge.bend() > radians(m_options.feature_angle))
+      return std::nullopt;
+    const auto change = facets_changed_by_flip(edge);
+    if (!is_small(change, c, i, j) || !propose_interface_edge_flip(m_complex, c, i, j, m_cavity) ||
+        !m_tolerance.allows(m_cavity))
+      return std::nullopt;
+    return change;
+  }
+
   // Returns the fan of a vertex, and stores the star of the vertex in `m_star`.
   Fan fan(Vertex_handle v) {
     m_complex.star(v, m_star);
@@ -265,7 +360,6 @@ private:
       m_touched.push(c);
   }
 
-protected:
   Complex& m_complex;
   Any_visitor<Complex>& m_visitor;
   const Interface_improvement_options<Complex>& m_options;

@@ -143,11 +143,7 @@ template <class Point> class Wkt_reader
 public:
   using Curve = Labeled_curve_2<Point>;
 
-  explicit Wkt_reader(const std::string& path) : m_path(path), m_text(file_contents(path)) {
-    static constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
-    if (std::string_view(m_text).substr(0, byte_order_mark.size()) == byte_order_mark)
-      m_position = byte_order_mark.size();
-  }
+  explicit Wkt_reader(const std::string& path) : m_path(path), m_text(file_contents(path)) {}
 
   std::vector<Curve> read() {
     while (!is_at_end()) {

@@ -12,7 +12,6 @@
 #include <CGAL/Mesh_files/Mesh_arrays.h>
 #include <CGAL/Mesh_files/internal/grids/Vtu_document.h>
 #include <CGAL/Mesh_files/internal/grids/Written_vertices.h>
-#include <CGAL/Mesh_files/internal/text/files.h>
 #include <CGAL/Mesh_files/replace_file.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 

@@ -22,19 +22,7 @@ namespace CGAL::Deformable_simplicial_complexes::internal {
 inline std::string xml_escaped(const std::string& text) {
   std::string result;
   for (char c : text)
-    switch (c) {
-    case '&':
-      result += "&amp;";
-      break;
-    case '<':
-      result += "&lt;";
-      break;
-    case '"':
-      result += "&quot;";
-      break;
-    default:
-      result += c;
-    }
+    result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
   return result;
 }
 

@@ -9,22 +9,102 @@
 #define CGAL_MESH_FILES_INTERNAL_TEXT_FILES_H
 
 #include <CGAL/Mesh_files/File_error.h>
-#include <CGAL/Mesh_files/internal/text/open_input.h>
-#include <CGAL/Mesh_support/Progress_scope.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <ios>
-#include <locale>
-#include <ostream>
 #include <string>
 #include <string_view>
 #include <system_error>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
+
+// The bytes that some editors write at the beginning of UTF-8 text.
+inline constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+
+// Removes the byte order mark from the beginning of a text.
+inline void remove_byte_order_mark(std::string& text) {
+  if (text.compare(0, byte_order_mark.size(), byte_order_mark) == 0)
+    text.erase(0, byte_order_mark.size());
+}
+
+// The first bytes of a format, the file extension, and the name of the format.
+struct File_signature
+{
+  std::string_view bytes;
+  std::string_view extension; // empty for unsupported formats
+  const char* kind;           // and for unsupported formats, what to do
+};
+
+// Returns the format with these first bytes of a file; null if it is unknown.
+inline const File_signature* find_signature(std::string_view begin) {
+  static constexpr File_signature signatures[] = {
+      {"\x1f\x8b", "", "compressed with gzip; decompress it with gunzip"},
+      {"BZh", "", "compressed with bzip2; decompress it with bunzip2"},
+      {"\xfd\x37zXZ", "", "compressed with xz; decompress it with unxz"},
+      {"\x28\xb5\x2f\xfd", "", "compressed with zstd; decompress it with unzstd"},
+      {"PK\x03\x04", "", "a zip archive; unpack it"},
+      {"\xff\xfe", "", "text in UTF-16; save it in UTF-8"},
+      {"\xfe\xff", "", "text in UTF-16; save it in UTF-8"},
+      {"$MeshFormat", "", "a Gmsh mesh; export it from Gmsh in another format, such as .mesh"},
+      {"# vtk DataFile", "", "a legacy VTK file; write it as .vtu"},
+      {"\x89HDF", "", "an HDF5 file; write another format"},
+      {"glTF", "", "a binary glTF file; write a surface as .ply or .obj"},
+      {"ply\n", ".ply", "a PLY file"},
+      {"ply\r", ".ply", "a PLY file"},
+      {"OFF", ".off", "an OFF file"},
+      {"solid ", ".stl", "an STL file"},
+      {"MeshVersionFormatted", ".mesh", "a MEDIT mesh"},
+      {"#INRIMAGE-4", ".inr", "an INR image"},
+      {"\x89PNG", ".png", "a PNG image"}};
+  for (const File_signature& signature : signatures)
+    if (begin.compare(0, signature.bytes.size(), signature.bytes) == 0)
+      return &signature;
+  return nullptr;
+}
+
+// Opens a file of the format with the given extension, such as ".off".
+//
+// Throws File_error if there is no regular file that can be read, if it is empty, or if its first
+// bytes belong to another format. A byte order mark is not skipped.
+inline std::ifstream open_input(const std::string& path, std::string_view extension) {
+  const auto fail = [&](const std::string& what) { throw File_error(path + " " + what, path); };
+  const auto cannot_open = [&](const char* what) {
+    throw File_error("cannot open " + path + ": " + what, path);
+  };
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (status.type() == std::filesystem::file_type::not_found)
+    cannot_open("it does not exist; check the name");
+  if (std::filesystem::is_directory(status))
+    cannot_open("it is a folder; name a file in it");
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    cannot_open("it is not a regular file; copy its content into a regular file");
+  std::ifstream in(path, std::ios::binary);
+  if (!in)
+    cannot_open("check its permissions");
+
+  constexpr std::size_t longest_signature = 32;
+  std::string begin(longest_signature, '\0');
+  in.read(&begin[0], static_cast<std::streamsize>(begin.size()));
+  begin.resize(static_cast<std::size_t>(in.gcount()));
+  if (begin.empty())
+    fail("is empty; write it again");
+  remove_byte_order_mark(begin);
+  const File_signature* const signature = find_signature(begin);
+  if (signature && (signature->extension.empty() || signature->extension != extension)) {
+    const bool has_its_name = std::filesystem::path(path).extension() == signature->extension;
+    fail(std::string("is ") + signature->kind +
+         (signature->extension.empty() ? std::string()
+          : has_its_name ? "; choose a file with the extension " + std::string(extension)
+                         : "; rename it to " + std::string(signature->extension)));
+  }
+  in.clear();
+  in.seekg(0);
+  return in;
+}
 
 // Returns a word of a file in quotes, shortened, for a message of one line.
 inline std::string in_quotes(std::string_view text) {

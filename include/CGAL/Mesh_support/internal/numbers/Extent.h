@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <limits>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
@@ -52,6 +53,16 @@ public:
     for (int axis = 0; axis < d; ++axis)
       result[axis] = side > 0 ? (p[axis] - m_lower[axis]) / side : 0;
     return result;
+  }
+
+  // Returns the sides of the box that a point lies on, as the bits of a `Boundary_class`.
+  template <class Point> std::uint8_t sides(const Point& p) const {
+    int bits = 0;
+    for (int axis = 0; axis < d; ++axis) {
+      bits |= p[axis] == m_lower[axis] ? 1 << (2 * axis) : 0;
+      bits |= p[axis] == m_upper[axis] ? 2 << (2 * axis) : 0;
+    }
+    return std::uint8_t(bits);
   }
 
   double lower(int axis) const { return m_lower[axis]; }

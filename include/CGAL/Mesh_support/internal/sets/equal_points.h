@@ -38,14 +38,14 @@ std::vector<std::size_t> first_equal_points(const std::vector<std::array<double,
 
 // Merges equal points of cells: cells refer to the first one, and the others are removed. Does
 // nothing if a coordinate is not finite or an index does not exist.
-template <class Point, std::size_t n>
+template <std::size_t d, class Point, std::size_t n>
 void merge_equal_points(std::vector<Point>& points,
                         std::vector<std::array<std::size_t, n>>& cells) {
-  std::vector<std::array<double, n - 1>> coordinates;
+  std::vector<std::array<double, d>> coordinates;
   coordinates.reserve(points.size());
   for (const Point& p : points) {
     auto& x = coordinates.emplace_back();
-    for (int axis = 0; axis < int(n) - 1; ++axis)
+    for (int axis = 0; axis < int(d); ++axis)
       x[axis] = to_double(p[axis]);
     if (!has_finite_coordinates(x))
       return;
