@@ -189,9 +189,12 @@ class Header:
     def __init__(self, path):
         parts = path.relative_to(INCLUDE).parts
         self.name = "/".join(parts)
-        self.is_license = parts[0] == "license"  # of all packages
-        self.package = (parts[0] if len(parts) > 1 and not self.is_license else
-                        PACKAGE_OF_TOP_HEADER.get(self.name, KERNEL))
+        self.is_license = parts[0] == "license"  # license/PACKAGE.h
+        if self.is_license:
+            self.package = path.stem
+        else:
+            self.package = (parts[0] if len(parts) > 1 else
+                            PACKAGE_OF_TOP_HEADER.get(self.name, KERNEL))
         self.is_internal = "internal" in parts
         after = parts[parts.index("internal") + 1:] if self.is_internal else ()
         self.module = after[0] if len(after) > 1 else None
@@ -222,14 +225,12 @@ def read_headers():
 
 def broken_by(h, other):
     """Yields a line for each rule that the include of another header breaks."""
-    if other.is_license:
-        return
     if other.package != h.package:
         if other.package not in PACKAGES[h.package]:
             yield f"{h.name} includes {other.name} of a package that it must not use"
         if not other.is_open:
             yield f"{h.name} includes {other.name}, which is internal to its package"
-    elif h.package == KERNEL and not h.is_license:
+    elif h.package == KERNEL and not h.is_license and not other.is_license:
         if other.part() and PARTS.index(other.part()) > PARTS.index(h.part()):
             yield f"{h.name}, part {h.part()}, includes {other.name}, part {other.part()}"
     if other.package == h.package and h.is_internal and other.is_internal:

@@ -8,7 +8,7 @@
 #ifndef CGAL_TETGEN_TETRAHEDRALIZER_3_H
 #define CGAL_TETGEN_TETRAHEDRALIZER_3_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Complex_construction.h>
 
 #include <CGAL/Complex_construction/Tetrahedralization_3.h>
 

@@ -8,7 +8,7 @@
 #ifndef CGAL_COMPLEX_CONSTRUCTION_LABELED_CURVE_2_H
 #define CGAL_COMPLEX_CONSTRUCTION_LABELED_CURVE_2_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Complex_construction.h>
 
 #include <CGAL/Polygon_with_holes_2.h>
 

@@ -8,7 +8,7 @@
 #ifndef CGAL_COMPLEX_CONSTRUCTION_OCTREE_3_H
 #define CGAL_COMPLEX_CONSTRUCTION_OCTREE_3_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Complex_construction.h>
 
 #include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Mesh_support/internal/threads/stoppable_sort.h>

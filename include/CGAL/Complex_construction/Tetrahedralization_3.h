@@ -8,7 +8,7 @@
 #ifndef CGAL_COMPLEX_CONSTRUCTION_TETRAHEDRALIZATION_3_H
 #define CGAL_COMPLEX_CONSTRUCTION_TETRAHEDRALIZATION_3_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Complex_construction.h>
 
 #include <CGAL/Mesh_support/Error.h>
 

@@ -8,7 +8,7 @@
 #ifndef CGAL_COMPLEX_CONSTRUCTION_THIN_PART_OPTIONS_H
 #define CGAL_COMPLEX_CONSTRUCTION_THIN_PART_OPTIONS_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Complex_construction.h>
 
 #include <CGAL/Mesh_support/Error.h>
 

@@ -8,7 +8,7 @@
 #ifndef CGAL_COMPLEX_CONSTRUCTION_CONVERT_LABELED_IMAGE_3_H
 #define CGAL_COMPLEX_CONSTRUCTION_CONVERT_LABELED_IMAGE_3_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Complex_construction.h>
 
 #include <CGAL/Complex_construction/Construction_options.h>
 #include <CGAL/Complex_construction/Octree_tetrahedra_3.h>

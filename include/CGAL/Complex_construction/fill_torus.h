@@ -8,7 +8,7 @@
 #ifndef CGAL_COMPLEX_CONSTRUCTION_FILL_TORUS_H
 #define CGAL_COMPLEX_CONSTRUCTION_FILL_TORUS_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Complex_construction.h>
 
 #include <CGAL/Complex_construction/fit_interface.h>
 #include <CGAL/Complex_construction/internal/building/grids.h>

@@ -8,7 +8,7 @@
 #ifndef CGAL_COMPLEX_CONSTRUCTION_MAKE_DEFORMABLE_SIMPLICIAL_COMPLEX_2_H
 #define CGAL_COMPLEX_CONSTRUCTION_MAKE_DEFORMABLE_SIMPLICIAL_COMPLEX_2_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Complex_construction.h>
 
 #include <CGAL/Complex_construction/Construction_options.h>
 #include <CGAL/Complex_construction/Labeled_curve_2.h>

@@ -8,7 +8,7 @@
 #ifndef CGAL_CUT_LOCI_2_RIEMANNIAN_METRIC_2_H
 #define CGAL_CUT_LOCI_2_RIEMANNIAN_METRIC_2_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Cut_loci_2.h>
 
 #include <array>
 #include <cmath>

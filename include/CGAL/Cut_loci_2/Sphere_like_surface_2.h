@@ -8,7 +8,7 @@
 #ifndef CGAL_CUT_LOCI_2_SPHERE_LIKE_SURFACE_2_H
 #define CGAL_CUT_LOCI_2_SPHERE_LIKE_SURFACE_2_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Cut_loci_2.h>
 
 #include <CGAL/Cut_loci_2/Riemannian_metric_2.h>
 #include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>

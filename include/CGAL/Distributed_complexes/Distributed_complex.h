@@ -8,7 +8,7 @@
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_DISTRIBUTED_COMPLEX_H
 #define CGAL_DISTRIBUTED_COMPLEXES_DISTRIBUTED_COMPLEX_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Distributed_complexes.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>

@@ -8,7 +8,7 @@
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_DISTRIBUTED_GRAPH_H
 #define CGAL_DISTRIBUTED_COMPLEXES_DISTRIBUTED_GRAPH_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Distributed_complexes.h>
 
 #include <CGAL/Distributed_complexes/Communicator.h>
 

@@ -8,7 +8,7 @@
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_DISTRIBUTED_REPORT_H
 #define CGAL_DISTRIBUTED_COMPLEXES_DISTRIBUTED_REPORT_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Distributed_complexes.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>

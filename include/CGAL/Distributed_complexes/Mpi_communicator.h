@@ -8,7 +8,7 @@
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_MPI_COMMUNICATOR_H
 #define CGAL_DISTRIBUTED_COMPLEXES_MPI_COMMUNICATOR_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Distributed_complexes.h>
 
 #include <CGAL/Distributed_complexes/Communicator.h>
 #include <CGAL/Mesh_support/Error.h>

@@ -8,7 +8,7 @@
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_PVTU_H
 #define CGAL_DISTRIBUTED_COMPLEXES_PVTU_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Distributed_complexes.h>
 
 #include <CGAL/Distributed_complexes/Distributed_complex.h>
 #include <CGAL/Mesh_files/internal/grids/Vtu_document.h>

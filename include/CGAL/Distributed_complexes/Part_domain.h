@@ -8,7 +8,7 @@
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_PART_DOMAIN_H
 #define CGAL_DISTRIBUTED_COMPLEXES_PART_DOMAIN_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Distributed_complexes.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Ball_domain.h>
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>

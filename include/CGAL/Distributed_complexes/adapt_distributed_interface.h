@@ -8,7 +8,7 @@
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_ADAPT_DISTRIBUTED_INTERFACE_H
 #define CGAL_DISTRIBUTED_COMPLEXES_ADAPT_DISTRIBUTED_INTERFACE_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Distributed_complexes.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>

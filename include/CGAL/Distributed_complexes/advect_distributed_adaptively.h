@@ -8,7 +8,7 @@
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_ADVECT_DISTRIBUTED_ADAPTIVELY_H
 #define CGAL_DISTRIBUTED_COMPLEXES_ADVECT_DISTRIBUTED_ADAPTIVELY_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Interface_flows.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>

@@ -8,7 +8,7 @@
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_ADVECT_DISTRIBUTED_INTERFACE_H
 #define CGAL_DISTRIBUTED_COMPLEXES_ADVECT_DISTRIBUTED_INTERFACE_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Interface_flows.h>
 
 #include <CGAL/Distributed_complexes/Distributed_complex.h>
 #include <CGAL/Distributed_complexes/deform_distributed_interface.h>

@@ -8,7 +8,7 @@
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_REFINE_DISTRIBUTED_COMPLEX_3_H
 #define CGAL_DISTRIBUTED_COMPLEXES_REFINE_DISTRIBUTED_COMPLEX_3_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Distributed_complexes.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Distributed_complexes/Distributed_complex.h>

@@ -8,7 +8,7 @@
 #ifndef CGAL_IMAGE_SEGMENTATION_GRAY_IMAGE_H
 #define CGAL_IMAGE_SEGMENTATION_GRAY_IMAGE_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Image_segmentation.h>
 
 #include <CGAL/Complex_construction/sample_labels.h>
 #include <CGAL/Mesh_support/Error.h>

@@ -8,7 +8,7 @@
 #ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INCOMPRESSIBLE_FLUID_H
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_INCOMPRESSIBLE_FLUID_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Incompressible_fluids_3.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Linear_element.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>

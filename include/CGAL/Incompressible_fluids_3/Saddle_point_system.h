@@ -8,7 +8,7 @@
 #ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_SADDLE_POINT_SYSTEM_H
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_SADDLE_POINT_SYSTEM_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Incompressible_fluids_3.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>

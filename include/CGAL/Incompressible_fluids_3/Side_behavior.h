@@ -8,7 +8,7 @@
 #ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_SIDE_BEHAVIOR_H
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_SIDE_BEHAVIOR_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Incompressible_fluids_3.h>
 
 #include <array>
 #include <functional>

@@ -8,7 +8,7 @@
 #ifndef CGAL_INTERFACE_FLOWS_GRAIN_ORIENTATIONS_H
 #define CGAL_INTERFACE_FLOWS_GRAIN_ORIENTATIONS_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Interface_flows.h>
 
 #include <CGAL/Mesh_support/Error.h>
 

@@ -8,7 +8,7 @@
 #ifndef CGAL_INTERFACE_FLOWS_INTEGRATION_SCHEME_H
 #define CGAL_INTERFACE_FLOWS_INTEGRATION_SCHEME_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Interface_flows.h>
 
 namespace CGAL::Deformable_simplicial_complexes {
 

@@ -8,7 +8,7 @@
 #ifndef CGAL_INTERFACE_FLOWS_ADVECT_ADAPTIVELY_H
 #define CGAL_INTERFACE_FLOWS_ADVECT_ADAPTIVELY_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Interface_flows.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Interface_flows/Integration_scheme.h>

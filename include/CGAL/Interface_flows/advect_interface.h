@@ -8,7 +8,7 @@
 #ifndef CGAL_INTERFACE_FLOWS_ADVECT_INTERFACE_H
 #define CGAL_INTERFACE_FLOWS_ADVECT_INTERFACE_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Interface_flows.h>
 
 #include <CGAL/Complex_construction/grow_domain.h>
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>

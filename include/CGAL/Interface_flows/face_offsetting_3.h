@@ -8,7 +8,7 @@
 #ifndef CGAL_INTERFACE_FLOWS_FACE_OFFSETTING_3_H
 #define CGAL_INTERFACE_FLOWS_FACE_OFFSETTING_3_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Interface_flows.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>

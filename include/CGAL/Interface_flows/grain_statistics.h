@@ -8,7 +8,7 @@
 #ifndef CGAL_INTERFACE_FLOWS_GRAIN_STATISTICS_H
 #define CGAL_INTERFACE_FLOWS_GRAIN_STATISTICS_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Interface_flows.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Interface_remeshing/shared_measures.h>

@@ -8,7 +8,7 @@
 #ifndef CGAL_INTERFACE_FLOWS_INTERFACE_FLOWS_2_H
 #define CGAL_INTERFACE_FLOWS_INTERFACE_FLOWS_2_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Interface_flows.h>
 
 #include <CGAL/Interface_flows/Normal_offset.h>
 

@@ -8,7 +8,7 @@
 #ifndef CGAL_INTERFACE_FLOWS_VELOCITY_FIELDS_3_H
 #define CGAL_INTERFACE_FLOWS_VELOCITY_FIELDS_3_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Interface_flows.h>
 
 #include <CGAL/Interface_flows/velocity_fields_2.h>
 #include <CGAL/Simple_cartesian.h>

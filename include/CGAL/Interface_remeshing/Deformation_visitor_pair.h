@@ -8,7 +8,7 @@
 #ifndef CGAL_INTERFACE_REMESHING_DEFORMATION_VISITOR_PAIR_H
 #define CGAL_INTERFACE_REMESHING_DEFORMATION_VISITOR_PAIR_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Interface_remeshing.h>
 
 namespace CGAL::Deformable_simplicial_complexes {
 

@@ -8,7 +8,7 @@
 #ifndef CGAL_INTERFACE_REMESHING_EDGE_UNIT_H
 #define CGAL_INTERFACE_REMESHING_EDGE_UNIT_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Interface_remeshing.h>
 
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/local_edge_length.h>
 

@@ -8,7 +8,7 @@
 #ifndef CGAL_INTERFACE_REMESHING_INTERFACE_ADAPTATION_H
 #define CGAL_INTERFACE_REMESHING_INTERFACE_ADAPTATION_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Interface_remeshing.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>

@@ -8,7 +8,7 @@
 #ifndef CGAL_INTERFACE_REMESHING_NUMBER_ROWS_H
 #define CGAL_INTERFACE_REMESHING_NUMBER_ROWS_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Interface_remeshing.h>
 
 #include <CGAL/property_map.h>
 

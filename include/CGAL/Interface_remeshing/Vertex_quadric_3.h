@@ -8,7 +8,7 @@
 #ifndef CGAL_INTERFACE_REMESHING_VERTEX_QUADRIC_3_H
 #define CGAL_INTERFACE_REMESHING_VERTEX_QUADRIC_3_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Interface_remeshing.h>
 
 #include <CGAL/Mesh_support/Error.h>
 

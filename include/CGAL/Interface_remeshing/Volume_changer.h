@@ -8,7 +8,7 @@
 #ifndef CGAL_INTERFACE_REMESHING_VOLUME_CHANGER_H
 #define CGAL_INTERFACE_REMESHING_VOLUME_CHANGER_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Interface_remeshing.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>

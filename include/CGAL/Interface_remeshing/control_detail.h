@@ -8,7 +8,7 @@
 #ifndef CGAL_INTERFACE_REMESHING_CONTROL_DETAIL_H
 #define CGAL_INTERFACE_REMESHING_CONTROL_DETAIL_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Interface_remeshing.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>

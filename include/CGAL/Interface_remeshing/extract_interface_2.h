@@ -8,7 +8,7 @@
 #ifndef CGAL_INTERFACE_REMESHING_EXTRACT_INTERFACE_2_H
 #define CGAL_INTERFACE_REMESHING_EXTRACT_INTERFACE_2_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Interface_remeshing.h>
 
 #include <CGAL/Deformable_simplicial_complex_2.h>
 #include <CGAL/Interface_remeshing/internal/extraction/Extracted_facets.h>

@@ -8,7 +8,7 @@
 #ifndef CGAL_INTERFACE_REMESHING_EXTRACT_INTERFACE_3_H
 #define CGAL_INTERFACE_REMESHING_EXTRACT_INTERFACE_3_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Interface_remeshing.h>
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>

@@ -8,7 +8,7 @@
 #ifndef CGAL_INTERFACE_REMESHING_REMOVE_DEGENERACIES_H
 #define CGAL_INTERFACE_REMESHING_REMOVE_DEGENERACIES_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Interface_remeshing.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>

@@ -8,7 +8,7 @@
 #ifndef CGAL_INTERFACE_REMESHING_VERTICES_ON_JUNCTIONS_H
 #define CGAL_INTERFACE_REMESHING_VERTICES_ON_JUNCTIONS_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Interface_remeshing.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 

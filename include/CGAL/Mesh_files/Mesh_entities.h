@@ -8,7 +8,7 @@
 #ifndef CGAL_MESH_FILES_MESH_ENTITIES_H
 #define CGAL_MESH_FILES_MESH_ENTITIES_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Mesh_files.h>
 
 #include <array>
 #include <cstddef>

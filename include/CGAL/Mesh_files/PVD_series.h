@@ -8,7 +8,7 @@
 #ifndef CGAL_MESH_FILES_PVD_SERIES_H
 #define CGAL_MESH_FILES_PVD_SERIES_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Mesh_files.h>
 
 #include <CGAL/Mesh_files/File_error.h>
 #include <CGAL/Mesh_files/internal/text/Xml_element.h>

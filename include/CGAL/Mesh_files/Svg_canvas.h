@@ -8,7 +8,7 @@
 #ifndef CGAL_MESH_FILES_SVG_CANVAS_H
 #define CGAL_MESH_FILES_SVG_CANVAS_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Mesh_files.h>
 
 #include <CGAL/Mesh_files/internal/text/Xml_element.h>
 #include <CGAL/Mesh_files/replace_file.h>

@@ -8,7 +8,7 @@
 #ifndef CGAL_MESH_FILES_VTU_3_H
 #define CGAL_MESH_FILES_VTU_3_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Mesh_files.h>
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Mesh_files/Mesh_arrays.h>

@@ -8,7 +8,7 @@
 #ifndef CGAL_MESH_FILES_CHECKPOINT_H
 #define CGAL_MESH_FILES_CHECKPOINT_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Mesh_files.h>
 
 #include <CGAL/Deformable_simplicial_complexes/State.h>
 #include <CGAL/Mesh_files/internal/checkpoints/checkpoint_file.h>

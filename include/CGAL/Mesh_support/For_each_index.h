@@ -8,7 +8,7 @@
 #ifndef CGAL_MESH_SUPPORT_FOR_EACH_INDEX_H
 #define CGAL_MESH_SUPPORT_FOR_EACH_INDEX_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Mesh_support.h>
 
 #include <algorithm>
 #include <cstddef>

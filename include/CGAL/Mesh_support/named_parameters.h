@@ -8,7 +8,7 @@
 #ifndef CGAL_MESH_SUPPORT_NAMED_PARAMETERS_H
 #define CGAL_MESH_SUPPORT_NAMED_PARAMETERS_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Mesh_support.h>
 
 #include <CGAL/Named_function_parameters.h>
 

@@ -8,7 +8,7 @@
 #ifndef CGAL_SOLID_RECONSTRUCTION_3_INVALID_POINTS_ERROR_H
 #define CGAL_SOLID_RECONSTRUCTION_3_INVALID_POINTS_ERROR_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Solid_reconstruction_3.h>
 
 #include <CGAL/Mesh_support/Error.h>
 

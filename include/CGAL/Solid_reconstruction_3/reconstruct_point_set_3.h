@@ -8,7 +8,7 @@
 #ifndef CGAL_SOLID_RECONSTRUCTION_3_RECONSTRUCT_POINT_SET_3_H
 #define CGAL_SOLID_RECONSTRUCTION_3_RECONSTRUCT_POINT_SET_3_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Solid_reconstruction_3.h>
 
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/Progress_scope.h>

@@ -8,7 +8,7 @@
 #ifndef CGAL_TRIANGLE_SOUP_REPAIR_INVALID_SURFACE_ERROR_H
 #define CGAL_TRIANGLE_SOUP_REPAIR_INVALID_SURFACE_ERROR_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Triangle_soup_repair.h>
 
 #include <CGAL/Mesh_support/Error.h>
 

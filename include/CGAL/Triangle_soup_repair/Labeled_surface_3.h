@@ -8,7 +8,7 @@
 #ifndef CGAL_TRIANGLE_SOUP_REPAIR_LABELED_SURFACE_3_H
 #define CGAL_TRIANGLE_SOUP_REPAIR_LABELED_SURFACE_3_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Triangle_soup_repair.h>
 
 #include <array>
 #include <cstddef>

@@ -8,7 +8,7 @@
 #ifndef CGAL_TRIANGLE_SOUP_REPAIR_MAKE_PATCHES_3_H
 #define CGAL_TRIANGLE_SOUP_REPAIR_MAKE_PATCHES_3_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Triangle_soup_repair.h>
 
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>

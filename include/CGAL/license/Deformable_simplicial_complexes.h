@@ -9,8 +9,9 @@
 #ifndef CGAL_LICENSE_DEFORMABLE_SIMPLICIAL_COMPLEXES_H
 #define CGAL_LICENSE_DEFORMABLE_SIMPLICIAL_COMPLEXES_H
 
-// The license of all packages. Users who define `CGAL_LICENSE_WARNING` or `CGAL_LICENSE_ERROR` get
-// a warning or an error if they include a header.
+// The license of the package Deformable Simplicial Complexes. Users who define
+// `CGAL_LICENSE_WARNING` or `CGAL_LICENSE_ERROR` get a warning or an error if they include a header
+// of the package.
 
 #include <CGAL/config.h>
 
@@ -18,9 +19,9 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_LICENSE "GPL-3.0-or-later"
 
 #if defined(CGAL_LICENSE_ERROR)
-#error "GPL-3.0-or-later applies to Deformable Simplicial Complexes and its packages."
+#error "GPL-3.0-or-later applies to the package Deformable Simplicial Complexes."
 #elif defined(CGAL_LICENSE_WARNING)
-CGAL_pragma_warning("GPL-3.0-or-later applies to Deformable Simplicial Complexes and its packages.")
+CGAL_pragma_warning("GPL-3.0-or-later applies to the package Deformable Simplicial Complexes.")
 #endif
 
 #endif // CGAL_LICENSE_DEFORMABLE_SIMPLICIAL_COMPLEXES_H

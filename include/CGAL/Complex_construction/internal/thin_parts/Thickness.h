@@ -8,7 +8,7 @@
 #ifndef CGAL_COMPLEX_CONSTRUCTION_INTERNAL_THIN_PARTS_THICKNESS_H
 #define CGAL_COMPLEX_CONSTRUCTION_INTERNAL_THIN_PARTS_THICKNESS_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Complex_construction.h>
 
 #include <CGAL/Mesh_support/Progress_scope.h>
 

@@ -8,7 +8,7 @@
 #ifndef CGAL_IMAGE_SEGMENTATION_INTERNAL_MOMENTS_VOXEL_LINES_3_H
 #define CGAL_IMAGE_SEGMENTATION_INTERNAL_MOMENTS_VOXEL_LINES_3_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Image_segmentation.h>
 
 #include <CGAL/Image_segmentation/Gray_image.h>
 

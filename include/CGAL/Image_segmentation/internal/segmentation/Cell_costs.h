@@ -8,7 +8,7 @@
 #ifndef CGAL_IMAGE_SEGMENTATION_INTERNAL_SEGMENTATION_CELL_COSTS_H
 #define CGAL_IMAGE_SEGMENTATION_INTERNAL_SEGMENTATION_CELL_COSTS_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Image_segmentation.h>
 
 #include <CGAL/Image_segmentation/Image_moments.h>
 #include <CGAL/Image_segmentation/estimate_phases.h>

@@ -8,7 +8,7 @@
 #ifndef CGAL_IMAGE_SEGMENTATION_INTERNAL_SEGMENTATION_RELABEL_BY_ENERGY_H
 #define CGAL_IMAGE_SEGMENTATION_INTERNAL_SEGMENTATION_RELABEL_BY_ENERGY_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Image_segmentation.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>

@@ -8,7 +8,7 @@
 #ifndef CGAL_INTERFACE_FLOWS_INTERNAL_CORNERS_OPENED_CORNERS_2_H
 #define CGAL_INTERFACE_FLOWS_INTERNAL_CORNERS_OPENED_CORNERS_2_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Interface_flows.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>

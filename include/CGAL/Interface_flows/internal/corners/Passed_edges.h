@@ -8,7 +8,7 @@
 #ifndef CGAL_INTERFACE_FLOWS_INTERNAL_CORNERS_PASSED_EDGES_H
 #define CGAL_INTERFACE_FLOWS_INTERNAL_CORNERS_PASSED_EDGES_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Interface_flows.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>

@@ -8,7 +8,7 @@
 #ifndef CGAL_MESH_SUPPORT_INTERNAL_NUMBERS_FACET_TENSION_H
 #define CGAL_MESH_SUPPORT_INTERNAL_NUMBERS_FACET_TENSION_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Mesh_support.h>
 
 #include <array>
 #include <cmath>

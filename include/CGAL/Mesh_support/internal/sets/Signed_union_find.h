@@ -8,7 +8,7 @@
 #ifndef CGAL_MESH_SUPPORT_INTERNAL_SETS_SIGNED_UNION_FIND_H
 #define CGAL_MESH_SUPPORT_INTERNAL_SETS_SIGNED_UNION_FIND_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Mesh_support.h>
 
 #include <cstddef>
 #include <numeric>

@@ -8,7 +8,7 @@
 #ifndef CGAL_MESH_SUPPORT_INTERNAL_THREADS_STOPPABLE_SORT_H
 #define CGAL_MESH_SUPPORT_INTERNAL_THREADS_STOPPABLE_SORT_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#include <CGAL/license/Mesh_support.h>
 
 #include <CGAL/Mesh_support/Progress_scope.h>
 

@@ -1,0 +1,26 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Image_segmentation, written for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_LICENSE_IMAGE_SEGMENTATION_H
+#define CGAL_LICENSE_IMAGE_SEGMENTATION_H
+
+// The license of the package Image Segmentation. Users who define
+// `CGAL_LICENSE_WARNING` or `CGAL_LICENSE_ERROR` get a warning or an error if they include a header
+// of the package.
+
+#include <CGAL/config.h>
+
+// The license as an SPDX expression
+#define CGAL_IMAGE_SEGMENTATION_LICENSE "GPL-3.0-or-later"
+
+#if defined(CGAL_LICENSE_ERROR)
+#error "GPL-3.0-or-later applies to the package Image Segmentation."
+#elif defined(CGAL_LICENSE_WARNING)
+CGAL_pragma_warning("GPL-3.0-or-later applies to the package Image Segmentation.")
+#endif
+
+#endif // CGAL_LICENSE_IMAGE_SEGMENTATION_H

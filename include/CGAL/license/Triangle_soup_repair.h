@@ -1,0 +1,26 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Triangle_soup_repair, written for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_LICENSE_TRIANGLE_SOUP_REPAIR_H
+#define CGAL_LICENSE_TRIANGLE_SOUP_REPAIR_H
+
+// The license of the package Triangle Soup Repair. Users who define
+// `CGAL_LICENSE_WARNING` or `CGAL_LICENSE_ERROR` get a warning or an error if they include a header
+// of the package.
+
+#include <CGAL/config.h>
+
+// The license as an SPDX expression
+#define CGAL_TRIANGLE_SOUP_REPAIR_LICENSE "GPL-3.0-or-later"
+
+#if defined(CGAL_LICENSE_ERROR)
+#error "GPL-3.0-or-later applies to the package Triangle Soup Repair."
+#elif defined(CGAL_LICENSE_WARNING)
+CGAL_pragma_warning("GPL-3.0-or-later applies to the package Triangle Soup Repair.")
+#endif
+
+#endif // CGAL_LICENSE_TRIANGLE_SOUP_REPAIR_H
