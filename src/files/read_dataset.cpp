@@ -4,13 +4,6 @@
 
 #include "read_dataset.h"
 
-#include "Translation.h"
-#include "read_3mf.h"
-#include "read_blocks.h"
-#include "read_gmsh.h"
-#include "read_meshb.h"
-#include "require_complete.h"
-
 #include <vtkCellData.h>
 #include <vtkCommand.h>
 #include <vtkDataArray.h>
