@@ -27,7 +27,6 @@
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
 #include <vtkTIFFReader.h>
-#include <vtkUnstructuredGrid.h>
 #include <vtkXMLGenericDataObjectReader.h>
 
 #include <algorithm>
@@ -38,7 +37,6 @@
 #include <fstream>
 #include <initializer_list>
 #include <iterator>
-#include <map>
 #include <sstream>
 #include <type_traits>
 #include <vector>

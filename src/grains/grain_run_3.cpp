@@ -12,7 +12,7 @@ namespace dsc {
 
 Grain_result grow_grains_3(const Grain_run& run,
                            const std::function<void(const Grain_state&)>& on) {
-  using namespace CGAL::Deformable_simplicial_complexes;
+  using namespace DSC;
   using Box_complex = CGAL::Deformable_simplicial_complex_3<>;
   using Torus_complex = internal::Torus_complex_3;
   if (run.is_periodic)

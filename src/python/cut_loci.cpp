@@ -6,9 +6,8 @@
 #include "Guarded.h"
 #include "arrays.h"
 #include "callbacks.h"
-#include "input/surface_expressions.h"
+#include "input/functions_of_points.h"
 #include "module.h"
-#include "motions/lengths_repeat.h"
 #include "programs/errors.h"
 
 #include <algorithm>
@@ -121,24 +120,20 @@ py::dict cut_locus(const py::object& surface, const std::vector<double>& point,
       positions.push_back(source->image(vertex.point));
   }
   const auto& vertices = found.locus.vertices;
-  const auto indices = [](const std::vector<std::size_t>& values) {
-    return array_of<std::int64_t>(values.size(), [&](std::size_t i) { return values[i]; });
-  };
   py::list arcs;
   for (const auto& arc : found.locus.polylines)
-    arcs.append(indices(arc));
+    arcs.append(array_of_indices(arc));
   py::dict result;
   result["parameters"] = array_of<double>(
       vertices.size(), 2, [&](std::size_t i, std::size_t j) { return vertices[i].point[int(j)]; });
-  result["points"] = array_of<double>(
-      vertices.size(), 3, [&](std::size_t i, std::size_t j) { return positions[i][j]; });
+  result["points"] = array_of_vectors(positions, 3);
   result["distances"] =
       array_of<double>(vertices.size(), [&](std::size_t i) { return vertices[i].distance; });
   result["multiplicities"] = array_of<std::int64_t>(
       vertices.size(), [&](std::size_t i) { return vertices[i].multiplicity; });
   result["arcs"] = arcs;
   result["complete"] = found.locus.is_complete;
-  result["doubtful"] = indices(found.locus.doubtful);
+  result["doubtful"] = array_of_indices(found.locus.doubtful);
   result["spacing"] = found.spacing;
   result["step"] = found.step;
   return result;

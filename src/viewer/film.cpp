@@ -3,7 +3,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "film.h"
-#include "packed_numbers.h"
 #include "page.h"
 
 #include <CGAL/Mesh_files/internal/pictures/colors.h>

@@ -11,14 +11,14 @@
 #include "fluids/fluid_scene.h"
 #include "fluids/fluid_start.h"
 #include "input/files.h"
-#include "input/unused.h"
+#include "input/translations.h"
 #include "output/output_folder.h"
 #include "output/progress_line.h"
 #include "output/report_json.h"
 #include "programs/add_value.h"
 #include "programs/errors.h"
 #include "programs/interrupt.h"
-#include "programs/threads_option.h"
+#include "programs/option_values.h"
 
 #include <CGAL/Mesh_files/checkpoint.h>
 

@@ -3,10 +3,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "commands/commands.h"
-#include "commands/labels_option.h"
+#include "commands/start_options.h"
 #include "input/files.h"
 #include "input/labeled_tetrahedra.h"
-#include "input/native_file.h"
 #include "input/translations.h"
 #include "motions/mesh_at_rest.h"
 #include "motions/run_position.h"

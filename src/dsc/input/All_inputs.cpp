@@ -2,12 +2,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "input/All_inputs.h"
+#include "input/Inputs.h"
 
-#include "input/native_file.h"
 #include "input/start_complex.h"
 #include "input/start_curves.h"
-#include "input/tracked_checkpoint.h"
+#include "input/translations.h"
 #include "motions/run.h"
 #include "motions/start_distance.h"
 #include "output/convert_file.h"

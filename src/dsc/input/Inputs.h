@@ -52,6 +52,27 @@ public:
                                 const std::string& grid) const = 0;
 };
 
+/// All inputs, in space and in the plane.
+class All_inputs : public Inputs
+{
+public:
+  void require_all() const override {}
+  std::string native(const std::string& path, const std::string& labels,
+                     const std::string& thresholds) const override;
+  std::unique_ptr<Tracked_complex> start(const Run_options& options,
+                                         Repairs& repairs) const override;
+  std::unique_ptr<Tracked_complex> resume(const std::string& path,
+                                          std::string& metadata) const override;
+  Start_distance distance_from(const Run_start& start) const override;
+  void convert(const std::string& input, const std::string& output, const std::string& labels,
+               const std::string& thresholds) const override;
+  void convert_to_image(const std::string& checkpoint, const std::string& output,
+                        const std::string& grid) const override;
+};
+
+/// Returns the inputs of the program `dsc`: surfaces that bound solids, and inequalities, in space.
+const Inputs& surface_inputs();
+
 } // namespace dsc
 
 #endif // DSC_INPUTS_H

@@ -2,11 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "input/Surface_inputs.h"
+#include "input/Inputs.h"
 
 #include "input/files.h"
 #include "input/start_complex.h"
-#include "input/tracked_checkpoint.h"
 #include "input/translations.h"
 #include "motions/run.h"
 #include "motions/start_distance.h"

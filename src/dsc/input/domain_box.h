@@ -5,6 +5,8 @@
 #ifndef DSC_DOMAIN_BOX_H
 #define DSC_DOMAIN_BOX_H
 
+#include "programs/errors.h"
+
 #include <CGAL/Complex_construction/Construction_options.h>
 
 #include <CGAL/Bbox_2.h>
@@ -29,10 +31,9 @@ template <int dimension> auto box_of_dimension(const std::array<double, 6>& d) {
 }
 
 /// Returns the options of a complex with normalized coordinates, in a given or the default domain.
-inline CGAL::Deformable_simplicial_complexes::Construction_options<3>
-normalized(const std::optional<std::array<double, 6>>& domain,
-           const CGAL::Deformable_simplicial_complexes::Thin_part_options& thin_parts) {
-  CGAL::Deformable_simplicial_complexes::Construction_options<3> result;
+inline DSC::Construction_options<3> normalized(const std::optional<std::array<double, 6>>& domain,
+                                               const DSC::Thin_part_options& thin_parts) {
+  DSC::Construction_options<3> result;
   result.normalize = true;
   result.thin_parts = thin_parts;
   if (domain)

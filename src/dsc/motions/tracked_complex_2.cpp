@@ -6,9 +6,9 @@
 
 #include "input/domain_box.h"
 #include "input/files.h"
+#include "input/start_complex.h"
 #include "input/start_curves.h"
-#include "input/tracked_checkpoint.h"
-#include "input/unused.h"
+#include "input/translations.h"
 #include "motions/tracked_whole_impl.h"
 #include "output/angle_statistics.h"
 #include "output/label_titles.h"
@@ -31,15 +31,11 @@
 #include <cstddef>
 #include <map>
 #include <optional>
-#include <string>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc {
 namespace {
 
 using Complex = Tracked_complex_2::Complex;
-using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
 
 std::optional<CGAL::Bbox_2> box_of(const std::optional<std::array<double, 6>>& domain) {
   if (!domain)
@@ -66,7 +62,7 @@ std::unique_ptr<Tracked_complex> track_image_2(const Run_start& start, const std
       throw Input_error(path + ": all pixels have the same label, so there is no interface; give a "
                                "larger --domain, which has label 0 around the image");
     return result;
-  } catch (const CGAL::Deformable_simplicial_complexes::Error& error) {
+  } catch (const DSC::Error& error) {
     throw Input_error(path + ": " + error.what());
   }
 }
@@ -113,10 +109,10 @@ std::unique_ptr<Tracked_complex> track_figure(const Run_start& start,
                       : DSC::make_deformable_simplicial_complex_2<Complex>(curves.closed, options));
     check_bounds(curves, start.inputs.empty() ? "the figure" : start.inputs[0], result->complex);
     return result;
-  } catch (const Invalid_surface_error& error) {
+  } catch (const DSC::Invalid_surface_error& error) {
     throw Input_error((curves.seeded ? start.inputs[0] : curves.names[error.surface()]) + ": " +
                       error.what());
-  } catch (const CGAL::Deformable_simplicial_complexes::Error& error) {
+  } catch (const DSC::Error& error) {
     throw Input_error((start.inputs.empty() ? "the figure" : start.inputs[0]) + std::string(": ") +
                       error.what());
   }

@@ -18,12 +18,10 @@
 namespace dsc {
 
 template <class Complex_> bool Tracked_whole<Complex_>::has_room() const {
-  return CGAL::Deformable_simplicial_complexes::has_room_around_interface(complex);
+  return DSC::has_room_around_interface(complex);
 }
 
-template <class Complex_> void Tracked_whole<Complex_>::grow_domain() {
-  CGAL::Deformable_simplicial_complexes::grow_domain(complex);
-}
+template <class Complex_> void Tracked_whole<Complex_>::grow_domain() { DSC::grow_domain(complex); }
 
 template <class Complex_> void Tracked_whole<Complex_>::go_back() {
   if (!m_kept)
@@ -35,7 +33,7 @@ template <class Complex_> void Tracked_whole<Complex_>::go_back() {
 
 template <class Complex_>
 std::size_t Tracked_whole<Complex_>::missing_facets(double edge_per_thickness) const {
-  return CGAL::Deformable_simplicial_complexes::missing_facets(complex, edge_per_thickness);
+  return DSC::missing_facets(complex, edge_per_thickness);
 }
 
 template <class Complex_> double Tracked_whole<Complex_>::worst_quality() const {

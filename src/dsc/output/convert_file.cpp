@@ -5,27 +5,20 @@
 #include "output/convert_file.h"
 
 #include "input/files.h"
-#include "input/inr_image.h"
-#include "input/label_image.h"
 #include "input/labeled_tetrahedra.h"
-#include "input/native_file.h"
 #include "input/run_start.h"
 #include "input/surface.h"
 #include "input/translations.h"
-#include "input/unused.h"
+#include "input/voxel_images.h"
 #include "motions/mesh_at_rest.h"
 #include "motions/tracked_complex_3.h"
 #include "output/label_titles.h"
-#include "programs/errors.h"
 #include "programs/option_values.h"
 
-#include <CGAL/Complex_construction/sample_labels.h>
 #include <CGAL/Interface_remeshing/extract_interface_3.h>
 #include <CGAL/Mesh_files/labeled_surface_3.h>
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
 #include <fstream>
 #include <optional>
 #include <utility>

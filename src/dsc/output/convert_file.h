@@ -5,6 +5,8 @@
 #ifndef DSC_CONVERT_FILE_H
 #define DSC_CONVERT_FILE_H
 
+#include "programs/errors.h"
+
 #include <CGAL/Complex_construction/sample_labels.h>
 
 #include <cstddef>
@@ -16,8 +18,8 @@ namespace dsc {
 /// Statistics of an image.
 struct Image_statistics
 {
-  CGAL::Deformable_simplicial_complexes::Sampling_grid<3> grid; ///< centers of the voxels
-  std::map<int, std::size_t> voxels;                            ///< number of voxels of each label
+  DSC::Sampling_grid<3> grid;        ///< centers of the voxels
+  std::map<int, std::size_t> voxels; ///< number of voxels of each label
 };
 
 /// Reads an image (.inr, .inr.gz).

@@ -41,7 +41,7 @@ public:
   /// \param arrays of the interface
   template <class Complex>
   void write(const Complex& complex, std::size_t step, double time,
-             const CGAL::Deformable_simplicial_complexes::Mesh_arrays& arrays = {}) {
+             const DSC::Mesh_arrays& arrays = {}) {
     char name[40];
     std::snprintf(name, sizeof name, "_%06zu.vtu", step);
     const std::string volume = file(std::string("volume") + name),

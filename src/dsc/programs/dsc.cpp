@@ -6,7 +6,7 @@
 // folder contain the rest, so that they need not be built for a first result.
 
 #include "commands/commands.h"
-#include "input/Surface_inputs.h"
+#include "input/Inputs.h"
 #include "input/translations.h"
 #include "programs/errors.h"
 #include "programs/program.h"

@@ -46,9 +46,7 @@ bool dsc::is_first_process() { return true; }
 
 unsigned dsc::processes_of_machine() { return 1; }
 
-void dsc::use_petsc(CGAL::Deformable_simplicial_complexes::Saddle_point_solver&) {
-  leave_to_petsc();
-}
+void dsc::use_petsc(DSC::Saddle_point_solver&) { leave_to_petsc(); }
 
 int main(int argc, char** argv) {
   return dsc::run_program(argc, argv, [&](CLI::App& app, int& exit_code) {
