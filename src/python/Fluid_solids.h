@@ -68,22 +68,19 @@ template <int d> py::object rotation_to_python(const Vector_3& v) {
 
 /// The places of a solid that a Python function gives: `function(t)` returns the displacement and
 /// the rotation, with three coordinates each. Several threads can use it.
-class Place_function
+class Place_function : private Shared_function
 {
 public:
   using Place = dsc::Scene_solid::Place;
 
-  explicit Place_function(py::function function) : m_function(std::move(function)) {}
+  using Shared_function::Shared_function;
 
   Place operator()(double t) const {
     using CGAL::Deformable_simplicial_complexes::point_of;
     const py::gil_scoped_acquire lock;
-    const auto vectors = m_function(t).cast<std::array<std::array<double, 3>, 2>>();
+    const auto vectors = call(t).cast<std::array<std::array<double, 3>, 2>>();
     return {point_of<Place::Vector>(vectors[0]), point_of<Place::Vector>(vectors[1])};
   }
-
-private:
-  Shared_function m_function;
 };
 
 /// Returns a Python value of texts, truth values, numbers, lists and dictionaries as JSON.

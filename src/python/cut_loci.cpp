@@ -25,10 +25,10 @@ namespace {
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 /// A surface that a Python function gives: `function(points)` returns points of shape (n, 3).
-class Surface_function
+class Surface_function : private Shared_function
 {
 public:
-  explicit Surface_function(py::function function) : m_function(std::move(function)) {}
+  using Shared_function::Shared_function;
 
   /// \tparam Coordinates of u and v, or of a direction
   template <class Coordinates>
@@ -36,7 +36,7 @@ public:
   operator()(const std::array<Coordinates, dsc::samples_of_metric>& points) const {
     static constexpr std::size_t columns = std::tuple_size_v<Coordinates>;
     const py::gil_scoped_acquire lock;
-    const py::array array(m_function(array_of<double>(
+    const py::array array(call(array_of<double>(
         points.size(), columns, [&](std::size_t i, std::size_t j) { return points[i][j]; })));
     if (!is_of_real_numbers(array))
       throw py::type_error("the points of the surface must be an array of real numbers");
@@ -48,9 +48,6 @@ public:
     std::copy(rows.begin(), rows.end(), result.begin());
     return result;
   }
-
-private:
-  Shared_function m_function;
 };
 
 /// Returns the source of geodesics on a surface that is given by a function or by expressions.

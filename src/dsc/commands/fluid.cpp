@@ -177,12 +177,8 @@ template <int dimension> void Reported_run<dimension>::begin() {
 }
 
 template <int dimension> void Reported_run<dimension>::write_files() {
-  if (m_folder) {
-    Run_position position;
-    position.step = step();
-    position.time = m_run.fluid->time();
-    m_folder->write(*m_run.complex, position, m_run.metadata());
-  }
+  if (m_folder)
+    m_folder->write(*m_run.complex, {step(), m_run.fluid->time(), {}}, m_run.metadata());
 }
 
 /// Returns the name of the last checkpoint in the output folder. Without such a folder, writes a

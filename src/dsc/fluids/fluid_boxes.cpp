@@ -143,13 +143,8 @@ public:
 
   std::size_t operator()(const Place& at) {
     const auto [place, is_new] = m_known.emplace(at, m_points.size());
-    if (is_new) {
-      const auto p = m_grid.point(at);
-      if constexpr (Point::Ambient_dimension::value == 2)
-        m_points.emplace_back(p[0], p[1]);
-      else
-        m_points.emplace_back(p[0], p[1], p[2]);
-    }
+    if (is_new)
+      m_points.push_back(from_coordinates<Point>(m_grid.point(at)));
     return place->second;
   }
 

@@ -35,14 +35,6 @@ template <class Coordinates> std::array<double, 3> coordinates_of(const Coordina
   return result;
 }
 
-/// Returns the point or vector with given coordinates. In the plane, the third one is ignored.
-template <class Result> Result from_coordinates(const std::array<double, 3>& p) {
-  if constexpr (Result::Ambient_dimension::value == 2)
-    return Result(p[0], p[1]);
-  else
-    return Result(p[0], p[1], p[2]);
-}
-
 /// Returns the barycenter of a cell. In the plane, its third coordinate is 0.
 template <class Complex>
 std::array<double, 3> middle_of(const Complex& complex, typename Complex::Cell_handle c) {

@@ -17,6 +17,14 @@
 
 namespace dsc {
 
+/// Returns the point or vector with given coordinates. In the plane, the third one is ignored.
+template <class Result> Result from_coordinates(const std::array<double, 3>& p) {
+  if constexpr (Result::Ambient_dimension::value == 2)
+    return Result(p[0], p[1]);
+  else
+    return Result(p[0], p[1], p[2]);
+}
+
 /// Returns the number of parts, rounded, at least 1.
 /// \throws Input_error if the number exceeds the memory of any computer
 std::size_t number_of_parts(double parts);

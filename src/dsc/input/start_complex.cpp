@@ -30,8 +30,8 @@ std::unique_ptr<Tracked_complex> track_inequalities(const Run_start& start,
   const Label_function label_at = [&](const std::array<double, 3>& p) {
     return inequalities.label_at(p);
   };
-  auto complex =
-      DSC::make_deformable_simplicial_complex_3<Complex>(box(d), edge, [&](const auto& p) {
+  auto complex = DSC::make_deformable_simplicial_complex_3<Complex>(
+      box_of_dimension<3>(d), edge, [&](const auto& p) {
         return label_at({p.x(), p.y(), p.z()});
       });
   if (complex.interface_facets().empty())

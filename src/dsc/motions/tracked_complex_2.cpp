@@ -25,8 +25,6 @@
 #include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
 
-#include <CGAL/Bbox_2.h>
-
 #include <array>
 #include <cstddef>
 #include <map>
@@ -37,14 +35,17 @@ namespace {
 
 using Complex = Tracked_complex_2::Complex;
 
-std::optional<CGAL::Bbox_2> box_of(const std::optional<std::array<double, 6>>& domain) {
-  if (!domain)
-    return std::nullopt;
-  return box_of_dimension<2>(*domain);
+DSC::Construction_options<2> options_of(const Run_start& start,
+                                        const std::optional<std::array<double, 6>>& domain) {
+  DSC::Construction_options<2> result;
+  if (domain)
+    result.enclosing_box = box_of_dimension<2>(*domain);
+  result.thin_parts = start.thin_parts;
+  return result;
 }
 
 std::unique_ptr<Tracked_complex> track_image_2(const Run_start& start, const std::string& format,
-                                               const std::optional<CGAL::Bbox_2>& box) {
+                                               const DSC::Construction_options<2>& options) {
   static constexpr double default_edge = 2.5; // in pixels, as for voxels
   const std::string& path = start.inputs[0];
   Unused_content unused;
@@ -52,9 +53,6 @@ std::unique_ptr<Tracked_complex> track_image_2(const Run_start& start, const std
                                      : CGAL::IO::read_labeled_image(path, &unused);
   print_unused(path, unused);
   const double edge = start.edge > 0 ? start.edge : default_edge;
-  DSC::Construction_options<2> options;
-  options.enclosing_box = box;
-  options.thin_parts = start.thin_parts;
   try {
     auto result = std::make_unique<Tracked_complex_2>(
         DSC::make_deformable_simplicial_complex_2<Complex>(image, edge, options));
@@ -96,13 +94,10 @@ void check_bounds(const Curves& curves, const std::string& input, const Complex&
 std::unique_ptr<Tracked_complex> track_figure(const Run_start& start,
                                               const std::optional<std::array<double, 6>>& domain) {
   const std::string format = start.inputs.size() == 1 ? extension(start.inputs[0]) : "";
-  const std::optional<CGAL::Bbox_2> box = box_of(domain);
+  const DSC::Construction_options<2> options = options_of(start, domain);
   if (format == "pgm" || format == "png")
-    return track_image_2(start, format, box);
+    return track_image_2(start, format, options);
   const Curves curves = start_curves(start);
-  DSC::Construction_options<2> options;
-  options.enclosing_box = box;
-  options.thin_parts = start.thin_parts;
   try {
     auto result = std::make_unique<Tracked_complex_2>(
         curves.seeded ? DSC::make_deformable_simplicial_complex_2<Complex>(*curves.seeded, options)

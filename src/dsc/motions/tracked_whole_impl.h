@@ -6,14 +6,13 @@
 #define DSC_TRACKED_WHOLE_IMPL_H
 
 #include "motions/tracked_whole.h"
+#include "output/angle_statistics.h"
 
 #include <CGAL/Complex_construction/grow_domain.h>
 #include <CGAL/Complex_construction/refine_thin_parts.h>
 #include <CGAL/Mesh_files/VTU_2.h>
 #include <CGAL/Mesh_files/VTU_3.h>
 #include <CGAL/Mesh_files/checkpoint.h>
-
-#include <algorithm>
 
 namespace dsc {
 
@@ -37,10 +36,7 @@ std::size_t Tracked_whole<Complex_>::missing_facets(double edge_per_thickness) c
 }
 
 template <class Complex_> double Tracked_whole<Complex_>::worst_quality() const {
-  double result = 1;
-  for (const typename Complex::Cell_handle c : complex.finite_cells())
-    result = std::min(result, complex.quality(c));
-  return result;
+  return least_quality(complex);
 }
 
 template <class Complex_>

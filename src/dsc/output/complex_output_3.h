@@ -18,19 +18,10 @@
 #include <CGAL/Mesh_files/labeled_surface_3.h>
 #include <CGAL/Mesh_support/coordinates.h>
 
-#include <algorithm>
 #include <string>
 #include <utility>
 
 namespace dsc {
-
-/// Returns the least quality of a cell, by the measure of the complex.
-template <class Complex> double least_quality(const Complex& complex) {
-  double result = 1;
-  for (const typename Complex::Cell_handle c : complex.finite_cells())
-    result = std::min(result, complex.quality(c));
-  return result;
-}
 
 /// Returns the statistics of a complex in space whose labels may have names.
 template <class Complex>
