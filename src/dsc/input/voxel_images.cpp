@@ -74,6 +74,23 @@ void write_vti(const std::string& path, const Grid& grid, const std::vector<int>
 
 } // namespace
 
+Grid read_label_image(const std::string& path, std::vector<int>& labels) {
+  const CGAL::Image_3 image = read_inr(path);
+  for (std::size_t z = 0; z < image.zdim(); ++z)
+    for (std::size_t y = 0; y < image.ydim(); ++y)
+      for (std::size_t x = 0; x < image.xdim(); ++x)
+        labels.push_back(int(image.value(x, y, z)));
+  return grid_of(image);
+}
+
+Image_statistics image_statistics(const std::string& path) {
+  std::vector<int> labels;
+  Image_statistics result = {read_label_image(path, labels), {}};
+  for (const int label : labels)
+    ++result.voxels[label];
+  return result;
+}
+
 Read_image read_gray_image(const std::string& path, bool has_channels) {
   static constexpr std::size_t most_channels = 16;
   const std::string format = extension(path);

@@ -13,6 +13,7 @@
 #include <CGAL/Image_3.h>
 
 #include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,21 @@ CGAL::Image_3 read_inr(const std::string& path, std::size_t most_channels = 1);
 
 /// Returns the centers of the voxels.
 DSC::Sampling_grid<3> grid_of(const CGAL::Image_3& image);
+
+/// Reads the labels of an image of voxels (.inr, .inr.gz), the first axis fastest. Returns the
+/// centers of the voxels. \throws Input_error if it cannot be read
+DSC::Sampling_grid<3> read_label_image(const std::string& path, std::vector<int>& labels);
+
+/// Statistics of an image.
+struct Image_statistics
+{
+  DSC::Sampling_grid<3> grid;        ///< centers of the voxels
+  std::map<int, std::size_t> voxels; ///< number of voxels of each label
+};
+
+/// Returns the statistics of an image of voxels (.inr, .inr.gz).
+/// \throws Input_error if it cannot be read
+Image_statistics image_statistics(const std::string& path);
 
 /// An image with numeric values. In the plane, it has a single layer.
 struct Read_image

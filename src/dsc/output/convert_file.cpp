@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "output/convert_file.h"
-
+#include "input/Inputs.h"
 #include "input/files.h"
 #include "input/labeled_tetrahedra.h"
 #include "input/run_start.h"
@@ -32,16 +31,6 @@ using Grid = DSC::Sampling_grid<3>;
 
 bool is_one_of(const std::string& format, std::initializer_list<const char*> formats) {
   return std::find(formats.begin(), formats.end(), format) != formats.end();
-}
-
-/// Reads the grid and the labels of an image (.inr).
-Grid read_image(const std::string& path, std::vector<int>& labels) {
-  const CGAL::Image_3 image = read_inr(path);
-  for (std::size_t z = 0; z < image.zdim(); ++z)
-    for (std::size_t y = 0; y < image.ydim(); ++y)
-      for (std::size_t x = 0; x < image.xdim(); ++x)
-        labels.push_back(int(image.value(x, y, z)));
-  return grid_of(image);
 }
 
 void require_format(const std::string& input, const std::string& content, const std::string& output,
@@ -99,22 +88,14 @@ void convert_image(const std::string& input, const std::string& output) {
   require_format(input, "an image", output,
                  {"inr", "mha", "nii", "gz", "tif", "tiff", "vti", "vtk"});
   std::vector<int> labels;
-  const Grid grid = read_image(input, labels);
+  const Grid grid = read_label_image(input, labels);
   write_label_image(output, grid, labels);
 }
 
 } // namespace
 
-Image_statistics image_statistics(const std::string& path) {
-  std::vector<int> labels;
-  Image_statistics result = {read_image(path, labels), {}};
-  for (const int label : labels)
-    ++result.voxels[label];
-  return result;
-}
-
-void convert_file(const std::string& input, const std::string& output, const std::string& labels,
-                  const std::string& thresholds) {
+void All_inputs::convert(const std::string& input, const std::string& output,
+                         const std::string& labels, const std::string& thresholds) const {
   const std::string native = native_file(input, labels, thresholds);
   Run_start start;
   start.inputs = {native};
@@ -135,8 +116,8 @@ void convert_file(const std::string& input, const std::string& output, const std
   }
 }
 
-void convert_to_image(const std::string& checkpoint, const std::string& output,
-                      const std::string& grid) {
+void All_inputs::convert_to_image(const std::string& checkpoint, const std::string& output,
+                                  const std::string& grid) const {
   require_format(checkpoint, "a complex", output,
                  {"inr", "mha", "nii", "gz", "tif", "tiff", "vti", "vtk"});
   std::string metadata;
@@ -148,7 +129,7 @@ void convert_to_image(const std::string& checkpoint, const std::string& output,
   if (extension(native) != "inr" && extension(native) != "gz")
     throw Input_error(grid + " is no image of voxels with several layers; --grid needs one");
   std::vector<int> unused;
-  const Grid voxels = read_image(native, unused);
+  const Grid voxels = read_label_image(native, unused);
   write_label_image(output, voxels, DSC::sample_labels(in_space->complex, voxels),
                     native == grid ? "" : grid);
 }

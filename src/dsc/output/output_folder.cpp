@@ -23,11 +23,9 @@ namespace {
 /// Returns the existing files of a collection of an earlier run, up to `time`.
 std::vector<Moment> moments_until(double time, const std::string& collection) {
   std::vector<Moment> moments;
-  for (Moment& moment : moments_of_collection(collection)) {
-    std::error_code error;
-    if (moment.first <= time && fs::exists(moment.second, error))
+  for (Moment& moment : moments_of_collection(collection))
+    if (moment.first <= time && exists(moment.second))
       moments.push_back(std::move(moment));
-  }
   return moments;
 }
 
@@ -57,8 +55,7 @@ Output_folder::Output_folder(const std::string& path, const std::string& resume,
       m_interface(file("interface.pvd")) {
   create_folder(path);
   require_writable(checkpoint());
-  std::error_code error;
-  if (fs::exists(checkpoint(), error) && !fs::equivalent(checkpoint(), resume, error))
+  if (exists(checkpoint()) && !is_same_file(checkpoint(), resume))
     throw Input_error("the folder '" + path +
                       "' contains the results of another run; choose another "
                       "folder, or continue that run with --resume " +
@@ -106,8 +103,7 @@ std::string Output_folder::file(const std::string& name) const {
 
 std::vector<Moment> moments_of_collection(const std::string& collection) {
   std::vector<Moment> moments;
-  std::error_code error;
-  if (!fs::exists(collection, error))
+  if (!exists(collection))
     return moments;
   const std::string bytes = internal::file_contents(collection);
   for_each_child(Xml_element{"", "", bytes}, "VTKFile", collection, [&](const Xml_element& file) {

@@ -17,7 +17,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <string>
-#include <system_error>
 
 namespace dsc {
 
@@ -31,8 +30,7 @@ public:
   explicit Step_folder(const std::string& path)
       : m_path(path), m_volume(file("volume.pvd")), m_interface(file("interface.pvd")) {
     create_folder(path);
-    std::error_code error;
-    if (std::filesystem::exists(m_volume.path(), error))
+    if (exists(m_volume.path()))
       throw Input_error("the folder '" + path +
                         "' contains the steps of another run; choose another folder");
     require_writable(m_volume.path());

@@ -7,13 +7,13 @@
 
 #include "commands/commands.h"
 #include "fluids/fluid_processes.h"
+#include "input/files.h"
 #include "input/translations.h"
 #include "programs/program.h"
 
 #include <CLI/CLI.hpp>
 
 #include <cstddef>
-#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -22,8 +22,7 @@ namespace {
 
 [[noreturn]] void leave_to_petsc() {
   static constexpr char name[] = "dsc-fluid-petsc";
-  std::error_code error;
-  if (!std::filesystem::exists(dsc::path_of_program(name), error))
+  if (!dsc::exists(dsc::path_of_program(name)))
     throw std::runtime_error(
         "--solver petsc and mpirun need the program dsc-fluid-petsc; build it with the "
         "CMake option -DDSC_WITH_PETSC=ON (Debian: petsc-dev), or leave "
