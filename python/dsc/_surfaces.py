@@ -15,15 +15,9 @@ from ._report import Indices, Points
 
 
 @dataclass(frozen=True)
-class Reconstruction:
-    """Result of `reconstruct()`. Lengths are in the unit of the points."""
+class _FromPoints:
+    """Properties of a surface that was reconstructed from points, an interface or a sheet."""
 
-    complex: Complex3
-    """The solid, with label 1 inside and label 0 in a box around it."""
-    complete: bool
-    """Whether the interface converged. `doubtful_places` is then empty."""
-    steps: int
-    """Number of steps of the interface."""
     used_points: int
     """Number of points without duplicates and outliers."""
     duplicates: int
@@ -35,13 +29,25 @@ class Reconstruction:
     noise: float
     """Median distance of the points from quadrics through their neighbors."""
     root_mean_square: float
-    """Root mean square of the distances of the points from the interface."""
+    """Root mean square of the distances of the points from the surface."""
     maximum_distance: float
-    """Largest distance of a point from the interface."""
+    """Largest distance of a point from the surface."""
+    doubtful_places: Points
+    """Places where the surface contradicts the points, shape (k, 3)."""
+
+
+@dataclass(frozen=True)
+class Reconstruction(_FromPoints):
+    """Result of `reconstruct()`. Lengths are in the unit of the points."""
+
+    complex: Complex3
+    """The solid, with label 1 inside and label 0 in a box around it."""
+    complete: bool
+    """Whether the interface converged. `doubtful_places` is then empty."""
+    steps: int
+    """Number of steps of the interface."""
     unfit_points: Indices
     """Points that are farther from the interface than a spacing and four times the noise."""
-    doubtful_places: Points
-    """Places where the interface contradicts the points, shape (k, 3)."""
     facets_without_points: Indices
     """Facets of `complex.interface()` that close holes of the points."""
 
@@ -71,11 +77,11 @@ def reconstruct(
     positions = np.asarray(points, dtype=float)
     directions = None if normals is None else np.asarray(normals, dtype=float)
     compiled, report = _dsc.reconstruct(positions, directions, options, progress)
-    return Reconstruction(Complex3(compiled), **report)
+    return Reconstruction(complex=Complex3(compiled), **report)
 
 
 @dataclass(frozen=True)
-class Sheet:
+class Sheet(_FromPoints):
     """Result of `reconstruct_sheet()`. Lengths are in the unit of the points."""
 
     points: Points
@@ -94,24 +100,8 @@ class Sheet:
     """Length of all boundaries."""
     orientable: bool
     """Whether the sheet has two sides."""
-    used_points: int
-    """Number of points without duplicates and outliers."""
-    duplicates: int
-    """Number of points that are equal to others."""
-    outliers: int
-    """Number of points that were not used, since they do not lie on the surface."""
-    spacing: float
-    """Mean distance of the points from their six nearest neighbors."""
-    noise: float
-    """Median distance of the points from quadrics through their neighbors."""
-    root_mean_square: float
-    """Root mean square of the distances of the points from the sheet."""
-    maximum_distance: float
-    """Largest distance of a point from the sheet."""
     unfit_points: Indices
     """Points that are farther from the sheet than half a spacing and six times the noise."""
-    doubtful_places: Points
-    """Places where the sheet contradicts the points, shape (k, 3)."""
 
 
 def reconstruct_sheet(

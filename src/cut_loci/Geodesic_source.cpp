@@ -14,7 +14,6 @@
 #include <filesystem>
 #include <sstream>
 #include <stdexcept>
-#include <utility>
 
 namespace dsc {
 namespace {

@@ -5,7 +5,7 @@
 #ifndef DSC_FILES_PLANAR_REGIONS_H
 #define DSC_FILES_PLANAR_REGIONS_H
 
-#include "Text_file.h"
+#include "Translation.h"
 
 #include <vtkDataSet.h>
 #include <vtkIdList.h>
@@ -66,7 +66,7 @@ public:
 
   /// Writes the regions in the format of Triangle (.poly).
   void write(const std::string& path) const {
-    Text_file out(path);
+    Output_file out(path);
     out << m_data->GetNumberOfPoints() << " 2 0 0\n";
     for (vtkIdType i = 0; i < m_data->GetNumberOfPoints(); ++i) {
       const auto [x, y, z] = point(m_data, i);

@@ -10,11 +10,10 @@
 // Usage: dsc-files INPUT FOLDER [--labels NAME] [--threshold VALUES] [--values gray|color]
 //        dsc-files --write INPUT OUTPUT [LIKE], see write_foreign()
 
+#include "Translation.h"
 #include "read_dataset.h"
-#include "translate_text.h"
-#include "write_cells.h"
-#include "write_foreign.h"
-#include "write_image.h"
+
+#include <vtkImageData.h>
 
 #include <signal.h>
 #include <sys/resource.h>

@@ -2,11 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "read_3mf.h"
+#include "read_dataset.h"
 
 #ifdef DSC_HAS_LIB3MF
-
-#include "Names_of_parts.h"
 
 #include <Model/COM/NMR_DLLInterfaces.h>
 

@@ -2,9 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "read_blocks.h"
-
-#include "Names_of_parts.h"
+#include "read_dataset.h"
 
 #include <vtkAppendFilter.h>
 #include <vtkCellData.h>

@@ -4,13 +4,6 @@
 
 #include "read_dataset.h"
 
-#include "Translation.h"
-#include "read_3mf.h"
-#include "read_blocks.h"
-#include "read_gmsh.h"
-#include "read_meshb.h"
-#include "require_complete.h"
-
 #include <vtkCellData.h>
 #include <vtkCommand.h>
 #include <vtkDataArray.h>
@@ -34,7 +27,6 @@
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
 #include <vtkTIFFReader.h>
-#include <vtkUnstructuredGrid.h>
 #include <vtkXMLGenericDataObjectReader.h>
 
 #include <algorithm>
@@ -45,7 +37,6 @@
 #include <fstream>
 #include <initializer_list>
 #include <iterator>
-#include <map>
 #include <sstream>
 #include <type_traits>
 #include <vector>

@@ -9,7 +9,9 @@
 
 #include <vtkDataSet.h>
 #include <vtkSmartPointer.h>
+#include <vtkUnstructuredGrid.h>
 
+#include <map>
 #include <string>
 
 namespace dsc_files {
@@ -29,6 +31,63 @@ Dataset read_dataset(const std::string& path, const std::string& folder);
 
 /// Returns the extension in lower case, without the dot; of compressed NIfTI files `nii.gz`.
 std::string format_of(const std::string& path);
+
+/// Reads the objects of a 3MF file as one surface, at the places of the items that are to be built.
+/// The labels of the triangles are the numbers of their objects, beginning with 1, in the order of
+/// the items; objects with the same name have the same label.
+/// \throws Failure if the file cannot be read, or the program was built without lib3mf
+vtkSmartPointer<vtkDataSet> read_3mf(const std::string& path, Translation& translation);
+
+/// Reads the blocks of a multi-block file of VTK (.vtm) as one grid. The labels of the cells are
+/// the numbers of their blocks, beginning with 1, in the order of the file; blocks with the same
+/// name have the same label.
+/// \throws Failure if the file contains no blocks, or blocks that are images
+vtkSmartPointer<vtkDataSet> read_blocks(const std::string& path, Translation& translation);
+
+/// Reads a mesh of Gmsh (.msh). The cell array `gmsh:physical` contains the physical group of each
+/// cell, and 0 for cells without a group; without groups, the tags of the entities.
+/// \param folder new folder
+/// \param translation receives the unused contents
+/// \throws Failure if it cannot be read, or the program was built without Gmsh
+vtkSmartPointer<vtkUnstructuredGrid> read_gmsh(const std::string& path, const std::string& folder,
+                                               Translation& translation);
+
+/// Reads a binary mesh in the Gamma Mesh Format (.meshb): vertices, edges, triangles and
+/// tetrahedra. The cell array `medit:ref` contains their references.
+/// \param translation receives the unused contents
+/// \throws Failure if it cannot be read
+vtkSmartPointer<vtkUnstructuredGrid> read_meshb(const std::string& path, Translation& translation);
+
+/// Checks whether a file has all bytes that its header announces, for formats whose readers in VTK
+/// accept truncated files: MetaImage (.mha, .mhd), TIFF, and images of VTK in pieces.
+/// \throws Failure if bytes are missing
+void require_complete(const std::string& path, const std::string& format);
+
+/// The labels of the parts of a file: 1, 2 and so on. Parts with the same name have the same label.
+class Names_of_parts
+{
+public:
+  /// Returns the label of a part.
+  /// \param otherwise the name of a part without name
+  int label_of(std::string name, const std::string& otherwise) {
+    for (char& c : name)
+      if (c == '\n' || c == '\r')
+        c = ' ';
+    if (name.empty())
+      name = otherwise;
+    const auto [place, is_new] = m_labels.emplace(name, int(m_labels.size()) + 1);
+    if (is_new)
+      m_names.emplace(place->second, name);
+    return place->second;
+  }
+
+  /// Returns the names by their labels.
+  const std::map<int, std::string>& names() const { return m_names; }
+
+private:
+  std::map<std::string, int> m_labels;
+  std::map<int, std::string> m_names;
+};
 
 } // namespace dsc_files
 

@@ -2,9 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "read_gmsh.h"
-
-#include "Translation.h"
+#include "read_dataset.h"
 
 #ifdef DSC_HAS_GMSH
 
@@ -20,7 +18,6 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <vector>
 

@@ -2,9 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "read_meshb.h"
-
-#include "Translation.h"
+#include "read_dataset.h"
 
 #include <vtkCellData.h>
 #include <vtkCellType.h>

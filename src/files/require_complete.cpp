@@ -2,9 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "require_complete.h"
-
-#include "Translation.h"
+#include "read_dataset.h"
 
 #include <algorithm>
 #include <cstdint>

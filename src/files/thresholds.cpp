@@ -2,8 +2,6 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "thresholds.h"
-
 #include "Translation.h"
 
 #include <algorithm>
@@ -31,8 +29,11 @@ struct Sums
   }
 };
 
-} // namespace
-
+/// Returns the thresholds that maximize the variance between the classes of values (N. Otsu, "A
+/// threshold selection method from gray-level histograms", 1979), with a histogram of 256 classes.
+/// Values that are not finite are ignored.
+/// \param number from 1 to 8
+/// \throws Failure if there are not enough different values
 std::vector<double> otsu_thresholds(const std::vector<double>& values, int number) {
   double least = std::numeric_limits<double>::infinity(), largest = -least;
   for (const double value : values)
@@ -79,6 +80,8 @@ std::vector<double> otsu_thresholds(const std::vector<double>& values, int numbe
   std::reverse(result.begin(), result.end());
   return result;
 }
+
+} // namespace
 
 std::vector<double> thresholds_of(const std::string& option, const std::vector<double>& values) {
   const std::string automatic = "otsu";

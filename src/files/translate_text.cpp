@@ -2,9 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "translate_text.h"
-
-#include "Text_file.h"
+#include "Translation.h"
 
 #include <nlohmann/json.hpp>
 
@@ -149,7 +147,7 @@ private:
   bool m_has_normals = false;
   std::size_t m_left_out = 0;
   Names m_unused;
-  std::optional<Text_file> m_out;
+  std::optional<Output_file> m_out;
   Translation m_result;
 };
 
@@ -245,7 +243,7 @@ Pcd_header read_header(std::istream& in) {
 using Json = nlohmann::json;
 
 /// Writes items in parentheses, with commas between them.
-template <class Write> void write_list(const Json& items, Text_file& out, const Write& write) {
+template <class Write> void write_list(const Json& items, Output_file& out, const Write& write) {
   const char* separator = "(";
   for (const Json& item : items) {
     out << separator;
@@ -256,7 +254,7 @@ template <class Write> void write_list(const Json& items, Text_file& out, const 
 }
 
 /// Writes the rings of a polygon.
-void write_rings(const Json& rings, Text_file& out) {
+void write_rings(const Json& rings, Output_file& out) {
   write_list(rings, out, [&](const Json& ring) {
     write_list(ring, out, [&](const Json& point) {
       out << point.at(0).get<double>() << ' ' << point.at(1).get<double>();
@@ -265,7 +263,7 @@ void write_rings(const Json& rings, Text_file& out) {
 }
 
 /// Writes a geometry. Returns the number of its parts that are no polygons.
-std::size_t write_geometry(const Json& geometry, Text_file& out) {
+std::size_t write_geometry(const Json& geometry, Output_file& out) {
   if (geometry.is_null())
     return 0;
   const std::string type = geometry.at("type");
@@ -347,7 +345,7 @@ Translation translate_pcd(const Options& options) {
 Translation translate_geojson(const Options& options) {
   Translation result;
   result.path = options.folder + "/regions.wkt";
-  Text_file out(result.path);
+  Output_file out(result.path);
   std::size_t others = 0;
   try {
     const Json json = Json::parse(std::ifstream(options.input));

@@ -2,10 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "write_cells.h"
-
 #include "Planar_regions.h"
-#include "Text_file.h"
+#include "Translation.h"
 
 #include <vtkAppendFilter.h>
 #include <vtkCellData.h>
@@ -26,7 +24,6 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -34,7 +31,6 @@
 #include <map>
 #include <sstream>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace dsc_files {
@@ -253,7 +249,7 @@ void write_objects(vtkPolyData* surface, const std::vector<int>& labels, const L
   std::map<int, std::vector<Triangle>> objects;
   for (std::size_t i = 0; i < triangles.size(); ++i)
     objects[labels[i]].push_back(triangles[i]);
-  Text_file out(path);
+  Output_file out(path);
   for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i) {
     const auto [x, y, z] = point(surface, i);
     out << "v " << x << ' ' << y << ' ' << z << '\n';
@@ -269,7 +265,7 @@ void write_objects(vtkPolyData* surface, const std::vector<int>& labels, const L
 
 void write_surface(vtkPolyData* surface, Translation& result) {
   const std::vector<Triangle> triangles = triangles_of(surface);
-  Text_file out(result.path);
+  Output_file out(result.path);
   out << "OFF\n" << surface->GetNumberOfPoints() << ' ' << triangles.size() << " 0\n";
   for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i) {
     const auto [x, y, z] = point(surface, i);
@@ -304,7 +300,7 @@ std::vector<int> labels_of(vtkDataSet* data, const std::string& name, Translatio
 
 void write_points(vtkDataSet* data, Translation& result) {
   vtkDataArray* const normals = data->GetPointData()->GetNormals();
-  Text_file out(result.path);
+  Output_file out(result.path);
   std::size_t left_out = 0;
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i) {
     const auto [x, y, z] = point(data, i);

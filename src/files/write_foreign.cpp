@@ -2,11 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "write_foreign.h"
-
 #include "Translation.h"
 #include "read_dataset.h"
-#include "write_image.h"
 
 #include <vtkDataArray.h>
 #include <vtkDataSetWriter.h>

@@ -2,12 +2,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "write_image.h"
-
-#include "thresholds.h"
+#include "Translation.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkImageData.h>
 #include <vtkMatrix3x3.h>
 #include <vtkPointData.h>
 
@@ -15,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
 #include <limits>
 #include <set>
 #include <sstream>
@@ -295,10 +293,6 @@ void write_pgm(const Voxels<int>& labels, std::ostream& out) {
     }
 }
 
-} // namespace
-
-namespace {
-
 /// Finds the array with the values of the voxels, and adds the others to the unused contents.
 vtkDataArray* used_values_of(vtkImageData* image, bool& are_cells, Translation& result) {
   vtkDataArray* const array = values_of(image, are_cells);
@@ -308,12 +302,6 @@ vtkDataArray* used_values_of(vtkImageData* image, bool& are_cells, Translation& 
       if (attributes->GetAbstractArray(i) != array && attributes->GetArrayName(i) != nullptr)
         result.unused.push_back(std::string("array (") + attributes->GetArrayName(i) + ')');
   return array;
-}
-
-void require_written(std::ofstream& out) {
-  out.close();
-  if (!out)
-    throw Failure("cannot be translated: the disk for temporary files is full");
 }
 
 } // namespace
@@ -330,14 +318,14 @@ Translation write_channels(vtkImageData* image, const Options& options) {
       result.unused.insert(result.unused.end(), repeated.unused.begin(), repeated.unused.end());
   }
   result.path = options.folder + "/image.inr";
-  std::ofstream out(result.path, std::ios::binary);
+  Output_file out(result.path);
   write_inr_header(channels.front(), channels.size(), "float", 32, out);
   for (std::size_t i = 0; i < channels.front().values.size(); ++i)
     for (const Voxels<double>& channel : channels) {
       const auto value = float(channel.values[i]);
       out.write(reinterpret_cast<const char*>(&value), sizeof value);
     }
-  require_written(out);
+  out.close();
   return result;
 }
 
@@ -352,12 +340,12 @@ Translation write_image(vtkImageData* image, const Options& options) {
   if (is_layer && (labels.spacing != std::array<double, 3>{1, 1, 1} || labels.origin[0] != 0 ||
                    labels.origin[1] != 0))
     result.unused.push_back("size and place of the pixels");
-  std::ofstream out(result.path, std::ios::binary);
+  Output_file out(result.path);
   if (is_layer)
     write_pgm(labels, out);
   else
     write_inr(labels, out);
-  require_written(out);
+  out.close();
   return result;
 }
 

@@ -6,9 +6,13 @@
 
 #include "programs/errors.h"
 
+#include <CGAL/Mesh_files/internal/text/number_of_word.h>
+
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
-#include <string>
+#include <fstream>
+#include <sstream>
 
 namespace dsc {
 
@@ -23,8 +27,7 @@ double Grain_energy::fastest() const {
 
 double Grain_energy::tension(double angle) const {
   return kind == Kind::table ? table.tension(angle)
-                             : CGAL::Deformable_simplicial_complexes::read_shockley_energy(
-                                   angle * degree, largest_angle * degree);
+                             : DSC::read_shockley_energy(angle * degree, largest_angle * degree);
 }
 
 Json to_json(const Grain_energy& energy) {
@@ -61,6 +64,50 @@ Grain_energy energy_of_json(const Json& json) {
                (k == 0 || rows[k - 1].angle < rows[k].angle);
   if (!is_valid)
     throw Input_error("an energy of grain boundaries is out of its range");
+  return result;
+}
+
+double Angle_table::value(double angle, double Row::*member) const {
+  std::size_t next = 0;
+  while (next < rows.size() && rows[next].angle < angle)
+    ++next;
+  if (next == 0)
+    return rows.front().*member;
+  if (next == rows.size())
+    return rows.back().*member;
+  const Row &a = rows[next - 1], &b = rows[next];
+  const double part = (angle - a.angle) / (b.angle - a.angle);
+  return (1 - part) * a.*member + part * b.*member;
+}
+
+Angle_table read_angle_table(const std::string& path) {
+  std::ifstream in(path);
+  if (!in)
+    throw Input_error("cannot open " + path + "; check that the file exists and is readable");
+  Angle_table result;
+  std::size_t number = 0;
+  for (std::string line; std::getline(in, line);) {
+    ++number;
+    std::istringstream words(line.substr(0, line.find('#')));
+    std::vector<double> values;
+    for (std::string word; words >> word;) {
+      const auto value = DSC::internal::number_of_word<double>(word);
+      values.push_back(value && std::isfinite(*value) ? *value : -1);
+    }
+    if (values.empty())
+      continue;
+    const std::string place = path + ", line " + std::to_string(number) + ": ";
+    if (values.size() < 2 || values.size() > 3 || !(values[0] >= 0) || !(values[1] > 0) ||
+        !(values.back() > 0))
+      throw Input_error(place +
+                        "expected an angle in degrees, a positive tension and, if wanted, a "
+                        "positive mobility");
+    if (!result.rows.empty() && !(result.rows.back().angle < values[0]))
+      throw Input_error(place + "the angle is not greater than the one before; sort the lines");
+    result.rows.push_back({values[0], values[1], values.size() > 2 ? values[2] : 1});
+  }
+  if (result.rows.empty())
+    throw Input_error(path + " contains no row; write lines of an angle and a tension, like 15 1");
   return result;
 }
 

@@ -5,7 +5,6 @@
 #ifndef DSC_GRAIN_ENERGY_H
 #define DSC_GRAIN_ENERGY_H
 
-#include "output/angle_table.h"
 #include "output/report_json.h"
 
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
@@ -14,8 +13,35 @@
 #include <CGAL/number_utils.h>
 
 #include <string>
+#include <vector>
 
 namespace dsc {
+
+/// The tension and the mobility of grain boundaries at some misorientations.
+struct Angle_table
+{
+  /// A row of the table.
+  struct Row
+  {
+    double angle;        ///< in degrees
+    double tension;      ///< positive
+    double mobility = 1; ///< positive
+  };
+  std::vector<Row> rows; ///< by increasing angles
+
+  /// Returns the tension at an angle: linear between rows, constant outside the table.
+  double tension(double angle) const { return value(angle, &Row::tension); }
+  /// Returns the mobility at an angle, as above.
+  double mobility(double angle) const { return value(angle, &Row::mobility); }
+
+private:
+  double value(double angle, double Row::*member) const;
+};
+
+/// Reads a table: a line for each row, with the angle, the tension and, if given, the mobility.
+/// Text behind # is a comment.
+/// \throws Input_error if the file cannot be read, a line is no row, or angles do not increase
+Angle_table read_angle_table(const std::string& path);
 
 inline constexpr double degree = CGAL_PI / 180;
 
@@ -35,10 +61,9 @@ struct Grain_energy
   /// \param has_particles whether the label 0 is that of particles, whose interfaces have the
   /// tension 1 and do not move
   template <int d>
-  CGAL::Deformable_simplicial_complexes::Interface_energy
-  of(const CGAL::Deformable_simplicial_complexes::Grain_orientations<d>& orientations,
-     bool has_particles) const {
-    CGAL::Deformable_simplicial_complexes::Interface_energy result;
+  DSC::Interface_energy of(const DSC::Grain_orientations<d>& orientations,
+                           bool has_particles) const {
+    DSC::Interface_energy result;
     const auto angle = [&orientations](int a, int b) {
       return orientations.misorientation(a, b) / degree;
     };

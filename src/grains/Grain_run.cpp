@@ -8,10 +8,7 @@
 
 #include <CGAL/Mesh_files/checkpoint.h>
 
-#include <cstddef>
-#include <cstdint>
 #include <limits>
-#include <string>
 
 namespace dsc {
 

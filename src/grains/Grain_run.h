@@ -70,9 +70,9 @@ struct Grain_rate
 /// The result of the growth of grains.
 struct Grain_result
 {
-  std::vector<CGAL::Deformable_simplicial_complexes::Grain_statistics> grains; ///< at the end
-  std::vector<double> misorientations; ///< in degrees, weighted by `areas`
-  std::vector<double> areas;           ///< of the interfaces with these misorientations
+  std::vector<DSC::Grain_statistics> grains; ///< at the end
+  std::vector<double> misorientations;       ///< in degrees, weighted by `areas`
+  std::vector<double> areas;                 ///< of the interfaces with these misorientations
   /// Slope and uncentered correlation of the measured rates of growth over those of the law for
   /// unit tension and mobility, see `Grain_statistics::growth()`. Zero if none were measured.
   double slope = 0, correlation = 0;

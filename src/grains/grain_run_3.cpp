@@ -9,27 +9,25 @@
 #include <CGAL/Interface_flows/compiled_torus_3.h>
 
 namespace dsc {
+namespace {
+
+template <class Complex, class Domain>
+Grain_result grow_in_space(const Domain& domain, const Grain_run& run,
+                           const std::function<void(const Grain_state&)>& on) {
+  const auto make = [&](double edge, const auto& labels) {
+    return DSC::make_deformable_simplicial_complex_3<Complex>(domain, edge, labels);
+  };
+  return grow_grains<Complex>(run, make, on);
+}
+
+} // namespace
 
 Grain_result grow_grains_3(const Grain_run& run,
                            const std::function<void(const Grain_state&)>& on) {
-  using namespace CGAL::Deformable_simplicial_complexes;
-  using Box_complex = CGAL::Deformable_simplicial_complex_3<>;
-  using Torus_complex = internal::Torus_complex_3;
   if (run.is_periodic)
-    return grow_grains<Torus_complex>(
-        run,
-        [](double edge, const auto& labels) {
-          return make_deformable_simplicial_complex_3<Torus_complex>(Torus_domain<3>(), edge,
-                                                                     labels);
-        },
-        on);
-  return grow_grains<Box_complex>(
-      run,
-      [](double edge, const auto& labels) {
-        return make_deformable_simplicial_complex_3<Box_complex>(CGAL::Bbox_3(0, 0, 0, 1, 1, 1),
-                                                                 edge, labels);
-      },
-      on);
+    return grow_in_space<DSC::internal::Torus_complex_3>(DSC::Torus_domain<3>(), run, on);
+  return grow_in_space<CGAL::Deformable_simplicial_complex_3<>>(CGAL::Bbox_3(0, 0, 0, 1, 1, 1), run,
+                                                                on);
 }
 
 } // namespace dsc

@@ -48,12 +48,11 @@ public:
   /// Writes a state unless it is written already.
   template <class Complex>
   void write(const Complex& complex, const Grain_state& state,
-             const CGAL::Deformable_simplicial_complexes::Grain_orientations<Complex::dimension>&
-                 orientations) {
+             const DSC::Grain_orientations<Complex::dimension>& orientations) {
     if (!m_folder || m_last == state.step)
       return;
     m_last = state.step;
-    CGAL::Deformable_simplicial_complexes::Mesh_arrays arrays;
+    DSC::Mesh_arrays arrays;
     arrays.cells.push_back({"misorientation", "Float64", 1, {}});
     static constexpr double none = -1; // at particles, which have no orientation
     for (const auto& facet : complex.interface_facets()) {
@@ -81,7 +80,7 @@ private:
 template <class Complex> class Growth_law
 {
 public:
-  using Statistics = std::vector<CGAL::Deformable_simplicial_complexes::Grain_statistics>;
+  using Statistics = std::vector<DSC::Grain_statistics>;
 
   /// Takes the statistics before a step.
   void begin(const Complex& complex) { m_before = grain_statistics(complex); }
@@ -89,7 +88,7 @@ public:
   /// Adds the rates of growth in a step; in the plane, of the grains whose numbers of corners have
   /// not changed. Mean rates are those of grains that touch no side.
   void end(const Complex& complex, double dt) {
-    std::map<int, CGAL::Deformable_simplicial_complexes::Grain_statistics> after;
+    std::map<int, DSC::Grain_statistics> after;
     for (const auto& grain : grain_statistics(complex))
       after.emplace(grain.label, grain);
     for (const auto& grain : m_before)
@@ -109,7 +108,7 @@ public:
 private:
   static constexpr int d = Complex::dimension;
 
-  void add(const CGAL::Deformable_simplicial_complexes::Grain_statistics& grain, double rate) {
+  void add(const DSC::Grain_statistics& grain, double rate) {
     const double x = grain.growth(d);
     m_xx += x * x;
     m_xy += x * rate;
@@ -160,7 +159,7 @@ public:
 
   /// Returns whether a point is in a particle.
   template <class Point> bool contain(const Point& p) const {
-    const Center x = CGAL::Deformable_simplicial_complexes::coordinates_of<d>(p);
+    const Center x = DSC::coordinates_of<d>(p);
     return std::any_of(m_centers.begin(), m_centers.end(),
                        [&](const Center& q) { return distance(x, q) < m_radius; });
   }
@@ -187,13 +186,10 @@ private:
 /// Adds the misorientations and the measures of the grain boundaries to a result, without the
 /// surfaces of particles.
 template <class Complex>
-void measure_boundaries(
-    const Complex& complex,
-    const CGAL::Deformable_simplicial_complexes::Grain_orientations<Complex::dimension>&
-        orientations,
-    Grain_result& result) {
-  for (const auto& [labels, area] :
-       CGAL::Deformable_simplicial_complexes::shared_measures(complex)) {
+void measure_boundaries(const Complex& complex,
+                        const DSC::Grain_orientations<Complex::dimension>& orientations,
+                        Grain_result& result) {
+  for (const auto& [labels, area] : DSC::shared_measures(complex)) {
     if (labels.first == particle_label)
       continue;
     result.misorientations.push_back(orientations.misorientation(labels.first, labels.second) /
@@ -210,9 +206,8 @@ template <int d> double longest_edge(const Grain_run& run) {
 }
 
 /// Returns the options of the growth of a run.
-template <int d>
-CGAL::Deformable_simplicial_complexes::Grain_growth_options growth_options(const Grain_run& run) {
-  CGAL::Deformable_simplicial_complexes::Grain_growth_options result;
+template <int d> DSC::Grain_growth_options growth_options(const Grain_run& run) {
+  DSC::Grain_growth_options result;
   result.edges_of_grain = run.edges;
   result.step = run.step;
   result.fastest = run.energy.fastest();
@@ -224,13 +219,11 @@ CGAL::Deformable_simplicial_complexes::Grain_growth_options growth_options(const
 /// Lets grains grow, see `grow_grains()`.
 /// \param state the state at the beginning
 template <class Complex>
-Grain_result
-grow_grains(const Grain_run& run, Grain_files& files, const Complex& complex,
-            CGAL::Deformable_simplicial_complexes::Grain_growth<Complex>& growth,
-            const CGAL::Deformable_simplicial_complexes::Grain_orientations<Complex::dimension>&
-                orientations,
-            Grain_state state, const std::function<void(const Grain_state&)>& on) {
-  using namespace CGAL::Deformable_simplicial_complexes;
+Grain_result grow_grains(const Grain_run& run, Grain_files& files, const Complex& complex,
+                         DSC::Grain_growth<Complex>& growth,
+                         const DSC::Grain_orientations<Complex::dimension>& orientations,
+                         Grain_state state, const std::function<void(const Grain_state&)>& on) {
+  using namespace DSC;
   static constexpr int d = Complex::dimension;
   const Interface_energy& energy = growth.energy();
   const bool has_law = run.energy.kind == Grain_energy::Kind::isotropic && run.particles == 0;
@@ -297,10 +290,8 @@ grow_grains(const Grain_run& run, Grain_files& files, const Complex& complex,
 
 /// Returns the grains at the beginning of a run, in a complex that `make(edge, labels)` makes.
 template <class Complex, class Make>
-Complex first_grains(const Grain_run& run,
-                     const CGAL::Deformable_simplicial_complexes::Interface_energy& energy,
-                     const Make& make) {
-  using namespace CGAL::Deformable_simplicial_complexes;
+Complex first_grains(const Grain_run& run, const DSC::Interface_energy& energy, const Make& make) {
+  using namespace DSC;
   static constexpr int d = Complex::dimension;
   std::array<double, d> sides;
   sides.fill(1);
@@ -335,7 +326,7 @@ Complex first_grains(const Grain_run& run,
 template <class Complex, class Make>
 Grain_result grow_grains(const Grain_run& run, const Make& make,
                          const std::function<void(const Grain_state&)>& on) {
-  using namespace CGAL::Deformable_simplicial_complexes;
+  using namespace DSC;
   static constexpr int d = Complex::dimension;
   Grain_files files(run);
   const Grain_orientations<d> orientations(run.number, run.seed);

@@ -5,44 +5,82 @@
 #ifndef DSC_PYTHON_FLUID_SOLIDS_H
 #define DSC_PYTHON_FLUID_SOLIDS_H
 
-#include "Fluid_object.h"
+#include "Guarded.h"
+#include "arrays.h"
 #include "callbacks.h"
 
 #include "scenes/add_solid.h"
 #include "scenes/json_fields.h"
 #include "scenes/scene_solid.h"
 
+#include <CGAL/Incompressible_fluids_3/Incompressible_fluid.h>
+
 #include <CGAL/Incompressible_fluids_3/Rigid_body_3.h>
 #include <CGAL/Mesh_support/coordinates.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 
 namespace dsc_python {
 
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
+using Point_3 = CGAL::Simple_cartesian<double>::Point_3;
+using Vector_3 = CGAL::Simple_cartesian<double>::Vector_3;
+
+/// A fluid with its own complex. The fluid refers to the complex, so the complex does not move.
+template <class Complex> struct Owned_fluid
+{
+  std::unique_ptr<Complex> complex;
+  std::unique_ptr<DSC::Incompressible_fluid<Complex>> fluid;
+};
+
+/// A fluid for Python.
+template <class Complex> using Fluid_object = Guarded<Owned_fluid<Complex>>;
+
+/// Returns coordinates in space. In the plane, the third coordinate is 0.
+template <std::size_t d> std::array<double, 3> in_space(const std::array<double, d>& coordinates) {
+  std::array<double, 3> result = {};
+  std::copy(coordinates.begin(), coordinates.end(), result.begin());
+  return result;
+}
+
+/// Returns the first d coordinates of a point or a vector in space, as an array of shape (d,).
+template <int d, class Coordinates> py::array_t<double> array_of_first(const Coordinates& c) {
+  return array_of<double>(std::size_t(d), [&](std::size_t i) { return c[int(i)]; });
+}
+
+/// Returns a vector of rotation, such as a torque: a number in the plane, an array in space.
+template <int d> py::object rotation_to_python(const Vector_3& v) {
+  if constexpr (d == 2)
+    return py::float_(v.z());
+  else
+    return array_of_first<3>(v);
+}
+
 /// The places of a solid that a Python function gives: `function(t)` returns the displacement and
 /// the rotation, with three coordinates each. Several threads can use it.
-class Place_function
+class Place_function : private Shared_function
 {
 public:
   using Place = dsc::Scene_solid::Place;
 
-  explicit Place_function(py::function function) : m_function(std::move(function)) {}
+  using Shared_function::Shared_function;
 
   Place operator()(double t) const {
     using CGAL::Deformable_simplicial_complexes::point_of;
     const py::gil_scoped_acquire lock;
-    const auto vectors = m_function(t).cast<std::array<std::array<double, 3>, 2>>();
+    const auto vectors = call(t).cast<std::array<std::array<double, 3>, 2>>();
     return {point_of<Place::Vector>(vectors[0]), point_of<Place::Vector>(vectors[1])};
   }
-
-private:
-  Shared_function m_function;
 };
 
 /// Returns a Python value of texts, truth values, numbers, lists and dictionaries as JSON.

@@ -10,7 +10,6 @@
 #include <CGAL/Mesh_support/coordinates.h>
 #include <CGAL/Origin.h>
 
-#include <array>
 #include <cmath>
 #include <string>
 #include <tuple>

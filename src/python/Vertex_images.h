@@ -49,9 +49,7 @@ public:
     return array_of<std::uint64_t>(m_ids.size(), [&](std::size_t i) { return m_ids[i]; });
   }
   /// Returns the index of the vertex of each point.
-  py::array_t<std::int64_t> vertices() const {
-    return array_of<std::int64_t>(m_vertices.size(), [&](std::size_t i) { return m_vertices[i]; });
-  }
+  py::array_t<std::int64_t> vertices() const { return array_of_indices(m_vertices); }
 
 private:
   // The number of periods between a vertex and its image, -1, 0 or 1 along each axis, as a number

@@ -105,6 +105,17 @@ py::array_t<Number> array_of(std::size_t n, std::size_t columns, const Entry& en
   return result;
 }
 
+/// Returns indices as an array of shape (n,).
+inline py::array_t<std::int64_t> array_of_indices(const std::vector<std::size_t>& indices) {
+  return array_of<std::int64_t>(indices.size(), [&](std::size_t i) { return indices[i]; });
+}
+
+/// Returns points or vectors with d coordinates as an array of shape (n, d).
+template <class Vectors> py::array_t<double> array_of_vectors(const Vectors& vectors, int d) {
+  return array_of<double>(vectors.size(), std::size_t(d),
+                          [&](std::size_t i, std::size_t j) { return vectors[i][int(j)]; });
+}
+
 /// Returns labels as integers of 32 bits.
 /// \throws py::type_error if the array is not of integers
 /// \throws py::value_error if its shape is wrong, or a number does not fit

@@ -9,7 +9,7 @@
 #include "Growth_object.h"
 #include "Vertex_images.h"
 #include "callbacks.h"
-#include "motions/flow_names.h"
+#include "motions/motion.h"
 #include "options.h"
 #include "reports.h"
 

@@ -31,7 +31,7 @@ public:
   explicit Shared_function(py::function function)
       : m_function(std::make_shared<py::function>(std::move(function))) {}
 
-  template <class... Arguments> py::object operator()(Arguments&&... arguments) const {
+  template <class... Arguments> py::object call(Arguments&&... arguments) const {
     return (*m_function)(std::forward<Arguments>(arguments)...);
   }
 
@@ -53,7 +53,7 @@ public:
   void operator()(const std::vector<Point>& points, double t,
                   std::vector<Vector>& velocities) const {
     const py::gil_scoped_acquire lock;
-    const py::array array(m_function(m_space.array(points), t));
+    const py::array array(m_function.call(m_space.array(points), t));
     if (!is_of_real_numbers(array))
       throw py::type_error("the velocities must be an array of real numbers");
     const Array<double> result(array);
@@ -74,27 +74,22 @@ private:
 
 /// Function of labels that a Python function gives: `function(points)` returns the labels at the
 /// points, integers of shape (n,), for points of shape (n, d).
-template <class Complex> class Label_function
+template <class Complex> class Label_function : private Shared_function
 {
 public:
   using Point = typename Complex::Approximate_point;
 
-  explicit Label_function(py::function function) : m_function(std::move(function)) {}
+  using Shared_function::Shared_function;
 
   std::vector<int> operator()(const std::vector<Point>& points) const {
     const py::gil_scoped_acquire lock;
-    const py::array_t<double> array =
-        array_of<double>(points.size(), Complex::dimension,
-                         [&](std::size_t i, std::size_t j) { return points[i][int(j)]; });
-    const std::vector<int> labels = labels_of(py::array(m_function(array)), "the labels");
+    const auto array = array_of_vectors(points, Complex::dimension);
+    const std::vector<int> labels = labels_of(py::array(call(array)), "the labels");
     if (labels.size() != points.size())
       throw py::value_error("the label function returned " + std::to_string(labels.size()) +
                             " labels for " + std::to_string(points.size()) + " points");
     return labels;
   }
-
-private:
-  Shared_function m_function;
 };
 
 /// A Python function of one or several labels that returns a number. It is called once for each
@@ -111,7 +106,7 @@ public:
     const std::tuple<Labels...> key(labels...);
     if (const auto found = m_numbers->find(key); found != m_numbers->end())
       return found->second;
-    const py::object value = m_function(labels...);
+    const py::object value = m_function.call(labels...);
     double number = 0;
     try {
       number = m_factor * value.cast<double>();
@@ -131,25 +126,21 @@ private:
 
 /// Region that a Python function gives: `function(points)` returns whether the points are in the
 /// region, booleans of shape (n,), for points of shape (n, d).
-template <class Point> class Region_function
+template <class Point> class Region_function : private Shared_function
 {
 public:
-  explicit Region_function(py::function function) : m_function(std::move(function)) {}
+  using Shared_function::Shared_function;
 
   bool operator()(const Point& p) const {
     const py::gil_scoped_acquire lock;
-    const py::array_t<double> points = array_of<double>(
-        1, std::size_t(p.dimension()), [&](std::size_t, std::size_t j) { return p[int(j)]; });
-    const py::array inside(m_function(points));
+    const auto points = array_of_vectors(std::array<Point, 1>{p}, p.dimension());
+    const py::array inside(call(points));
     if (inside.dtype().kind() != 'b')
       throw py::type_error("the function of a region must return booleans");
     if (inside.ndim() != 1 || inside.size() != 1)
       throw py::value_error("the function of a region must return one boolean for each point");
     return labels_of(inside, "the region").front() != 0;
   }
-
-private:
-  Shared_function m_function;
 };
 
 /// Function of points of a side that a Python function gives: `function(point, t)` returns a value,
@@ -180,7 +171,8 @@ public:
 
 private:
   py::object call(const std::array<double, 3>& p, double t) const {
-    return m_function(array_of<double>(std::size_t(d), [&](std::size_t i) { return p[i]; }), t);
+    return m_function.call(array_of<double>(std::size_t(d), [&](std::size_t i) { return p[i]; }),
+                           t);
   }
 
   Shared_function m_function;
@@ -202,7 +194,7 @@ public:
     if (!m_function)
       return m_constant;
     const py::gil_scoped_acquire lock;
-    return double(py::float_((*m_function)(t)));
+    return double(py::float_(m_function->call(t)));
   }
 
 private:
@@ -213,24 +205,20 @@ private:
 /// Values of a field at points that a Python function gives: `function(points)` returns numbers of
 /// shape (n,), for points of shape (n, d). A time can follow the points. The value is none where
 /// the function returns NaN.
-template <class Point> class Field_function
+template <class Point> class Field_function : private Shared_function
 {
 public:
-  explicit Field_function(py::function function) : m_function(std::move(function)) {}
+  using Shared_function::Shared_function;
 
   template <class... Time> std::optional<double> operator()(const Point& p, Time... t) const {
     const py::gil_scoped_acquire lock;
-    const py::array_t<double> points = array_of<double>(
-        1, std::size_t(p.dimension()), [&](std::size_t, std::size_t j) { return p[int(j)]; });
-    const py::array array(m_function(points, t...));
+    const auto points = array_of_vectors(std::array<Point, 1>{p}, p.dimension());
+    const py::array array(call(points, t...));
     if (!is_of_real_numbers(array) || array.ndim() != 1 || array.size() != 1)
       throw py::type_error("the function of a field must return one number for each point");
     const double value = *Array<double>(array).data();
     return std::isnan(value) ? std::nullopt : std::optional<double>(value);
   }
-
-private:
-  Shared_function m_function;
 };
 
 /// Topology control that a Python function gives: `function(label, new_label, point)` returns
@@ -249,7 +237,7 @@ public:
     const py::gil_scoped_acquire lock;
     const py::array_t<double> point = array_of<double>(
         std::size_t(Complex::dimension), [&](std::size_t i) { return center[int(i)]; });
-    return bool(py::bool_(m_function(cell->label(), label, point)));
+    return bool(py::bool_(m_function.call(cell->label(), label, point)));
   }
 
 private:

@@ -4,7 +4,7 @@
 
 #include "bind_complex.h"
 #include "module.h"
-#include "options_of_construction.h"
+#include "options.h"
 
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Interface_flows/compiled_2.h>

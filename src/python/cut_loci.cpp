@@ -6,9 +6,8 @@
 #include "Guarded.h"
 #include "arrays.h"
 #include "callbacks.h"
-#include "input/surface_expressions.h"
+#include "input/functions_of_points.h"
 #include "module.h"
-#include "motions/lengths_repeat.h"
 #include "programs/errors.h"
 
 #include <algorithm>
@@ -26,10 +25,10 @@ namespace {
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 /// A surface that a Python function gives: `function(points)` returns points of shape (n, 3).
-class Surface_function
+class Surface_function : private Shared_function
 {
 public:
-  explicit Surface_function(py::function function) : m_function(std::move(function)) {}
+  using Shared_function::Shared_function;
 
   /// \tparam Coordinates of u and v, or of a direction
   template <class Coordinates>
@@ -37,7 +36,7 @@ public:
   operator()(const std::array<Coordinates, dsc::samples_of_metric>& points) const {
     static constexpr std::size_t columns = std::tuple_size_v<Coordinates>;
     const py::gil_scoped_acquire lock;
-    const py::array array(m_function(array_of<double>(
+    const py::array array(call(array_of<double>(
         points.size(), columns, [&](std::size_t i, std::size_t j) { return points[i][j]; })));
     if (!is_of_real_numbers(array))
       throw py::type_error("the points of the surface must be an array of real numbers");
@@ -49,9 +48,6 @@ public:
     std::copy(rows.begin(), rows.end(), result.begin());
     return result;
   }
-
-private:
-  Shared_function m_function;
 };
 
 /// Returns the source of geodesics on a surface that is given by a function or by expressions.
@@ -121,24 +117,20 @@ py::dict cut_locus(const py::object& surface, const std::vector<double>& point,
       positions.push_back(source->image(vertex.point));
   }
   const auto& vertices = found.locus.vertices;
-  const auto indices = [](const std::vector<std::size_t>& values) {
-    return array_of<std::int64_t>(values.size(), [&](std::size_t i) { return values[i]; });
-  };
   py::list arcs;
   for (const auto& arc : found.locus.polylines)
-    arcs.append(indices(arc));
+    arcs.append(array_of_indices(arc));
   py::dict result;
   result["parameters"] = array_of<double>(
       vertices.size(), 2, [&](std::size_t i, std::size_t j) { return vertices[i].point[int(j)]; });
-  result["points"] = array_of<double>(
-      vertices.size(), 3, [&](std::size_t i, std::size_t j) { return positions[i][j]; });
+  result["points"] = array_of_vectors(positions, 3);
   result["distances"] =
       array_of<double>(vertices.size(), [&](std::size_t i) { return vertices[i].distance; });
   result["multiplicities"] = array_of<std::int64_t>(
       vertices.size(), [&](std::size_t i) { return vertices[i].multiplicity; });
   result["arcs"] = arcs;
   result["complete"] = found.locus.is_complete;
-  result["doubtful"] = indices(found.locus.doubtful);
+  result["doubtful"] = array_of_indices(found.locus.doubtful);
   result["spacing"] = found.spacing;
   result["step"] = found.step;
   return result;

@@ -31,10 +31,6 @@ void raise(const char* name, const std::exception& error, const py::dict& attrib
   PyErr_SetObject(type.ptr(), exception.ptr());
 }
 
-py::array_t<std::int64_t> indices(const std::vector<std::size_t>& values) {
-  return array_of<std::int64_t>(values.size(), [&](std::size_t i) { return values[i]; });
-}
-
 void translate(std::exception_ptr exception) {
   using namespace pybind11::literals;
   if (exception == nullptr)
@@ -48,15 +44,17 @@ void translate(std::exception_ptr exception) {
   } catch (const DSC::Invalid_surface_error& error) {
     raise("InvalidSurfaceError", error,
           py::dict("surface"_a = error.surface(), "other_surface"_a = error.other_surface(),
-                   "facets"_a = indices(error.facets()), "vertices"_a = indices(error.vertices())));
+                   "facets"_a = array_of_indices(error.facets()),
+                   "vertices"_a = array_of_indices(error.vertices())));
   } catch (const DSC::Invalid_cells_error& error) {
     raise("InvalidCellsError", error,
-          py::dict("cells"_a = indices(error.tetrahedra()),
-                   "vertices"_a = indices(error.vertices())));
+          py::dict("cells"_a = array_of_indices(error.tetrahedra()),
+                   "vertices"_a = array_of_indices(error.vertices())));
   } catch (const DSC::Invalid_points_error& error) {
-    raise("InvalidPointsError", error, py::dict("points"_a = indices(error.points())));
+    raise("InvalidPointsError", error, py::dict("points"_a = array_of_indices(error.points())));
   } catch (const DSC::Invalid_destination_error& error) {
-    raise("InvalidDestinationError", error, py::dict("vertices"_a = indices(error.vertices())));
+    raise("InvalidDestinationError", error,
+          py::dict("vertices"_a = array_of_indices(error.vertices())));
   } catch (const DSC::Tetrahedralization_error& error) {
     raise("TetrahedralizationError", error, py::dict("code"_a = error.code()));
   } catch (const DSC::File_error& error) {

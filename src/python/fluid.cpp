@@ -7,7 +7,6 @@
 #include <CGAL/Incompressible_fluids_3/compiled_3.h>
 
 #include "Complex_object.h"
-#include "Fluid_object.h"
 #include "Fluid_solids.h"
 #include "bind_complex.h"
 #include "module.h"
@@ -173,8 +172,7 @@ public:
     const auto values =
         at_vertices(fluid, label, Vector(CGAL::NULL_VECTOR),
                     [&](const auto&... arguments) { return fluid.velocity(arguments...); });
-    return array_of<double>(values.size(), d,
-                            [&](std::size_t i, std::size_t j) { return values[i][int(j)]; });
+    return array_of_vectors(values, d);
   }
 
   static py::array_t<double> pressures(const Object& object, const Label& label) {
@@ -203,8 +201,7 @@ public:
       std::vector<Vector> values;
       for (const auto c : cells)
         values.push_back(fluid.vorticity(c));
-      return array_of<double>(values.size(), d,
-                              [&](std::size_t i, std::size_t j) { return values[i][int(j)]; });
+      return array_of_vectors(values, d);
     }
   }
 
@@ -230,10 +227,7 @@ public:
     result["residual"] = report.residual;
     result["contacts"] = report.contacts;
     result["depth_in_solids"] = report.depth_in_solids;
-    result["forces_on_solids"] =
-        array_of<double>(report.forces_on_solids.size(), d, [&](std::size_t i, std::size_t j) {
-          return report.forces_on_solids[i][int(j)];
-        });
+    result["forces_on_solids"] = array_of_vectors(report.forces_on_solids, d);
     result["torques_on_solids"] = torques_to_array(report.torques_on_solids);
     result["repetitions"] = report.repetitions.size();
     result["deformation"] = report_to_dict(report.deformation, *owned.complex);
@@ -299,8 +293,7 @@ private:
     if constexpr (d == 2)
       return array_of<double>(torques.size(), [&](std::size_t i) { return torques[i].z(); });
     else
-      return array_of<double>(torques.size(), d,
-                              [&](std::size_t i, std::size_t j) { return torques[i][int(j)]; });
+      return array_of_vectors(torques, d);
   }
 
   static py::dict balance_to_dict(const DSC::Fluid_balance& balance) {

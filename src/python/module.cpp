@@ -13,7 +13,6 @@ PYBIND11_MODULE(_dsc, module) {
   dsc_python::bind_torus_2(module);
   dsc_python::bind_torus_3(module);
 #endif
-  dsc_python::bind_image_3(module);
   dsc_python::bind_reconstruction_3(module);
   dsc_python::bind_cut_loci(module);
   dsc_python::bind_grains(module);

@@ -15,7 +15,6 @@ void bind_complex_2(pybind11::module_& module);
 void bind_complex_3(pybind11::module_& module);
 void bind_torus_2(pybind11::module_& module); ///< with the build option DSC_PYTHON_TORI
 void bind_torus_3(pybind11::module_& module);
-void bind_image_3(pybind11::module_& module);
 void bind_reconstruction_3(pybind11::module_& module);
 void bind_cut_loci(pybind11::module_& module);
 void bind_grains(pybind11::module_& module);

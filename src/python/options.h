@@ -5,15 +5,22 @@
 #ifndef DSC_PYTHON_OPTIONS_H
 #define DSC_PYTHON_OPTIONS_H
 
+#include <CGAL/Complex_construction/Construction_options.h>
 #include <CGAL/Mesh_support/parameter_values.h>
+
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Bbox_3.h>
 
 #include <pybind11/functional.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 namespace dsc_python {
 
@@ -95,6 +102,30 @@ public:
 private:
   py::dict m_rest;
 };
+
+template <int d> using Box = std::pair<std::array<double, d>, std::array<double, d>>;
+
+inline CGAL::Bbox_2 bbox_of(const Box<2>& box) {
+  return {box.first[0], box.first[1], box.second[0], box.second[1]};
+}
+
+inline CGAL::Bbox_3 bbox_of(const Box<3>& box) {
+  return {box.first[0], box.first[1], box.first[2], box.second[0], box.second[1], box.second[2]};
+}
+
+/// Reads the options of the functions that make a complex.
+template <int d>
+CGAL::Deformable_simplicial_complexes::Construction_options<d>
+construction_options(const py::dict& options) {
+  CGAL::Deformable_simplicial_complexes::Construction_options<d> result;
+  Options rest(options);
+  std::optional<Box<d>> box;
+  rest.read("box", box);
+  if (box)
+    result.enclosing_box = bbox_of(*box);
+  rest.read_all(result);
+  return result;
+}
 
 } // namespace dsc_python
 

@@ -47,17 +47,8 @@ std::vector<std::size_t> facets_without_points(const Report& report, const Compl
   return result;
 }
 
-py::object indices(const std::vector<std::size_t>& values) {
-  return array_of<std::int64_t>(values.size(), [&](std::size_t i) { return values[i]; });
-}
-
-/// Points are in units of the user already.
-template <class Points> py::object coordinates(const Points& points) {
-  return array_of<double>(points.size(), 3,
-                          [&](std::size_t i, std::size_t j) { return points[i][int(j)]; });
-}
-
-/// Returns the entries that the reports of solids and sheets share.
+/// Returns the entries that the reports of solids and sheets share. Points are in units of the user
+/// already.
 template <class Any_report> py::dict common_entries(const Any_report& report) {
   py::dict result;
   result["complete"] = report.is_complete;
@@ -68,8 +59,8 @@ template <class Any_report> py::dict common_entries(const Any_report& report) {
   result["noise"] = report.noise;
   result["root_mean_square"] = report.root_mean_square;
   result["maximum_distance"] = report.maximum_distance;
-  result["unfit_points"] = indices(report.unfit_points);
-  result["doubtful_places"] = coordinates(report.doubtful_places);
+  result["unfit_points"] = array_of_indices(report.unfit_points);
+  result["doubtful_places"] = array_of_vectors(report.doubtful_places, 3);
   return result;
 }
 
@@ -99,7 +90,8 @@ py::tuple reconstruct(const Array<double>& points, const py::object& normals,
   }
   py::dict dictionary = common_entries(report);
   dictionary["steps"] = report.number_of_steps;
-  dictionary["facets_without_points"] = indices(facets_without_points(report, result->read()));
+  dictionary["facets_without_points"] =
+      array_of_indices(facets_without_points(report, result->read()));
   return py::make_tuple(py::cast(std::move(result)), dictionary);
 }
 
@@ -116,7 +108,7 @@ py::dict reconstruct_sheet(const Array<double>& points, const py::dict& options,
     sheet = DSC::internal::reconstruct_sheet(cloud, reconstruction);
   }
   py::dict result = common_entries(report);
-  result["points"] = coordinates(sheet.points);
+  result["points"] = array_of_vectors(sheet.points, 3);
   result["triangles"] =
       array_of<std::int64_t>(sheet.triangles.size(), 3,
                              [&](std::size_t i, std::size_t j) { return sheet.triangles[i][j]; });

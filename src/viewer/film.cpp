@@ -3,7 +3,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "film.h"
-#include "packed_numbers.h"
 #include "page.h"
 
 #include <CGAL/Mesh_files/internal/pictures/colors.h>
@@ -14,6 +13,7 @@
 #include <charconv>
 #include <cmath>
 #include <numeric>
+#include <set>
 #include <stdexcept>
 
 namespace dsc {
@@ -294,13 +294,11 @@ void Film::add_to_series(const std::string& name, double value) {
 }
 
 std::vector<int> Film::labels() const {
-  std::vector<int> result;
+  std::set<int> result;
   for (const Encoded_frame& frame : m_frames)
     for (const auto& pair : frame.new_labels)
-      result.insert(result.end(), pair.begin(), pair.begin() + labels_of_simplex());
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
-  return result;
+      result.insert(pair.begin(), pair.begin() + labels_of_simplex());
+  return {result.begin(), result.end()};
 }
 
 // Appends the packed numbers of all frames to `blobs`. Frames refer to them by their indices.

@@ -1,11 +1,8 @@
 // Expressions of users, and connected components in samples of a function.
 #include "input/expression.h"
-#include "input/inequalities.h"
+#include "input/functions_of_points.h"
 #include "input/label_components.h"
 #include "input/nearest_name.h"
-#include "input/surface_expressions.h"
-#include "input/velocity_expressions.h"
-#include "motions/lengths_repeat.h"
 #include "programs/errors.h"
 #include "test.h"
 

@@ -3,11 +3,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "commands/commands.h"
-#include "commands/labels_option.h"
+#include "commands/start_options.h"
 #include "input/Inputs.h"
 #include "input/files.h"
 #include "input/translations.h"
-#include "input/unused.h"
 #include "motions/tracked_complex.h"
 #include "programs/errors.h"
 #include "programs/interrupt.h"

@@ -5,8 +5,7 @@
 #include "Geodesic_source.h"
 #include "commands/commands.h"
 #include "input/files.h"
-#include "input/surface_expressions.h"
-#include "motions/lengths_repeat.h"
+#include "input/functions_of_points.h"
 #include "output/report_json.h"
 #include "programs/add_value.h"
 #include "programs/errors.h"
@@ -19,7 +18,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <cstdio>
 #include <limits>
 #include <memory>

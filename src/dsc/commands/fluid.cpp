@@ -11,14 +11,14 @@
 #include "fluids/fluid_scene.h"
 #include "fluids/fluid_start.h"
 #include "input/files.h"
-#include "input/unused.h"
+#include "input/translations.h"
 #include "output/output_folder.h"
 #include "output/progress_line.h"
 #include "output/report_json.h"
 #include "programs/add_value.h"
 #include "programs/errors.h"
 #include "programs/interrupt.h"
-#include "programs/threads_option.h"
+#include "programs/option_values.h"
 
 #include <CGAL/Mesh_files/checkpoint.h>
 
@@ -177,12 +177,8 @@ template <int dimension> void Reported_run<dimension>::begin() {
 }
 
 template <int dimension> void Reported_run<dimension>::write_files() {
-  if (m_folder) {
-    Run_position position;
-    position.step = step();
-    position.time = m_run.fluid->time();
-    m_folder->write(*m_run.complex, position, m_run.metadata());
-  }
+  if (m_folder)
+    m_folder->write(*m_run.complex, {step(), m_run.fluid->time(), {}}, m_run.metadata());
 }
 
 /// Returns the name of the last checkpoint in the output folder. Without such a folder, writes a

@@ -3,18 +3,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "commands/commands.h"
-#include "commands/labels_option.h"
+#include "commands/start_options.h"
 #include "input/files.h"
 #include "input/mesh_content.h"
-#include "input/native_file.h"
 #include "input/translations.h"
-#include "input/unused.h"
 #include "motions/mesh_at_rest.h"
 #include "output/report_json.h"
 #include "programs/add_value.h"
 #include "programs/errors.h"
 #include "programs/interrupt.h"
-#include "programs/threads_option.h"
+#include "programs/option_values.h"
 
 #include <CLI/CLI.hpp>
 

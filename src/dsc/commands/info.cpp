@@ -3,15 +3,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "commands/commands.h"
-#include "commands/labels_option.h"
+#include "commands/start_options.h"
 #include "input/files.h"
 #include "input/labeled_tetrahedra.h"
-#include "input/native_file.h"
 #include "input/translations.h"
+#include "input/voxel_images.h"
 #include "motions/mesh_at_rest.h"
 #include "motions/run_position.h"
 #include "motions/tracked_complex.h"
-#include "output/convert_file.h"
 #include "programs/errors.h"
 #include "programs/interrupt.h"
 #include "programs/option_values.h"

@@ -4,9 +4,8 @@
 
 #include "commands/commands.h"
 #include "input/files.h"
-#include "input/gray_image.h"
-#include "input/label_image.h"
 #include "input/translations.h"
+#include "input/voxel_images.h"
 #include "motions/mesh_at_rest.h"
 #include "motions/run_position.h"
 #include "motions/tracked_complex_2.h"
@@ -16,7 +15,7 @@
 #include "programs/add_value.h"
 #include "programs/errors.h"
 #include "programs/interrupt.h"
-#include "programs/threads_option.h"
+#include "programs/option_values.h"
 
 #include <CGAL/Complex_construction/sample_labels.h>
 #include <CGAL/Image_segmentation/compiled_2.h>
@@ -28,7 +27,6 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <memory>

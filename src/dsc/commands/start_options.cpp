@@ -4,9 +4,9 @@
 
 #include "commands/start_options.h"
 
-#include "commands/labels_option.h"
 #include "input/files.h"
-#include "input/inequalities.h"
+#include "input/functions_of_points.h"
+#include "input/translations.h"
 #include "programs/add_value.h"
 #include "programs/errors.h"
 
@@ -198,6 +198,27 @@ void complete_start(const std::string& domain, const Default_start& defaults, St
     run.start.ball = defaults.ball;
   if (!run.domain)
     run.domain = is_planar ? defaults.domain_in_plane : defaults.domain_in_space;
+}
+
+CLI::Option* add_labels_option(CLI::App& command, std::string& labels) {
+  return command.add_option(
+      "--labels", labels,
+      "Name of the cell array of a .vtu file with the labels; 'none' gives label 1 to all cells, "
+      "and reads named parts of a surface as one (default: label, medit:ref, gmsh:physical or "
+      "MaterialIDs)");
+}
+
+void add_threshold_option(CLI::App& command, std::string& thresholds) {
+  command.add_option("--threshold", thresholds,
+                     "Labels of a gray image: thresholds like 100 or 80,160, or otsu, or otsu:2");
+}
+
+void require_file_with_arrays(const std::string& path, const std::string& labels) {
+  const std::string file = with_user_names(path), format = extension(file);
+  const bool has_parts = labels == "none" && (format == "stl" || format == "obj");
+  if (!labels.empty() && format != "vtu" && !is_foreign(file) && !has_parts)
+    throw Usage_error("--labels applies only to .vtu files and grids of other programs, and none "
+                      "to .stl and .obj files; leave it out");
 }
 
 } // namespace dsc

@@ -47,6 +47,16 @@ void add_start_options(CLI::App& command, Run_start& start, std::string& domain,
 void complete_start(const std::string& domain, const Default_start& defaults, Start_check* check,
                     Run_options& run);
 
+/// Adds the option for the array of a .vtu file that contains the labels.
+CLI::Option* add_labels_option(CLI::App& command, std::string& labels);
+
+/// Adds the option for the labels of a gray image.
+void add_threshold_option(CLI::App& command, std::string& thresholds);
+
+/// Checks that `--labels` is given only for files with arrays.
+/// \throws Usage_error
+void require_file_with_arrays(const std::string& path, const std::string& labels);
+
 } // namespace dsc
 
 #endif // DSC_START_OPTIONS_H

@@ -2,8 +2,6 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "fluids/fluid_boxes.h"
-
 #include "fluids/fluid_holes.h"
 #include "fluids/fluid_shapes.h"
 
@@ -145,13 +143,8 @@ public:
 
   std::size_t operator()(const Place& at) {
     const auto [place, is_new] = m_known.emplace(at, m_points.size());
-    if (is_new) {
-      const auto p = m_grid.point(at);
-      if constexpr (Point::Ambient_dimension::value == 2)
-        m_points.emplace_back(p[0], p[1]);
-      else
-        m_points.emplace_back(p[0], p[1], p[2]);
-    }
+    if (is_new)
+      m_points.push_back(from_coordinates<Point>(m_grid.point(at)));
     return place->second;
   }
 
@@ -210,6 +203,25 @@ std::optional<Labeled_box> hole_in_boxes(const Fluid_scene& scene, const Box_hol
   return result;
 }
 
+/// Returns the boundary of the region of each label in boxes. `add(number, boundary, axis, at)`
+/// adds the facet at a place, perpendicular to an axis. `number(place)` is the number of a point.
+template <class Boundary, class Add>
+std::vector<Boundary> boundaries_of_boxes(const std::vector<Labeled_box>& boxes, double edge,
+                                          const Add& add) {
+  const Grid_of_boxes grid(boxes, edge);
+  std::vector<Boundary> result;
+  for (int label : grid.labels()) {
+    Boundary boundary;
+    boundary.label = label;
+    Numbered_points number(grid, boundary.points);
+    grid.for_each_facet(
+        label, [&](std::size_t axis, const Place& at) { add(number, boundary, axis, at); });
+    if (!boundary.points.empty())
+      result.push_back(std::move(boundary));
+  }
+  return result;
+}
+
 } // namespace
 
 std::vector<std::vector<Labeled_box>> groups_of_boxes(const Fluid_scene& scene,
@@ -239,29 +251,6 @@ std::vector<std::vector<Labeled_box>> groups_of_boxes(const Fluid_scene& scene,
     result.push_back(std::move(entry.second));
   return result;
 }
-
-namespace {
-
-/// Returns the boundary of the region of each label in boxes. `add(number, boundary, axis, at)`
-/// adds the facet at a place, perpendicular to an axis. `number(place)` is the number of a point.
-template <class Boundary, class Add>
-std::vector<Boundary> boundaries_of_boxes(const std::vector<Labeled_box>& boxes, double edge,
-                                          const Add& add) {
-  const Grid_of_boxes grid(boxes, edge);
-  std::vector<Boundary> result;
-  for (int label : grid.labels()) {
-    Boundary boundary;
-    boundary.label = label;
-    Numbered_points number(grid, boundary.points);
-    grid.for_each_facet(
-        label, [&](std::size_t axis, const Place& at) { add(number, boundary, axis, at); });
-    if (!boundary.points.empty())
-      result.push_back(std::move(boundary));
-  }
-  return result;
-}
-
-} // namespace
 
 std::vector<Surface> surfaces_of_boxes(const std::vector<Labeled_box>& boxes, double edge) {
   return boundaries_of_boxes<Surface>(

@@ -2,12 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "fluids/fluid_complex.h"
+#include "fluids/fluid_start.h"
 
-#include "fluids/fluid_boxes.h"
-#include "fluids/fluid_files.h"
 #include "fluids/fluid_holes.h"
-#include "fluids/fluid_pool.h"
 #include "fluids/fluid_scene.h"
 #include "fluids/fluid_shapes.h"
 #include "input/domain_box.h"
@@ -30,8 +27,6 @@
 #include <utility>
 #include <variant>
 #include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc {
 namespace {
@@ -91,7 +86,7 @@ Curve curve_of(const File_shape& shape, const std::string& path, double edge) {
   return result;
 }
 
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+namespace parameters = DSC::parameters;
 
 /// Returns the boundary of a shape in space; nothing for a shape without its own boundary.
 std::optional<Surface> surface_of_shape(const Fluid_shape& shape, double edge,

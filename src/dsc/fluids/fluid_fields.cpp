@@ -5,13 +5,12 @@
 #include "fluids/fluid_fields.h"
 
 #include <string>
-#include <vector>
 
 namespace dsc {
 namespace {
 
-using CGAL::Deformable_simplicial_complexes::Mesh_array;
-using CGAL::Deformable_simplicial_complexes::Mesh_arrays;
+using DSC::Mesh_array;
+using DSC::Mesh_arrays;
 
 Mesh_array array_of_numbers(const std::string& name) { return {name, "Float64", 1, {}}; }
 Mesh_array array_of_vectors(const std::string& name) { return {name, "Float64", 3, {}}; }

@@ -83,13 +83,11 @@ private:
 };
 
 /// Returns the arrays of the cells and of all vertices, for `Output_arrays`.
-template <class Complex>
-CGAL::Deformable_simplicial_complexes::Mesh_arrays cell_arrays(const Fluid<Complex>& fluid);
+template <class Complex> DSC::Mesh_arrays cell_arrays(const Fluid<Complex>& fluid);
 
 /// Returns the arrays of the facets and vertices of the interface, for `Output_arrays`. The back of
 /// a facet is the side with the larger label.
-template <class Complex>
-CGAL::Deformable_simplicial_complexes::Mesh_arrays interface_arrays(const Fluid<Complex>& fluid);
+template <class Complex> DSC::Mesh_arrays interface_arrays(const Fluid<Complex>& fluid);
 
 } // namespace dsc
 

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 #include <string>
 #include <variant>
 
@@ -33,7 +32,7 @@ Place_of_hole displacement_at_start(const Scene_solid& solid, std::size_t index)
 }
 
 Nearest_boundary nearest_boundary(const Box_shape& box, const Place_of_hole& p, int dimension) {
-  using CGAL::Deformable_simplicial_complexes::Box_solid_3;
+  using DSC::Box_solid_3;
   const auto& [from, to] = box;
   const Box_solid_3 solid =
       dimension == 2 ? Box_solid_3(CGAL::Bbox_2(from[0], from[1], to[0], to[1]))
@@ -111,16 +110,6 @@ bool is_around(const Surface& surface, const Place_of_hole& p) {
   return result;
 }
 
-} // namespace
-
-Nearest_boundary nearest_boundary(const Hole& hole, const std::array<double, 3>& p, int dimension) {
-  if (const auto* ball = std::get_if<Ball_shape>(&hole.shape))
-    return nearest_boundary(*ball, p);
-  return nearest_boundary(std::get<Box_shape>(hole.shape), p, dimension);
-}
-
-namespace {
-
 enum class Position { outside, inside, crossing };
 
 /// Returns the position of a hole relative to a boundary. It is `crossing`, too, if the boundary is
@@ -150,6 +139,12 @@ Position position_of_hole(const Hole& hole, const Boundary& of_hole, const Bound
 }
 
 } // namespace
+
+Nearest_boundary nearest_boundary(const Hole& hole, const std::array<double, 3>& p, int dimension) {
+  if (const auto* ball = std::get_if<Ball_shape>(&hole.shape))
+    return nearest_boundary(*ball, p);
+  return nearest_boundary(std::get<Box_shape>(hole.shape), p, dimension);
+}
 
 std::vector<Hole> holes_of(const Fluid_scene& scene) {
   std::vector<Hole> result;

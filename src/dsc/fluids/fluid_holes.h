@@ -5,9 +5,7 @@
 #ifndef DSC_FLUID_HOLES_H
 #define DSC_FLUID_HOLES_H
 
-#include "fluids/fluid_scene.h"
-#include "input/start_curves.h"
-#include "input/surface.h"
+#include "fluids/fluid_shapes.h"
 
 #include <array>
 #include <cmath>
@@ -71,11 +69,7 @@ template <class Boundary> void put_on_ball(const Ball_shape& ball, Boundary& bou
     }
     for (std::size_t i = 0; i < 3; ++i)
       from_center[i] = ball.center[i] + from_center[i] * (ball.radius / length);
-    using Point = std::decay_t<decltype(p)>;
-    if constexpr (Point::Ambient_dimension::value == 2)
-      p = Point(from_center[0], from_center[1]);
-    else
-      p = Point(from_center[0], from_center[1], from_center[2]);
+    p = from_coordinates<std::decay_t<decltype(p)>>(from_center);
   }
 }
 

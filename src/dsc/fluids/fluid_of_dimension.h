@@ -25,9 +25,7 @@ template <int dimension>
 using Tracked_complex_of = std::conditional_t<dimension == 2, Tracked_complex_2, Tracked_complex_3>;
 
 /// A fluid in a complex of either dimension.
-template <class Complex>
-using Fluid = CGAL::Deformable_simplicial_complexes::Incompressible_fluid<
-    Complex, CGAL::Deformable_simplicial_complexes::Saddle_point_solver>;
+template <class Complex> using Fluid = DSC::Incompressible_fluid<Complex, DSC::Saddle_point_solver>;
 
 /// Returns the coordinates of a point or vector. In the plane, the third one is 0.
 template <class Coordinates> std::array<double, 3> coordinates_of(const Coordinates& p) {
@@ -35,14 +33,6 @@ template <class Coordinates> std::array<double, 3> coordinates_of(const Coordina
   for (int i = 0; i < p.dimension(); ++i)
     result[std::size_t(i)] = p[i];
   return result;
-}
-
-/// Returns the point or vector with given coordinates. In the plane, the third one is ignored.
-template <class Result> Result from_coordinates(const std::array<double, 3>& p) {
-  if constexpr (Result::Ambient_dimension::value == 2)
-    return Result(p[0], p[1]);
-  else
-    return Result(p[0], p[1], p[2]);
 }
 
 /// Returns the barycenter of a cell. In the plane, its third coordinate is 0.

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "fluids/fluid_pool.h"
+#include "fluids/fluid_start.h"
 
 #include "fluids/fluid_holes.h"
 #include "fluids/fluid_shapes.h"
@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
@@ -27,12 +26,10 @@
 #include <variant>
 #include <vector>
 
-namespace DSC = CGAL::Deformable_simplicial_complexes;
-
 namespace dsc {
 namespace {
 
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+namespace parameters = DSC::parameters;
 
 /// Calls the function of the library that makes a complex of either dimension.
 template <class Complex, class... Arguments> Complex make_complex(Arguments&&... arguments) {

@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "fluids/fluid_probes.h"
+#include "fluids/fluid_report.h"
 
 #include "fluids/fluid_fields.h"
-#include "motions/legendre.h"
+#include "fluids/fluid_shapes.h"
 
 #include <CGAL/Deformable_simplicial_complexes/Linear_element.h>
 
@@ -154,7 +154,7 @@ template <class Complex>
 std::array<double, std::size_t(Complex::corners)>
 coordinates_in_cell(const Complex& complex, typename Complex::Cell_handle c,
                     const typename Complex::Approximate_point& p) {
-  const CGAL::Deformable_simplicial_complexes::Linear_element<Complex> element(complex, c);
+  const DSC::Linear_element<Complex> element(complex, c);
   std::array<double, std::size_t(Complex::corners)> result;
   for (int i = 0; i < Complex::corners; ++i)
     result[std::size_t(i)] = 1 + element.gradient(i) * (p - complex.position(c->vertex(i)));

@@ -5,6 +5,8 @@
 #ifndef DSC_FLUID_PROCESSES_H
 #define DSC_FLUID_PROCESSES_H
 
+#include "programs/errors.h"
+
 #include <CGAL/Incompressible_fluids_3/Saddle_point_solver.h>
 
 // The processes that run a fluid together. The program `dsc-fluid` is one process.
@@ -20,7 +22,7 @@ unsigned processes_of_machine();
 
 /// Lets a solver use PETSc.
 /// \throws Other_program if this program is not linked with PETSc
-void use_petsc(CGAL::Deformable_simplicial_complexes::Saddle_point_solver& solver);
+void use_petsc(DSC::Saddle_point_solver& solver);
 
 } // namespace dsc
 

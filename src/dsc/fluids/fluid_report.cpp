@@ -4,7 +4,6 @@
 
 #include "fluids/fluid_report.h"
 
-#include "fluids/fluid_probes.h"
 #include "programs/errors.h"
 
 #include <CGAL/Mesh_support/coordinates.h>
@@ -15,10 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <utility>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc {
 namespace {
@@ -106,8 +102,8 @@ template <class Complex> Json gases_json(const Fluid<Complex>& fluid) {
   return result;
 }
 
-const char* name_of(CGAL::Deformable_simplicial_complexes::Fluid_failure cause) {
-  using Failure = CGAL::Deformable_simplicial_complexes::Fluid_failure;
+const char* name_of(DSC::Fluid_failure cause) {
+  using Failure = DSC::Fluid_failure;
   switch (cause) {
   case Failure::equations:
     return "equations";

@@ -4,8 +4,6 @@
 
 #include "fluids/fluid_run.h"
 
-#include "fluids/fluid_complex.h"
-#include "fluids/fluid_files.h"
 #include "fluids/fluid_processes.h"
 #include "fluids/fluid_start.h"
 #include "output/report_json.h"
@@ -17,12 +15,10 @@
 #include <cstdio>
 #include <type_traits>
 
-namespace DSC = CGAL::Deformable_simplicial_complexes;
-
 namespace dsc {
 namespace {
 
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+namespace parameters = DSC::parameters;
 
 /// Calls f(name, value, is_required) for each field of a state. Earlier checkpoints lack the
 /// others.

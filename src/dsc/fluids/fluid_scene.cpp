@@ -4,26 +4,19 @@
 
 #include "fluids/fluid_scene.h"
 
-#include "fluids/fluid_scene_checks.h"
 #include "fluids/fluid_scene_parts.h"
-#include "fluids/scene_files.h"
 #include "input/files.h"
 #include "input/nearest_name.h"
-#include "output/report_json.h"
 #include "programs/errors.h"
 #include "scenes/json_fields.h"
 
 #include <CGAL/Mesh_files/internal/text/files.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <map>
 #include <set>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace dsc {
 namespace {
@@ -367,8 +360,7 @@ Fluid_scene find_scene(const std::string& name) {
                                       : advice_on_name(name, names, "scenes")));
   }
   const std::string& path = found == scenes.end() ? name : found->second;
-  return read_scene(
-      parse_json(CGAL::Deformable_simplicial_complexes::internal::file_contents(path), name));
+  return read_scene(parse_json(DSC::internal::file_contents(path), name));
 }
 
 std::vector<std::array<std::string, 2>> scene_names() {
@@ -378,8 +370,7 @@ std::vector<std::array<std::string, 2>> scene_names() {
                       "; install the program again");
   std::vector<std::array<std::string, 2>> result;
   for (const auto& [name, path] : scenes) {
-    const Json json =
-        parse_json(CGAL::Deformable_simplicial_complexes::internal::file_contents(path), path);
+    const Json json = parse_json(DSC::internal::file_contents(path), path);
     result.push_back({name, json.value("title", "")});
   }
   return result;

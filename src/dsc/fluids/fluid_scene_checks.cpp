@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "fluids/fluid_scene_checks.h"
+#include "fluids/fluid_scene_parts.h"
 
 #include <algorithm>
 #include <array>

@@ -9,7 +9,7 @@
 #include "scenes/json_fields.h"
 
 #include <array>
-#include <cstddef>
+#include <map>
 #include <string>
 
 namespace dsc {
@@ -25,9 +25,19 @@ Scene_field read_field(const Json_fields& field);
 Fluid_scene::Tension read_tension(const Json_fields& json, const std::string& field,
                                   const std::array<int, 2>& labels);
 
-/// Returns the field `mode`, at most 100.
+/// Checks the consistency of the fields of a scene: labels, pairs of labels, names, and fields that
+/// have no effect wherever the liquids move.
+/// \param json the scene, for messages
 /// \throws Usage_error
-std::size_t read_mode(const Json_fields& json);
+void require_consistent(const Fluid_scene& scene, const Json_fields& json);
+
+/// Returns the files of the installed scenes, by the names of the scenes. The first existing folder
+/// is used: the installed folder, relative to the program, or the folder of the source tree.
+/// Returns an empty map if neither exists.
+std::map<std::string, std::string> scene_files();
+
+/// Returns the end of a message about missing scenes: the folders that scene_files() searches.
+std::string searched_scene_folders();
 
 } // namespace dsc
 

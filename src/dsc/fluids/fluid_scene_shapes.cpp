@@ -6,6 +6,7 @@
 
 #include "input/files.h"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -16,6 +17,13 @@ namespace {
 
 constexpr double most_amplitude = .5; // in radii
 constexpr std::size_t highest_mode = 100;
+
+std::size_t read_mode(const Json_fields& json) {
+  const std::size_t result = json.count("mode", 0);
+  if (result > highest_mode)
+    json.refuse("mode", "must be at most 100");
+  return result;
+}
 
 double read_amplitude(const Json_fields& shape) {
   const double result = shape.number("amplitude", 0);
@@ -90,14 +98,33 @@ Pool_shape read_pool(const Json_fields& shape) {
   return result;
 }
 
-} // namespace
-
-std::size_t read_mode(const Json_fields& json) {
-  const std::size_t result = json.count("mode", 0);
-  if (result > highest_mode)
-    json.refuse("mode", "must be at most 100");
+/// Returns the field for the label of a probe, and checks that the probe has no other field.
+Scene_probe probe_of_label(const Json_fields& probe, const char* field, Scene_probe::Kind kind) {
+  probe.require_known({"name", field});
+  Scene_probe result;
+  result.name = probe.text("name");
+  result.kind = kind;
+  probe.any(field);
+  result.label = int(probe.count(field, 0));
   return result;
 }
+
+/// Reads the given values of a field on the sides of the domain and on free surfaces.
+void read_given_values(const Json_fields& fixed, Scene_field& result) {
+  std::vector<std::string> places(names_of_sides.begin(),
+                                  names_of_sides.begin() + 2 * fixed.dimension());
+  places.push_back("surface");
+  fixed.require_known(places);
+  const std::vector<std::string> variables = fixed.coordinate_names({"t"});
+  const std::string form = "a number, or an expression in the coordinates and t like '1+0.1*x'";
+  for (std::size_t side = 0; side + 1 < places.size(); ++side)
+    if (fixed.has(places[side]))
+      result.on_sides[side] = fixed.number_or_expression(places[side], variables, form);
+  if (fixed.has("surface"))
+    result.on_surface = fixed.number_or_expression("surface", variables, form);
+}
+
+} // namespace
 
 Fluid_shape read_shape(const Json_fields& shape) {
   shape.require_known({"type", "center", "radius", "mode", "amplitude", "triangles", "from", "to",
@@ -117,21 +144,6 @@ Fluid_shape read_shape(const Json_fields& shape) {
   shape.require_known({"type"});
   return Surroundings();
 }
-
-namespace {
-
-/// Returns the field for the label of a probe, and checks that the probe has no other field.
-Scene_probe probe_of_label(const Json_fields& probe, const char* field, Scene_probe::Kind kind) {
-  probe.require_known({"name", field});
-  Scene_probe result;
-  result.name = probe.text("name");
-  result.kind = kind;
-  probe.any(field);
-  result.label = int(probe.count(field, 0));
-  return result;
-}
-
-} // namespace
 
 Scene_probe read_probe(const Json_fields& probe) {
   using Kind = Scene_probe::Kind;
@@ -172,6 +184,30 @@ Scene_probe read_probe(const Json_fields& probe) {
   else
     result.place = probe.numbers<2>("height_at");
   return result;
+}
+
+Scene_field read_field(const Json_fields& field) {
+  field.require_known({"initial", "diffusivity", "fixed"});
+  Scene_field result{
+      field.number_or_expression("initial", field.coordinate_names(),
+                                 "a number, or an expression in the coordinates like '1+0.1*x'"),
+      field.not_negative("diffusivity", 0),
+      {},
+      {}};
+  if (field.has("fixed"))
+    read_given_values(field.object("fixed"), result);
+  return result;
+}
+
+Fluid_scene::Tension read_tension(const Json_fields& json, const std::string& field,
+                                  const std::array<int, 2>& labels) {
+  if (!json.any(field).is_string())
+    return {labels, json.not_negative(field, 0), {}};
+  const Expression expression =
+      json.expression(field, {"c"}, 1, "a number, or an expression in c like '1-0.1*c'");
+  if (expression.is_constant())
+    expression.refuse("does not depend on the field c");
+  return {labels, 0, expression};
 }
 
 } // namespace dsc

@@ -4,16 +4,11 @@
 
 #include "fluids/fluid_shapes.h"
 
-#include "motions/legendre.h"
 #include "programs/errors.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <iterator>
-#include <set>
-#include <vector>
 
 namespace dsc {
 
@@ -185,14 +180,6 @@ Surface Cylinder_surface::surface() {
   return m_surface;
 }
 
-} // namespace
-
-Surface surface_of(const Cylinder_shape& shape, double edge) {
-  return Cylinder_surface(shape, edge).surface();
-}
-
-namespace {
-
 double distance(const std::array<double, 3>& p, const std::array<double, 3>& q) {
   return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
 }
@@ -208,6 +195,10 @@ bool is_about(const Cylinder_shape& column, const std::array<double, 3>& place) 
 }
 
 } // namespace
+
+Surface surface_of(const Cylinder_shape& shape, double edge) {
+  return Cylinder_surface(shape, edge).surface();
+}
 
 bool is_about(const Fluid_shape& shape, const std::array<double, 3>& p, int dimension) {
   if (const auto* ball = std::get_if<Ball_shape>(&shape))

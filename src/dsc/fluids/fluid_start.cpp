@@ -5,6 +5,8 @@
 #include "fluids/fluid_start.h"
 
 #include "fluids/fluid_shapes.h"
+#include "input/files.h"
+#include "input/surface.h"
 #include "programs/errors.h"
 #include "scenes/add_solid.h"
 
@@ -15,9 +17,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -57,7 +59,7 @@ template <class Complex>
 void add_inflows_and_openings(const Fluid_scene& scene, Fluid<Complex>& fluid) {
   using Coordinates = std::array<double, 3>;
   for (std::size_t side = 0; side < scene.sides.size(); ++side) {
-    CGAL::Deformable_simplicial_complexes::Side_behavior behavior;
+    DSC::Side_behavior behavior;
     if (const auto& opening = scene.openings[side]) {
       behavior.velocity = opening->velocity;
       behavior.pressure = [given = *opening](const Coordinates& p, double t) {
@@ -96,52 +98,6 @@ void set_field(const Scene_field& field, const Fluid_scene& scene, Fluid<Complex
     return *field.on_surface->at_point(p, Complex::dimension, t);
   });
 }
-
-} // namespace
-
-template <class Complex>
-std::unique_ptr<Fluid<Complex>> fluid_of_scene(const Fluid_scene& scene, Complex& complex) {
-  using namespace CGAL::Deformable_simplicial_complexes;
-  Fluid_properties properties;
-  for (const Scene_liquid& liquid : scene.liquids)
-    properties.set_liquid(
-        liquid.label, {liquid.density,
-                       liquid.viscosity,
-                       {},
-                       liquid.diffusivity.value_or(scene.field ? scene.field->diffusivity : 0)});
-  for (const Scene_gas& gas : scene.gases)
-    properties.set_gas(gas.label, {gas.pressure, gas.exponent});
-  for (const auto& tension : scene.tensions)
-    if (tension.expression)
-      properties.set_surface_tension(tension.labels[0], tension.labels[1],
-                                     [at = *tension.expression](double c) { return *at.at({c}); });
-    else
-      properties.set_surface_tension(tension.labels[0], tension.labels[1], tension.value);
-  auto result = std::make_unique<Fluid<Complex>>(complex, properties);
-  Fluid<Complex>& fluid = *result;
-  add_sources(scene, fluid);
-  static constexpr double difference = 1e-4; // of places of solids, in time steps
-  for (const Scene_solid& solid : scene.solids)
-    add_solid(solid, difference * scene.time_step, fluid);
-  add_inflows_and_openings(scene, fluid);
-  if (scene.field)
-    set_field(*scene.field, scene, fluid);
-  set_time(scene, 0, fluid);
-  return result;
-}
-
-template <class Complex> void set_time(const Fluid_scene& scene, double t, Fluid<Complex>& fluid) {
-  fluid.set_gravity(scene.gravity.at(t));
-  for (std::size_t side = 0; side < scene.sides.size(); ++side)
-    if (const auto& given = scene.sides[side]) {
-      const auto velocity = given->at(t);
-      if (velocity[side / 2] != 0)
-        given->expression->refuse("must be a velocity along the side");
-      fluid.set_side(int(side / 2), side % 2 == 1, {velocity});
-    }
-}
-
-namespace {
 
 /// Throws unless every liquid and gas has cells. Where shapes of one label overlap, the cells
 /// belong to the last shape.
@@ -201,6 +157,48 @@ void require_liquid_at_sides(const Fluid_scene& scene, const Complex& complex) {
 
 } // namespace
 
+template <class Complex>
+std::unique_ptr<Fluid<Complex>> fluid_of_scene(const Fluid_scene& scene, Complex& complex) {
+  using namespace DSC;
+  Fluid_properties properties;
+  for (const Scene_liquid& liquid : scene.liquids)
+    properties.set_liquid(
+        liquid.label, {liquid.density,
+                       liquid.viscosity,
+                       {},
+                       liquid.diffusivity.value_or(scene.field ? scene.field->diffusivity : 0)});
+  for (const Scene_gas& gas : scene.gases)
+    properties.set_gas(gas.label, {gas.pressure, gas.exponent});
+  for (const auto& tension : scene.tensions)
+    if (tension.expression)
+      properties.set_surface_tension(tension.labels[0], tension.labels[1],
+                                     [at = *tension.expression](double c) { return *at.at({c}); });
+    else
+      properties.set_surface_tension(tension.labels[0], tension.labels[1], tension.value);
+  auto result = std::make_unique<Fluid<Complex>>(complex, properties);
+  Fluid<Complex>& fluid = *result;
+  add_sources(scene, fluid);
+  static constexpr double difference = 1e-4; // of places of solids, in time steps
+  for (const Scene_solid& solid : scene.solids)
+    add_solid(solid, difference * scene.time_step, fluid);
+  add_inflows_and_openings(scene, fluid);
+  if (scene.field)
+    set_field(*scene.field, scene, fluid);
+  set_time(scene, 0, fluid);
+  return result;
+}
+
+template <class Complex> void set_time(const Fluid_scene& scene, double t, Fluid<Complex>& fluid) {
+  fluid.set_gravity(scene.gravity.at(t));
+  for (std::size_t side = 0; side < scene.sides.size(); ++side)
+    if (const auto& given = scene.sides[side]) {
+      const auto velocity = given->at(t);
+      if (velocity[side / 2] != 0)
+        given->expression->refuse("must be a velocity along the side");
+      fluid.set_side(int(side / 2), side % 2 == 1, {velocity});
+    }
+}
+
 template <class Complex> void require_effect(const Fluid_scene& scene, const Complex& complex) {
   require_cells_of_all(scene, complex);
   require_liquid_at_sources(scene, complex);
@@ -244,8 +242,8 @@ template <class Complex> void set_velocities(const Fluid_scene& scene, Fluid<Com
       return Vector(CGAL::NULL_VECTOR);
     const Expression& velocity = *scene.liquids[found->second].velocity;
     constexpr int d = Complex::dimension;
-    return CGAL::Deformable_simplicial_complexes::from_coordinates<Vector>(
-        velocity.at_point(complex.position(v), d), std::make_integer_sequence<int, d>());
+    return DSC::from_coordinates<Vector>(velocity.at_point(complex.position(v), d),
+                                         std::make_integer_sequence<int, d>());
   });
 }
 
@@ -263,5 +261,43 @@ template void set_time(const Fluid_scene&, double, Fluid<Tracked_complex_3::Comp
 template void require_outside_of_solids(const Fluid_scene&,
                                         const Fluid<Tracked_complex_3::Complex>&);
 template void set_velocities(const Fluid_scene&, Fluid<Tracked_complex_3::Complex>&);
+
+std::string place_of(const std::string& file, const std::string& folder) {
+  const std::filesystem::path path(file);
+  return path.is_absolute() || folder.empty() ? file
+                                              : (std::filesystem::path(folder) / path).string();
+}
+
+void require_files(const Fluid_scene& scene, const std::string& folder) {
+  std::vector<std::string> files;
+  for (const auto& filling : shapes_of(scene))
+    if (const auto* shape = std::get_if<File_shape>(filling.second))
+      files.push_back(shape->file);
+  for (const Scene_solid& solid : scene.solids)
+    if (solid.kind == Scene_solid::Kind::mesh)
+      files.push_back(solid.file);
+  if (files.empty() && !folder.empty())
+    throw Usage_error("--data has no effect because the scene names no files; leave it out");
+  for (const std::string& file : files)
+    if (const std::string place = place_of(file, folder); !exists(place))
+      throw Input_error("the file '" + place +
+                        "' of the scene does not exist; give its folder by --data");
+}
+
+void read_meshes(const std::string& folder, Fluid_scene& scene) {
+  for (Scene_solid& solid : scene.solids) {
+    if (solid.kind != Scene_solid::Kind::mesh)
+      continue;
+    Scene_solid::Mesh mesh;
+    const Surface surface = read_surface(place_of(solid.file, folder));
+    for (const Surface_point& p : surface.points)
+      mesh.add_vertex({p.x(), p.y(), p.z()});
+    for (const auto& t : surface.triangles)
+      mesh.add_face(CGAL::SM_Vertex_index(std::uint32_t(t[0])),
+                    CGAL::SM_Vertex_index(std::uint32_t(t[1])),
+                    CGAL::SM_Vertex_index(std::uint32_t(t[2])));
+    solid.set_mesh(std::move(mesh));
+  }
+}
 
 } // namespace dsc

@@ -9,8 +9,16 @@
 #include "fluids/fluid_scene.h"
 
 #include <memory>
+#include <string>
 
 namespace dsc {
+
+/// Returns the complex with the initial liquids of a scene of its dimension. Files of the scene are
+/// searched in `folder`.
+/// \throws Input_error if the complex cannot be built, for example because liquids overlap, or a
+/// file cannot be read
+template <class Complex>
+Complex start_of_scene(const Fluid_scene& scene, const std::string& folder);
 
 /// Checks that the shapes of the scene have an effect.
 /// \throws Input_error if a liquid or gas has no cells, or a source contains no liquid
@@ -33,6 +41,23 @@ void require_outside_of_solids(const Fluid_scene& scene, const Fluid<Complex>& f
 
 /// Sets the initial velocities of the scene.
 template <class Complex> void set_velocities(const Fluid_scene& scene, Fluid<Complex>& fluid);
+
+/// Returns the complex with the initial liquids of a scene that contains a pool. If all other
+/// shapes and all holes in liquids are boxes, their faces are faces of cells. Otherwise, the
+/// complex is built from the labels of points. \throws Input_error if the complex cannot be built
+template <class Complex> Complex start_with_pool(const Fluid_scene& scene);
+
+/// Returns the path of a file of a scene. Relative paths are searched in `folder`.
+std::string place_of(const std::string& file, const std::string& folder);
+
+/// Checks that the files of a scene exist.
+/// \throws Input_error if a file is missing
+/// \throws Usage_error if a folder is given, but the scene has no file
+void require_files(const Fluid_scene& scene, const std::string& folder);
+
+/// Reads the surfaces of the solids that are meshes.
+/// \throws std::runtime_error if a file cannot be read
+void read_meshes(const std::string& folder, Fluid_scene& scene);
 
 } // namespace dsc
 

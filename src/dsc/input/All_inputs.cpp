@@ -2,15 +2,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "input/All_inputs.h"
+#include "input/Inputs.h"
 
-#include "input/native_file.h"
 #include "input/start_complex.h"
 #include "input/start_curves.h"
-#include "input/tracked_checkpoint.h"
+#include "input/translations.h"
 #include "motions/run.h"
 #include "motions/start_distance.h"
-#include "output/convert_file.h"
 
 namespace dsc {
 
@@ -45,16 +43,6 @@ Start_distance All_inputs::distance_from(const Run_start& start) const {
   return Start_distance(
       start_surfaces(start, start.repairs ? read_and_repair(start, nullptr) : read_surfaces(start))
           .all);
-}
-
-void All_inputs::convert(const std::string& input, const std::string& output,
-                         const std::string& labels, const std::string& thresholds) const {
-  convert_file(input, output, labels, thresholds);
-}
-
-void All_inputs::convert_to_image(const std::string& checkpoint, const std::string& output,
-                                  const std::string& grid) const {
-  dsc::convert_to_image(checkpoint, output, grid);
 }
 
 } // namespace dsc

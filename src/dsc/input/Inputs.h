@@ -43,14 +43,39 @@ public:
   /// Returns the distance measurement from the initial surfaces or curves of a run.
   virtual Start_distance distance_from(const Run_start& start) const = 0;
 
-  /// Converts a file that is no checkpoint, see convert_file().
+  /// Converts a file that is no checkpoint: a surface into another surface format, tetrahedra into
+  /// tetrahedra or their interface, an image into another image format, curves into regions.
+  /// \param labels, thresholds as in `Run_start`
+  /// \throws Usage_error if the format of the output does not fit the content
   virtual void convert(const std::string& input, const std::string& output,
                        const std::string& labels, const std::string& thresholds) const = 0;
 
-  /// Writes the labels of a complex as an image, see convert_to_image().
+  /// Writes the labels of a complex in a checkpoint as an image.
+  /// \param grid image with the voxels
   virtual void convert_to_image(const std::string& checkpoint, const std::string& output,
                                 const std::string& grid) const = 0;
 };
+
+/// All inputs, in space and in the plane.
+class All_inputs : public Inputs
+{
+public:
+  void require_all() const override {}
+  std::string native(const std::string& path, const std::string& labels,
+                     const std::string& thresholds) const override;
+  std::unique_ptr<Tracked_complex> start(const Run_options& options,
+                                         Repairs& repairs) const override;
+  std::unique_ptr<Tracked_complex> resume(const std::string& path,
+                                          std::string& metadata) const override;
+  Start_distance distance_from(const Run_start& start) const override;
+  void convert(const std::string& input, const std::string& output, const std::string& labels,
+               const std::string& thresholds) const override;
+  void convert_to_image(const std::string& checkpoint, const std::string& output,
+                        const std::string& grid) const override;
+};
+
+/// Returns the inputs of the program `dsc`: surfaces that bound solids, and inequalities, in space.
+const Inputs& surface_inputs();
 
 } // namespace dsc
 

@@ -2,11 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "input/Surface_inputs.h"
+#include "input/Inputs.h"
 
 #include "input/files.h"
 #include "input/start_complex.h"
-#include "input/tracked_checkpoint.h"
 #include "input/translations.h"
 #include "motions/run.h"
 #include "motions/start_distance.h"
@@ -24,14 +23,10 @@ constexpr char plane[] = "the commands for the plane",
 void require_sound_surfaces(const Run_start& start) {
   if (dimension_of(start) == 2)
     leave(plane);
-  switch (input_kind(start)) {
-  case Input_kind::image:
+  if (input_kind(start) == Input_kind::image)
     leave("the reader of voxel images");
-  case Input_kind::tetrahedra:
+  if (input_kind(start) == Input_kind::tetrahedra)
     leave("the readers of tetrahedra");
-  default:
-    break;
-  }
   if (start.repairs)
     leave(repairs_of_surfaces);
 }

@@ -5,6 +5,8 @@
 #ifndef DSC_CELL_REGIONS_H
 #define DSC_CELL_REGIONS_H
 
+#include "programs/errors.h"
+
 #include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <algorithm>
@@ -31,7 +33,7 @@ template <class Complex> struct Cell_regions
       open.push_back(first);
       of_cell[first->id()] = number;
       while (!open.empty()) {
-        CGAL::Deformable_simplicial_complexes::Progress_scope::check();
+        DSC::Progress_scope::check();
         const Cell_handle c = open.back();
         open.pop_back();
         for (int i = 0; i < 4; ++i) {

@@ -17,9 +17,7 @@
 #include <cstddef>
 #include <sstream>
 #include <stdexcept>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace dsc {
 namespace {

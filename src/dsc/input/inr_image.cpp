@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "input/inr_image.h"
+#include "input/voxel_images.h"
 
-#include "input/unused.h"
+#include "input/translations.h"
 #include "programs/errors.h"
 
 #include <CGAL/Mesh_files/internal/text/files.h>
@@ -13,7 +13,6 @@
 
 #include <zlib.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -28,7 +27,7 @@
 namespace dsc {
 namespace {
 
-namespace internal = CGAL::Deformable_simplicial_complexes::internal;
+namespace internal = DSC::internal;
 
 /// A file of the INR format: lines KEY=VALUE, the line ##}, and the values of the voxels.
 class Inr_file
@@ -181,7 +180,7 @@ private:
     std::uint64_t result = 0;
     int n = 0;
     while ((n = gzread(m_file.get(), buffer.data(), static_cast<unsigned>(buffer.size()))) > 0) {
-      CGAL::Deformable_simplicial_complexes::Progress_scope::check();
+      DSC::Progress_scope::check();
       result += static_cast<std::uint64_t>(n);
     }
     if (n < 0)
@@ -204,7 +203,7 @@ CGAL::Image_3 read_inr(const std::string& path, std::size_t most_channels) {
   return image;
 }
 
-CGAL::Deformable_simplicial_complexes::Sampling_grid<3> grid_of(const CGAL::Image_3& image) {
+DSC::Sampling_grid<3> grid_of(const CGAL::Image_3& image) {
   return {{image.xdim(), image.ydim(), image.zdim()},
           {image.vx(), image.vy(), image.vz()},
           {image.tx(), image.ty(), image.tz()}};

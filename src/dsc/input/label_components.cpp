@@ -88,8 +88,8 @@ private:
   std::size_t m_nx, m_ny;
   bool m_with_corners, m_has_before = false, m_has_layer = false;
   std::vector<Sample> m_before, m_layer;
-  CGAL::Deformable_simplicial_complexes::Disjoint_sets m_sets; // of samples
-  std::vector<int> m_labels;                                   // of the elements of the sets
+  DSC::Disjoint_sets m_sets; // of samples
+  std::vector<int> m_labels; // of the elements of the sets
 };
 
 /// Returns the numbers of samples along the axes for a spacing, all odd or all even. Odd numbers of
@@ -146,7 +146,7 @@ Component_ranges count_components(const std::array<double, 6>& box, const Counts
     with_corners.begin_layer();
     with_faces.begin_layer();
     for (std::size_t j = 0; j < n[1]; ++j) {
-      CGAL::Deformable_simplicial_complexes::Progress_scope::check();
+      DSC::Progress_scope::check();
       for (std::size_t i = 0; i < n[0]; ++i) {
         const int label = label_at({coordinate(0, i), coordinate(1, j), coordinate(2, k)});
         with_corners.add(i, j, label);

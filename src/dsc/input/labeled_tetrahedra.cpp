@@ -5,7 +5,6 @@
 #include "input/labeled_tetrahedra.h"
 
 #include "input/files.h"
-#include "programs/errors.h"
 
 #include <CGAL/Deformable_simplicial_complexes/internal/parts/assign_part.h>
 #include <CGAL/Mesh_files/MEDIT_3.h>
@@ -158,8 +157,7 @@ void follow(std::vector<Mesh_entities::Simplex<n>>& simplices, const Tetrahedra&
 
 void Labeled_tetrahedra::separate_touching_cells() {
   const Tetrahedra before = tetrahedra;
-  const auto originals = CGAL::Deformable_simplicial_complexes::internal::separate_touching_cells(
-      points.size(), tetrahedra);
+  const auto originals = DSC::internal::separate_touching_cells(points.size(), tetrahedra);
   if (originals.size() == points.size())
     return;
   for (std::size_t i = points.size(); i < originals.size(); ++i) {
@@ -203,7 +201,7 @@ Labeled_tetrahedra read_tetrahedra(const std::string& path, const std::string& l
     try {
       CGAL::IO::read_VTU(path, mesh.points, mesh.tetrahedra, mesh.labels, label_array, &mesh.arrays,
                          &mesh.unused);
-    } catch (const CGAL::Deformable_simplicial_complexes::Label_array_error& error) {
+    } catch (const DSC::Label_array_error& error) {
       throw std::runtime_error(error.what() + std::string(" (--labels NAME)"));
     }
     // The names belong to the labels that this program and Gmsh write.
@@ -221,8 +219,7 @@ Labeled_tetrahedra read_tetrahedra(const std::string& path, const std::string& l
   return mesh;
 }
 
-std::string place_of(const CGAL::Deformable_simplicial_complexes::Invalid_cells_error& error,
-                     const Labeled_tetrahedra& mesh) {
+std::string place_of(const DSC::Invalid_cells_error& error, const Labeled_tetrahedra& mesh) {
   std::vector<std::size_t> corners = error.vertices();
   if (!error.tetrahedra().empty()) {
     const auto& tetrahedron = mesh.tetrahedra[error.tetrahedra().front()];

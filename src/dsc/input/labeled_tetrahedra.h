@@ -5,6 +5,8 @@
 #ifndef DSC_LABELED_TETRAHEDRA_H
 #define DSC_LABELED_TETRAHEDRA_H
 
+#include "programs/errors.h"
+
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Mesh_files/Mesh_arrays.h>
 #include <CGAL/Mesh_files/Mesh_entities.h>
@@ -19,10 +21,10 @@
 
 namespace dsc {
 
-using CGAL::Deformable_simplicial_complexes::Mesh_array;
-using CGAL::Deformable_simplicial_complexes::Mesh_arrays;
-using CGAL::Deformable_simplicial_complexes::Mesh_entities;
-using CGAL::Deformable_simplicial_complexes::Unused_content;
+using DSC::Mesh_array;
+using DSC::Mesh_arrays;
+using DSC::Mesh_entities;
+using DSC::Unused_content;
 
 /// The tetrahedra of a file, with the points that they use.
 struct Labeled_tetrahedra
@@ -50,8 +52,7 @@ struct Labeled_tetrahedra
 Labeled_tetrahedra read_tetrahedra(const std::string& path, const std::string& label_array);
 
 /// Returns the place of an error in a mesh, in parentheses; empty if the place is not known.
-std::string place_of(const CGAL::Deformable_simplicial_complexes::Invalid_cells_error& error,
-                     const Labeled_tetrahedra& mesh);
+std::string place_of(const DSC::Invalid_cells_error& error, const Labeled_tetrahedra& mesh);
 
 } // namespace dsc
 

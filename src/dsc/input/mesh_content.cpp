@@ -14,9 +14,7 @@
 #include <array>
 #include <cstddef>
 #include <numeric>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace dsc {
 namespace {
@@ -24,7 +22,6 @@ namespace {
 using Complex = Solid_complex;
 using Vertex_handle = Complex::Vertex_handle;
 using Cell_handle = Complex::Cell_handle;
-using CGAL::Deformable_simplicial_complexes::Progress_scope;
 
 /// Returns the indices of items, sorted by the key of each item.
 template <class Key> std::vector<std::size_t> sorted_by(std::size_t size, const Key& key) {
@@ -71,7 +68,7 @@ std::size_t remove_foreign(std::vector<Mesh_entities::Simplex<n>>& simplices,
   std::vector<bool> is_foreign(simplices.size(), false);
   std::size_t number = 0;
   for (std::size_t i = 0; i < simplices.size(); ++i) {
-    Progress_scope::check();
+    DSC::Progress_scope::check();
     new_index[i] = number;
     is_foreign[i] = cells_around(complex, handles(vertices, simplices[i].vertices)).empty();
     if (!is_foreign[i])
@@ -108,7 +105,7 @@ bool is_numbering(const Mesh_array& array) {
 
 /// Returns whether `write_VTU()` always writes an array of this name.
 bool is_computed(const Mesh_array& array) {
-  return CGAL::Deformable_simplicial_complexes::internal::is_computed_vtu_array(array.name);
+  return DSC::internal::is_computed_vtu_array(array.name);
 }
 
 /// Returns whether all computed arrays are present: the file was written by this package.

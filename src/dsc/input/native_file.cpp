@@ -2,11 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "input/native_file.h"
+#include "input/translations.h"
 
 #include "input/files.h"
 #include "input/labeled_tetrahedra.h"
-#include "input/translations.h"
 #include "programs/errors.h"
 
 #include <CGAL/Mesh_files/File_error.h>
@@ -22,7 +21,7 @@ bool is_native_grid(const std::string& path, const std::string& labels) {
   try {
     read_tetrahedra(path, labels);
     return true;
-  } catch (const CGAL::Deformable_simplicial_complexes::File_error&) {
+  } catch (const DSC::File_error&) {
     return false;
   }
 }

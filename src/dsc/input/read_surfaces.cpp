@@ -4,7 +4,6 @@
 
 #include "input/surface.h"
 #include "input/translations.h"
-#include "input/unused.h"
 #include "output/label_titles.h"
 
 #include <CGAL/Mesh_files/Surface_parts.h>
@@ -19,13 +18,11 @@
 namespace dsc {
 namespace {
 
-using DSC::Surface_parts;
-
 /// Returns the surfaces of a file and sets the names of its parts.
 /// \param has_parts whether names divide the surface
 std::vector<Surface> parts_of_file(const std::string& path, bool has_parts, int first_label,
                                    std::vector<std::string>& names) {
-  Surface_parts parts;
+  DSC::Surface_parts parts;
   Surface whole = read_surface(path, has_parts ? &parts : nullptr);
   whole.label = first_label;
   if (!has_parts)
@@ -71,7 +68,7 @@ Surfaces read_surfaces(const Run_start& start) {
   return result;
 }
 
-Surface read_surface(const std::string& path, Surface_parts* parts) {
+Surface read_surface(const std::string& path, DSC::Surface_parts* parts) {
   Unused_content unused;
   Surface result = CGAL::IO::read_labeled_surface<Surface_point>(path, 1, &unused, parts);
   print_unused(path, unused);

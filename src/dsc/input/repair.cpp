@@ -4,7 +4,6 @@
 
 #include "input/start_complex.h"
 #include "input/surface.h"
-#include "input/surface_errors.h"
 #include "programs/errors.h"
 
 #include <CGAL/Mesh_support/Progress_scope.h>
@@ -17,19 +16,13 @@
 #include <utility>
 #include <vector>
 
-namespace DSC = CGAL::Deformable_simplicial_complexes;
-
 namespace dsc {
 
 namespace {
 
-using CGAL::Deformable_simplicial_complexes::Error;
-using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
-using CGAL::Deformable_simplicial_complexes::Tetrahedralization_error;
-
 DSC::Surface_repair_options_3 repair_options(const Surface& surface,
                                              const std::optional<Distance>& largest_hole) {
-  namespace internal = CGAL::Deformable_simplicial_complexes::internal;
+  namespace internal = DSC::internal;
   DSC::Surface_repair_options_3 options;
   if (!largest_hole)
     return options;
@@ -47,11 +40,11 @@ template <class Function> Repairs for_each(Surfaces& surfaces, const Function& r
   for (std::size_t i = 0; i < surfaces.all.size(); ++i)
     try {
       repairs.push_back({names[i], repair_surface(surfaces.all[i])});
-    } catch (const Invalid_surface_error& error) {
-      const bool has_hole = error.reason() == Invalid_surface_error::Reason::open;
+    } catch (const DSC::Invalid_surface_error& error) {
+      const bool has_hole = error.reason() == DSC::Invalid_surface_error::Reason::open;
       throw Input_error(names[i] + " cannot be repaired: " + message_of(error) +
                         (has_hole ? "; increase --largest-hole" : ""));
-    } catch (const Error& error) {
+    } catch (const DSC::Error& error) {
       throw Input_error(names[i] + " cannot be repaired: " + error.what());
     }
   return repairs;
@@ -124,7 +117,7 @@ std::unique_ptr<Tracked_complex> track_repaired_surfaces(const Run_options& opti
     try {
       if (!merges || merge_near_vertices(surfaces, repairs))
         return track_surfaces(surfaces, options);
-    } catch (const Tetrahedralization_error& error) {
+    } catch (const DSC::Tetrahedralization_error& error) {
       if (is_out_of_memory(error))
         throw;
     }

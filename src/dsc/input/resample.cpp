@@ -32,7 +32,6 @@
 namespace dsc {
 namespace PMP = CGAL::Polygon_mesh_processing;
 namespace SMS = CGAL::Surface_mesh_simplification;
-using CGAL::Deformable_simplicial_complexes::Edge_count_stop_predicate;
 namespace {
 
 using Mesh = CGAL::Surface_mesh<Surface_point>;
@@ -128,7 +127,7 @@ void decimate(Mesh& mesh, std::size_t triangles, const Touching_points& touching
   const auto border = std::count_if(mesh.halfedges().begin(), mesh.halfedges().end(),
                                     [&](Mesh::Halfedge_index h) { return mesh.is_border(h); });
   const std::size_t edges = (3 * triangles + static_cast<std::size_t>(border)) / 2;
-  SMS::edge_collapse(mesh, Edge_count_stop_predicate<Mesh>(edges + 1), // it stops below
+  SMS::edge_collapse(mesh, DSC::Edge_count_stop_predicate<Mesh>(edges + 1), // it stops below
                      CGAL::parameters::get_cost(SMS::LindstromTurk_cost<Mesh>())
                          .get_placement(Placement(touching))
                          .filter(SMS::Bounded_normal_change_filter<>()));
@@ -196,7 +195,7 @@ void assign(Surface& surface, const Mesh& mesh) {
 // Returns whether the surface intersects itself. Unlike Polygon_mesh_processing, accepts touching
 // parts.
 bool does_self_intersect(const Surface& surface) {
-  namespace internal = CGAL::Deformable_simplicial_complexes::internal;
+  namespace internal = DSC::internal;
   internal::Triangle_soup_3 soup;
   for (const Surface_point& p : surface.points)
     soup.points.push_back(internal::coordinates(p));

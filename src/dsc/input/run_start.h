@@ -5,7 +5,7 @@
 #ifndef DSC_RUN_START_H
 #define DSC_RUN_START_H
 
-#include "motions/distance.h"
+#include "programs/option_values.h"
 
 #include <CGAL/Complex_construction/Thin_part_options.h>
 
@@ -44,7 +44,7 @@ struct Run_start
   std::optional<Distance> largest_hole; ///< length of the boundary of the largest hole to be
                                         ///< filled; the default of the library if not set
   /// How thin parts are resolved.
-  CGAL::Deformable_simplicial_complexes::Thin_part_options thin_parts;
+  DSC::Thin_part_options thin_parts;
   bool mesh_is_domain =
       false;       ///< whether the domain is the mesh of the input, and no box around it
   double edge = 0; ///< target edge length of the interface for images and inequalities; 0 for

@@ -5,29 +5,21 @@
 #include "input/start_complex.h"
 
 #include "input/domain_box.h"
-#include "input/inequalities.h"
+#include "input/functions_of_points.h"
 #include "input/label_components.h"
-#include "input/surface.h"
 #include "motions/remove_fragments.h"
 #include "motions/tracked_complex_3.h"
-#include "programs/errors.h"
 
-#include <CGAL/Complex_construction/Tetrahedralization_3.h>
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
+#include <CGAL/Mesh_files/checkpoint.h>
 
 #include <algorithm>
 #include <map>
-#include <string>
-#include <utility>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc {
 namespace {
 
 using Complex = Tracked_complex_3::Complex;
-using CGAL::Deformable_simplicial_complexes::Tetrahedralization_error;
 
 std::unique_ptr<Tracked_complex> track_inequalities(const Run_start& start,
                                                     const std::array<double, 6>& d) {
@@ -38,8 +30,8 @@ std::unique_ptr<Tracked_complex> track_inequalities(const Run_start& start,
   const Label_function label_at = [&](const std::array<double, 3>& p) {
     return inequalities.label_at(p);
   };
-  auto complex =
-      DSC::make_deformable_simplicial_complex_3<Complex>(box(d), edge, [&](const auto& p) {
+  auto complex = DSC::make_deformable_simplicial_complex_3<Complex>(
+      box_of_dimension<3>(d), edge, [&](const auto& p) {
         return label_at({p.x(), p.y(), p.z()});
       });
   if (complex.interface_facets().empty())
@@ -58,7 +50,7 @@ std::unique_ptr<Tracked_complex> track_inequalities(const Run_start& start,
 std::unique_ptr<Tracked_complex> track_surfaces_of_run(const Run_options& options) {
   try {
     return track_surfaces(start_surfaces(options.start, most_triangles_to_fill), options);
-  } catch (const Tetrahedralization_error& error) {
+  } catch (const DSC::Tetrahedralization_error& error) {
     if (is_out_of_memory(error))
       throw;
     throw Input_error(std::string(error.what()) +
@@ -68,7 +60,7 @@ std::unique_ptr<Tracked_complex> track_surfaces_of_run(const Run_options& option
 
 } // namespace
 
-bool is_out_of_memory(const Tetrahedralization_error& error) {
+bool is_out_of_memory(const DSC::Tetrahedralization_error& error) {
   static constexpr int out_of_memory = 1; // exit code of TetGen
   return error.code() == out_of_memory;
 }
@@ -78,6 +70,28 @@ std::unique_ptr<Tracked_complex> track_in_space(const Run_options& options) {
   if (input_kind(start) == Input_kind::inequalities)
     return track_inequalities(start, *options.domain);
   return track_surfaces_of_run(options);
+}
+
+std::string message_of(const DSC::Invalid_surface_error& error) {
+  const std::string text = error.what(),
+                    number = "surface " + std::to_string(error.surface()) + ' ';
+  return text.rfind(number, 0) == 0 ? "the surface " + text.substr(number.size()) : text;
+}
+
+int checkpoint_dimension(const std::string& path) {
+  if (CGAL::IO::is_distributed_checkpoint(path))
+    throw Input_error(path + " was written by several processes: resume it with mpirun, such as "
+                             "mpirun -n 1 dsc");
+  return CGAL::IO::checkpoint_dimension(path);
+}
+
+std::unique_ptr<Tracked_complex> track_checkpoint_3(const std::string& path,
+                                                    std::string& metadata) {
+  auto checkpoint = CGAL::IO::read_checkpoint(path);
+  DSC::Mesh_arrays arrays = take_arrays(checkpoint.metadata);
+  auto tracked = restored<Tracked_complex_3>(path, std::move(checkpoint), metadata);
+  tracked->carry(std::move(arrays));
+  return tracked;
 }
 
 } // namespace dsc

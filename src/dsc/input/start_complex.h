@@ -7,16 +7,18 @@
 
 #include "input/surface.h"
 #include "motions/run.h"
+#include "motions/run_position.h"
 #include "motions/tracked_complex.h"
+#include "programs/errors.h"
 
 #include <CGAL/Complex_construction/Tetrahedralization_3.h>
+#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
 
-#include <array>
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <string>
-#include <vector>
+#include <utility>
 
 namespace dsc {
 
@@ -45,12 +47,39 @@ std::unique_ptr<Tracked_complex> track_surfaces(const Surfaces& surfaces,
                                                 const Run_options& options);
 
 /// Returns whether TetGen ran out of memory. Then another surface of the same size fails, too.
-bool is_out_of_memory(const CGAL::Deformable_simplicial_complexes::Tetrahedralization_error& error);
+bool is_out_of_memory(const DSC::Tetrahedralization_error& error);
 
 /// Returns the complex of repaired surfaces. If TetGen fails, they are repaired further.
 /// \param repairs receives the repairs
 std::unique_ptr<Tracked_complex> track_repaired_surfaces(const Run_options& options,
                                                          Repairs& repairs);
+
+/// Returns the message of an error without the number of the surface, which has no meaning for
+/// users.
+std::string message_of(const DSC::Invalid_surface_error& error);
+
+/// Returns the dimension of the complex in a checkpoint; 0 if the file is none.
+/// \throws Input_error if several processes wrote it
+int checkpoint_dimension(const std::string& path);
+
+/// Reads the complex and the metadata of a checkpoint in space.
+std::unique_ptr<Tracked_complex> track_checkpoint_3(const std::string& path, std::string& metadata);
+
+/// Returns the complex of a checkpoint that was read, with the names of its labels, and stores its
+/// metadata.
+template <class Tracked, class Checkpoint>
+std::unique_ptr<Tracked> restored(const std::string& path, Checkpoint&& checkpoint,
+                                  std::string& metadata) {
+  auto tracked = std::make_unique<Tracked>();
+  try {
+    tracked->complex.restore(checkpoint.state);
+  } catch (const DSC::Invalid_cells_error& error) {
+    throw Input_error(path + ": " + error.what());
+  }
+  metadata = std::move(checkpoint.metadata);
+  tracked->label_names = label_names_of(metadata);
+  return tracked;
+}
 
 } // namespace dsc
 

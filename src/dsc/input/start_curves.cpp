@@ -5,19 +5,12 @@
 #include "input/start_curves.h"
 
 #include "input/files.h"
-#include "input/unused.h"
+#include "input/translations.h"
 #include "programs/errors.h"
 
 #include <CGAL/Mesh_files/labeled_curves_2.h>
 
 #include <CGAL/number_utils.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc {
 namespace {

@@ -19,8 +19,6 @@
 #include <string>
 #include <vector>
 
-namespace DSC = CGAL::Deformable_simplicial_complexes;
-
 namespace dsc {
 
 using Curve_point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;

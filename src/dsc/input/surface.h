@@ -20,8 +20,6 @@
 #include <string>
 #include <vector>
 
-namespace DSC = CGAL::Deformable_simplicial_complexes;
-
 namespace dsc {
 
 using Surface_point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
@@ -32,7 +30,7 @@ struct Surfaces
 {
   std::vector<Surface> all;
   std::vector<std::string> titles; ///< of the surfaces, for messages: file and name of the part
-  CGAL::Deformable_simplicial_complexes::Label_names names; ///< of the labels, from the files
+  DSC::Label_names names;          ///< of the labels, from the files
 };
 
 /// Reads the surfaces of the files of a run. They get the labels 1, 2 and so on. The named parts of
@@ -65,9 +63,6 @@ using Repairs = std::vector<Repair>;
 /// \param repairs receives the repairs, unless it is null
 /// \throws Input_error if a surface cannot be repaired; std::runtime_error if it cannot be read
 Surfaces read_and_repair(const Run_start& start, Repairs* repairs);
-
-/// Returns a description of the repairs, in one line.
-std::string what_was_repaired(const DSC::Surface_repair_report_3& report);
 
 /// Returns the initial surfaces of a run: the surfaces of its files or, without files, its ball.
 /// \param most_triangles surfaces of files are not refined to more triangles

@@ -31,7 +31,7 @@ Surface_statistics surface_statistics(const std::string& path) {
   result.triangles = surface.triangles.size();
   result.min_angle = 180;
 
-  CGAL::Deformable_simplicial_complexes::Disjoint_sets connected(surface.points.size());
+  DSC::Disjoint_sets connected(surface.points.size());
   std::vector<bool> used(surface.points.size());
   std::vector<std::array<std::size_t, 2>> edges;
   // A point of the surface as origin avoids cancellation far from the coordinate origin.

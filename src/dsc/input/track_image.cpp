@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "input/domain_box.h"
-#include "input/inr_image.h"
 #include "input/start_complex.h"
+#include "input/voxel_images.h"
 #include "motions/tracked_complex_3.h"
 #include "programs/errors.h"
 
@@ -12,8 +12,6 @@
 #include <CGAL/Mesh_support/Error.h>
 
 #include <CGAL/Bbox_3.h>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc {
 
@@ -27,7 +25,7 @@ std::unique_ptr<Tracked_complex> track_image(const std::string& path, const Run_
       throw Input_error(path + ": all voxels have the same label, so there is no interface; give a "
                                "larger --domain, which has label 0 around the image");
     return result;
-  } catch (const CGAL::Deformable_simplicial_complexes::Error& error) {
+  } catch (const DSC::Error& error) {
     throw Input_error(path + ": " + error.what());
   }
 }

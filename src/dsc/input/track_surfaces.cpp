@@ -5,7 +5,6 @@
 #include "input/domain_box.h"
 #include "input/start_complex.h"
 #include "input/surface.h"
-#include "input/surface_errors.h"
 #include "motions/tracked_complex_3.h"
 #include "output/label_titles.h"
 #include "programs/errors.h"
@@ -22,7 +21,6 @@
 #include <CGAL/Bbox_3.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -33,14 +31,12 @@
 #include <string>
 #include <vector>
 
-namespace DSC = CGAL::Deformable_simplicial_complexes;
-
 namespace dsc {
 namespace {
 
 using Complex = Tracked_complex_3::Complex;
 using Patches = DSC::Patches_of_surfaces_3<Surface_point>;
-using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
+using DSC::Invalid_surface_error;
 using Reason = Invalid_surface_error::Reason;
 
 constexpr double tolerance = .05; // of the number of triangles
@@ -159,7 +155,7 @@ DSC::Detail_options<Complex> interface_options(double length) {
 /// Splits the longest edges of the interface until it has about the given number of triangles, and
 /// improves the tetrahedra. The shape of the interface does not change.
 void refine(Complex& complex, std::size_t triangles) {
-  const CGAL::Deformable_simplicial_complexes::Progress_phase phase("refining the interface");
+  const DSC::Progress_phase phase("refining the interface");
   const double enough = (1 - tolerance) * static_cast<double>(triangles);
   static constexpr double shortest = .667; // edge that a round splits, relative to the longest edge
   for (;;) {
@@ -180,7 +176,7 @@ void refine(Complex& complex, std::size_t triangles) {
 /// Collapses edges of the interface, the short ones first, until it has about the given number of
 /// triangles, or edges are twice as long as those of so many equal triangles would be.
 void coarsen(Complex& complex, std::size_t triangles) {
-  const CGAL::Deformable_simplicial_complexes::Progress_phase phase("coarsening the interface");
+  const DSC::Progress_phase phase("coarsening the interface");
   static constexpr double first = .25, last = 2, factor = 1.05; // lengths
   static constexpr double least_quality = .05; // of cells, which are improved later
   double area = 0;

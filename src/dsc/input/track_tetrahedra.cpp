@@ -6,7 +6,7 @@
 #include "input/labeled_tetrahedra.h"
 #include "input/mesh_content.h"
 #include "input/start_complex.h"
-#include "input/unused.h"
+#include "input/translations.h"
 #include "motions/arrays_on.h"
 #include "motions/tracked_complex_3.h"
 #include "programs/errors.h"
@@ -18,21 +18,15 @@
 #include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
 
 #include <algorithm>
-#include <array>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc {
 namespace {
 
 using Complex = Tracked_complex_3::Complex;
-using CGAL::Deformable_simplicial_complexes::Invalid_cells_error;
-using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+namespace parameters = DSC::parameters;
 
 /// Returns whether all tetrahedra at the boundary have label 0, so that there is room around the
 /// interface.
@@ -56,7 +50,7 @@ track_in_mesh(const std::string& path, const Labeled_tetrahedra& mesh, const Run
     result->complex = DSC::make_deformable_simplicial_complex_3<Complex>(
         mesh.points, mesh.tetrahedra, mesh.labels,
         parameters::improve(false).edge_per_thickness(0.));
-  } catch (const Invalid_cells_error& error) {
+  } catch (const DSC::Invalid_cells_error& error) {
     if (!start.mesh_is_domain)
       return nullptr;
     throw Input_error(path + ": " + error.what() + place_of(error, mesh) +
@@ -78,9 +72,9 @@ track_in_box(const std::string& path, const Labeled_tetrahedra& mesh, const Run_
     return std::make_unique<Tracked_complex_3>(DSC::make_deformable_simplicial_complex_3<Complex>(
         mesh.points, mesh.tetrahedra, mesh.labels, CGAL::Tetgen_tetrahedralizer_3(),
         normalized(options.domain, options.start.thin_parts)));
-  } catch (const Invalid_cells_error& error) {
+  } catch (const DSC::Invalid_cells_error& error) {
     throw Input_error(path + ": " + error.what() + place_of(error, mesh));
-  } catch (const Invalid_surface_error& error) {
+  } catch (const DSC::Invalid_surface_error& error) {
     throw Input_error(path + ": the boundary of the tetrahedra is invalid: " + error.what());
   }
 }

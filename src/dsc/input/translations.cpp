@@ -5,8 +5,6 @@
 #include "input/translations.h"
 
 #include "input/files.h"
-#include "input/unused.h"
-#include "programs/errors.h"
 #include "programs/interrupt.h"
 
 #include <CGAL/Mesh_files/replace_file.h>
@@ -26,13 +24,14 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <map>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
 #include <thread>
 #include <utility>
-#include <vector>
 
 extern char** environ;
 
@@ -104,7 +103,7 @@ int run_program_with(const std::vector<std::string>& arguments, const std::strin
       continue;
     kill(child, SIGKILL);
     waitpid(child, &status, 0);
-    throw CGAL::Deformable_simplicial_complexes::Interrupted_error();
+    throw DSC::Interrupted_error();
   }
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
@@ -146,6 +145,32 @@ std::string run_dsc_files(const std::string& path, std::vector<std::string> argu
                          : message.substr(0, message.find('\n'))));
 }
 
+/// Translates a file by `dsc-files` with options, as pairs of a name and a value.
+std::string translate_with(const std::string& path,
+                           const std::vector<std::pair<std::string, std::string>>& options,
+                           const std::function<bool(const std::string&)>& accepts) {
+  Temporary_files& files = temporary_files();
+  const auto known = files.translations.find(path);
+  if (known != files.translations.end())
+    return known->second;
+  if (!exists(path))
+    throw Input_error("cannot open " + path + "; check that the file exists and is readable");
+  std::vector<std::string> arguments = {path, new_folder()};
+  for (const auto& [name, value] : options)
+    if (!value.empty())
+      arguments.insert(arguments.end(), {name, value});
+  std::istringstream answer(run_dsc_files(path, arguments));
+  std::string translation;
+  std::getline(answer, translation);
+  if (accepts && !accepts(translation))
+    throw Input_error(path + " has content that this program does not read");
+  print_answer(path, answer);
+  files.translations[path] = translation;
+  return translation;
+}
+
+bool is_silent = false;
+
 } // namespace
 
 std::string path_of_program(const std::string& name) {
@@ -172,34 +197,6 @@ bool is_foreign(const std::string& path) {
          (format == "gz" && extension(fs::path(path).stem().string()) == "nii");
 }
 
-namespace {
-
-/// Translates a file by `dsc-files` with options, as pairs of a name and a value.
-std::string translate_with(const std::string& path,
-                           const std::vector<std::pair<std::string, std::string>>& options,
-                           const std::function<bool(const std::string&)>& accepts) {
-  Temporary_files& files = temporary_files();
-  const auto known = files.translations.find(path);
-  if (known != files.translations.end())
-    return known->second;
-  if (!exists(path))
-    throw Input_error("cannot open " + path + "; check that the file exists and is readable");
-  std::vector<std::string> arguments = {path, new_folder()};
-  for (const auto& [name, value] : options)
-    if (!value.empty())
-      arguments.insert(arguments.end(), {name, value});
-  std::istringstream answer(run_dsc_files(path, arguments));
-  std::string translation;
-  std::getline(answer, translation);
-  if (accepts && !accepts(translation))
-    throw Input_error(path + " has content that this program does not read");
-  print_answer(path, answer);
-  files.translations[path] = translation;
-  return translation;
-}
-
-} // namespace
-
 std::string translate(const std::string& path, const std::string& labels,
                       const std::string& thresholds,
                       const std::function<bool(const std::string&)>& accepts) {
@@ -216,7 +213,7 @@ void write_foreign(const std::string& input, const std::string& output, const st
   if (!like.empty())
     arguments.push_back(like);
   run_dsc_files(output, arguments);
-  CGAL::Deformable_simplicial_complexes::replace_file_by_stream(
+  DSC::replace_file_by_stream(
       output, [&](std::ostream& out) { out << std::ifstream(written, std::ios::binary).rdbuf(); });
 }
 
@@ -248,5 +245,19 @@ void remove_temporary_files() {
     fs::remove_all(files.folder, error);
   files = Temporary_files();
 }
+
+void print_note(const std::string& path, const std::string& text) {
+  static std::set<std::string> printed;
+  const std::string line = with_user_names(path + ": " + text);
+  if (!is_silent && printed.insert(line).second)
+    std::cerr << "dsc: " << line << '\n';
+}
+
+void print_unused(const std::string& path, const Unused_content& unused) {
+  if (!unused.empty())
+    print_note(path, "not used: " + unused.text());
+}
+
+void keep_silent_about_unused() { is_silent = true; }
 
 } // namespace dsc

@@ -5,6 +5,10 @@
 #ifndef DSC_TRANSLATIONS_H
 #define DSC_TRANSLATIONS_H
 
+#include "programs/errors.h"
+
+#include <CGAL/Mesh_files/Unused_content.h>
+
 #include <functional>
 #include <string>
 #include <vector>
@@ -58,6 +62,27 @@ std::string temporary_file(const std::string& name);
 
 /// Removes all temporary files.
 void remove_temporary_files();
+
+using DSC::Unused_content;
+
+/// Prints the unused content of a file to the standard error, in one line, if there is any. The
+/// same line is printed only once, because a run may read a file several times.
+void print_unused(const std::string& path, const Unused_content& unused);
+
+/// Suppresses the output of print_unused() from now on, as required by --quiet.
+void keep_silent_about_unused();
+
+/// Prints a choice that was made for a file, to standard error, once.
+void print_note(const std::string& path, const std::string& text);
+
+/// Returns a file in a format that this program reads, with the content of an input: the input
+/// itself, or a translation if another program has written it in a format or an encoding that only
+/// `dsc-files` reads. Inequalities are returned as they are.
+/// \param labels name of the cell array with the labels; empty for the default
+/// \param thresholds of a gray image; empty for labels
+/// \throws Input_error if the file cannot be translated
+std::string native_file(const std::string& path, const std::string& labels = "",
+                        const std::string& thresholds = "");
 
 } // namespace dsc
 

@@ -5,6 +5,8 @@
 #ifndef DSC_ARRAY_VISITOR_H
 #define DSC_ARRAY_VISITOR_H
 
+#include "programs/errors.h"
+
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/cell_corners.h>
 #include <CGAL/Interface_remeshing/Carried_cell_averages.h>
@@ -18,8 +20,6 @@
 #include <optional>
 #include <utility>
 #include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc {
 

@@ -20,8 +20,6 @@
 #include <utility>
 #include <vector>
 
-namespace DSC = CGAL::Deformable_simplicial_complexes;
-
 namespace dsc {
 namespace {
 

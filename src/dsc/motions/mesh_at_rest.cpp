@@ -26,11 +26,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <utility>
-#include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc {
 namespace {
@@ -100,7 +96,7 @@ private:
   }
 
   void mark(const std::array<Vertex_handle, 3>& triangle) {
-    CGAL::Deformable_simplicial_complexes::Progress_scope::check();
+    DSC::Progress_scope::check();
     for (const Cell_handle c : cells_around(m_complex, triangle)) {
       int sum = 6; // sum of the indices of all four vertices
       for (const Vertex_handle v : triangle)
@@ -111,7 +107,7 @@ private:
 
   template <std::size_t n>
   void hold(const std::array<Vertex_handle, n>& simplex, const Cell_regions<Complex>& coarse) {
-    CGAL::Deformable_simplicial_complexes::Progress_scope::check();
+    DSC::Progress_scope::check();
     auto around = cells_around(m_complex, simplex);
     const auto inside = std::partition(around.begin(), around.end(),
                                        [&](Cell_handle c) { return m_complex.is_infinite(c); });

@@ -7,7 +7,7 @@
 
 #include "input/mesh_content.h"
 #include "output/statistics.h"
-#include "programs/threads_option.h"
+#include "programs/option_values.h"
 
 #include <CGAL/Deformable_simplicial_complexes/State.h>
 
@@ -36,8 +36,7 @@ public:
   Mesh_at_rest(const std::string& path, Labeled_tetrahedra& mesh);
 
   /// Copies the tetrahedra of a complex, which has the state, and the names of its labels.
-  Mesh_at_rest(const CGAL::Deformable_simplicial_complexes::State<3>& state,
-               const CGAL::Deformable_simplicial_complexes::Label_names& names);
+  Mesh_at_rest(const DSC::State<3>& state, const DSC::Label_names& names);
 
   /// Returns the content of the mesh that changes of the complex preserve, see content_of().
   Mesh_content content(Labeled_tetrahedra mesh, const std::string& format,
@@ -52,13 +51,14 @@ public:
   Improvement_outcome improve(const Improvement_options& options, Mesh_content& content);
 
   /// Writes the tetrahedra (.mesh, .vtu) with their content, or the interface, in the format of the
-  /// extension, with the names of the labels. Points at which the domain touches itself are written once.
+  /// extension, with the names of the labels. Points at which the domain touches itself are written
+  /// once.
   void write(const std::string& path, Mesh_content content) const;
 
 private:
   Solid_complex m_complex;
   std::vector<Solid_complex::Vertex_handle> m_vertices; ///< of the points of the file
-  CGAL::Deformable_simplicial_complexes::Label_names m_names;
+  DSC::Label_names m_names;
 };
 
 } // namespace dsc

@@ -5,7 +5,7 @@
 #ifndef DSC_MOTION_H
 #define DSC_MOTION_H
 
-#include "motions/distance.h"
+#include "programs/option_values.h"
 
 #include <CGAL/Interface_flows/Corner_rule.h>
 #include <CGAL/Interface_flows/Integration_scheme.h>
@@ -31,8 +31,7 @@ struct Offset
   Distance distance = {};   ///< per step, positive outwards
   bool moves_faces = false; ///< whether faces move as a whole, instead of each vertex along its own
                             ///< normal
-  CGAL::Deformable_simplicial_complexes::Corner_rule corners =
-      CGAL::Deformable_simplicial_complexes::Corner_rule::miter;
+  DSC::Corner_rule corners = DSC::Corner_rule::miter;
 };
 
 /// A motion by a velocity field in the coordinates of the input.
@@ -44,8 +43,7 @@ struct Advection
   std::optional<double> period = std::nullopt; ///< T of the factor cos(pi t / T), if set
   double dt = 0;                ///< per step; 0 until it is chosen at the start of the run
   std::string expressions = ""; ///< in x, y, z and t, if `field` is `expressions`
-  CGAL::Deformable_simplicial_complexes::Integration_scheme scheme =
-      CGAL::Deformable_simplicial_complexes::Integration_scheme::rk4;
+  DSC::Integration_scheme scheme = DSC::Integration_scheme::rk4;
   std::optional<double> tolerance = std::nullopt; ///< in mean edges; the library's default if not
                                                   ///< set
 };
@@ -92,6 +90,23 @@ struct Step_options
   /// of a vertex in one deformation, in local edges; the default of the library if not set
   std::optional<double> largest_displacement;
 };
+
+/// Returns the integration schemes by their names in the command line, in files and in Python.
+inline const std::map<std::string, DSC::Integration_scheme>& integration_schemes() {
+  static const std::map<std::string, DSC::Integration_scheme> schemes = {
+      {"euler", DSC::Integration_scheme::euler},
+      {"rk2", DSC::Integration_scheme::rk2},
+      {"rk4", DSC::Integration_scheme::rk4},
+      {"adaptive", DSC::Integration_scheme::adaptive}};
+  return schemes;
+}
+
+/// Returns the rules for corners of an offset by their names.
+inline const std::map<std::string, DSC::Corner_rule>& corner_rules() {
+  static const std::map<std::string, DSC::Corner_rule> rules = {{"miter", DSC::Corner_rule::miter},
+                                                                {"round", DSC::Corner_rule::round}};
+  return rules;
+}
 
 } // namespace dsc
 

@@ -4,8 +4,8 @@
 
 #include "motions/motion_list.h"
 
-#include "motions/flow_names.h"
 #include "programs/add_value.h"
+#include "programs/errors.h"
 
 #include <CLI/CLI.hpp>
 
@@ -14,9 +14,9 @@
 #include <map>
 #include <optional>
 #include <stdexcept>
-#include <string>
 #include <type_traits>
 #include <variant>
+#include <vector>
 
 namespace dsc {
 namespace {
@@ -189,6 +189,40 @@ const std::array<Motion, 7> motions = {{Rotation(), Offset(), Advection{Advectio
                                         Advection{Advection::Field::vortex}, Advection(),
                                         Curvature_flow(), Zalesak()}};
 
+/// Replaces each option that is not given by its value before. Returns the names of the given
+/// options that differ from before. Both motions must have the same command.
+std::vector<std::string> keep_options(const Step_options& before,
+                                      const std::set<std::string>& given, Step_options& asked) {
+  std::vector<std::string> changed;
+  const auto keep = [&](const char* option, const auto& last, auto& value) {
+    if (given.count(option) == 0)
+      value = last;
+    else if (!(value == last))
+      changed.push_back(option);
+  };
+  std::visit(
+      [&](auto& m) {
+        const auto& last = std::get<std::decay_t<decltype(m)>>(before.motion);
+        for_each_option(m, [&](const char* option, auto member, const auto&, const char*) {
+          keep(option, last.*member, m.*member);
+        });
+      },
+      asked.motion);
+  if (auto* const flow = std::get_if<Curvature_flow>(&asked.motion); flow && flow->keeps_volumes)
+    flow->volumes = std::get<Curvature_flow>(before.motion).volumes;
+  keep("--improve-interface", before.improves_interface, asked.improves_interface);
+  keep("--domain", before.grows_domain, asked.grows_domain);
+  keep("--largest-displacement", before.largest_displacement, asked.largest_displacement);
+  keep("--aggressiveness", before.aggressiveness, asked.aggressiveness);
+  return changed;
+}
+
+void require_dt_in_period(const Motion& motion) {
+  const Advection* advection = std::get_if<Advection>(&motion);
+  if (advection && advection->period && advection->dt > *advection->period)
+    throw Usage_error("--dt is larger than the period; choose a smaller time step");
+}
+
 } // namespace
 
 std::string command_of(const Motion& motion) {
@@ -231,30 +265,39 @@ Motion motion_from_json(const Json& json) {
   return result;
 }
 
-std::vector<std::string> keep_options(const Step_options& before,
-                                      const std::set<std::string>& given, Step_options& asked) {
-  std::vector<std::string> changed;
-  const auto keep = [&](const char* option, const auto& last, auto& value) {
-    if (given.count(option) == 0)
-      value = last;
-    else if (!(value == last))
-      changed.push_back(option);
-  };
-  std::visit(
-      [&](auto& m) {
-        const auto& last = std::get<std::decay_t<decltype(m)>>(before.motion);
-        for_each_option(m, [&](const char* option, auto member, const auto&, const char*) {
-          keep(option, last.*member, m.*member);
-        });
-      },
-      asked.motion);
-  if (auto* const flow = std::get_if<Curvature_flow>(&asked.motion); flow && flow->keeps_volumes)
-    flow->volumes = std::get<Curvature_flow>(before.motion).volumes;
-  keep("--improve-interface", before.improves_interface, asked.improves_interface);
-  keep("--domain", before.grows_domain, asked.grows_domain);
-  keep("--largest-displacement", before.largest_displacement, asked.largest_displacement);
-  keep("--aggressiveness", before.aggressiveness, asked.aggressiveness);
-  return changed;
+void require_options(const Motion& motion, const std::set<std::string>& given) {
+  static const std::map<std::string, std::string> needs = {
+      {"rotate", "--angle"}, {"offset", "--distance"}, {"advect", "--velocity"}};
+  const std::string command = command_of(motion);
+  if (const auto needed = needs.find(command);
+      needed != needs.end() && given.count(needed->second) == 0)
+    throw Usage_error(needed->second + " is required; see dsc " + command + " --help");
+  require_dt_in_period(motion);
+}
+
+void require_effect_of_options(const Step_options& step, const std::set<std::string>& given) {
+  if (step.improves_interface && given.count("--tolerance") > 0)
+    throw Usage_error("--tolerance has no effect with --improve-interface; leave one of them out");
+}
+
+std::string continue_steps(const Step_options& before, const std::set<std::string>& given,
+                           Step_options& asked) {
+  const std::string command = command_of(asked.motion), last = command_of(before.motion);
+  if (command != last) {
+    require_options(asked.motion, given);
+    require_effect_of_options(asked, given);
+    asked.grows_domain = before.grows_domain; // a property of the domain
+    return "the command changes from " + last + " to " + command;
+  }
+  const std::vector<std::string> changed = keep_options(before, given, asked);
+  require_dt_in_period(asked.motion);
+  require_effect_of_options(asked, given);
+  if (changed.empty())
+    return "";
+  std::string changes;
+  for (const std::string& option : changed)
+    changes += (changes.empty() ? "" : ", ") + option;
+  return changes + noun(changed.size(), " differs", " differ") + " from the previous run";
 }
 
 } // namespace dsc

@@ -5,8 +5,8 @@
 #ifndef DSC_MOTION_STEP_H
 #define DSC_MOTION_STEP_H
 
-#include "input/velocity_expressions.h"
-#include "motions/motion_options.h"
+#include "input/functions_of_points.h"
+#include "motions/motion.h"
 #include "motions/tracked_complex.h"
 #include "programs/errors.h"
 
@@ -21,7 +21,9 @@
 #include <CGAL/Interface_flows/velocity_fields_2.h>
 #include <CGAL/Interface_flows/velocity_fields_3.h>
 #include <CGAL/Interface_remeshing/Curvature_sizing_field.h>
+#include <CGAL/Interface_remeshing/control_detail.h>
 #include <CGAL/Interface_remeshing/improve_interface.h>
+#include <CGAL/Interface_remeshing/restore_volumes.h>
 #include <CGAL/Mesh_support/coordinates.h>
 
 #include <CGAL/number_utils.h>
@@ -30,13 +32,77 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <optional>
 #include <type_traits>
 #include <variant>
 
-namespace DSC = CGAL::Deformable_simplicial_complexes;
-
 namespace dsc {
+
+/// Sets the options of all motions. The run itself lets the domain grow.
+template <class Complex>
+void complete(DSC::Advection_options<Complex>& options, const Step_options& step,
+              unsigned threads) {
+  options.deformation.number_of_threads = threads;
+  options.deformation.domain_rule = DSC::Domain_rule::stop;
+  options.largest_displacement = step.largest_displacement.value_or(options.largest_displacement);
+}
+
+/// Returns the options of a motion that does not adapt the interface.
+template <class Complex>
+DSC::Advection_options<Complex> advection_options(const Step_options& step, unsigned threads) {
+  DSC::Advection_options<Complex> result;
+  complete(result, step, threads);
+  return result;
+}
+
+/// Completes the options of an adaptive motion. An interface that is improved before each step
+/// needs mesh adaptation in each step, but no other changes of the interface.
+/// \param tolerance of the interface; the default of the library if not set
+template <class Complex>
+void complete(DSC::Adaptive_advection_options<Complex>& options,
+              const std::optional<double>& tolerance, const Step_options& step, unsigned threads) {
+  complete(options.advection, step, threads);
+  options.interface_tolerance =
+      step.improves_interface ? 0 : tolerance.value_or(options.interface_tolerance);
+  if (step.improves_interface)
+    options.adaptation_interval = 1;
+}
+
+/// Moves the interface by a little until each label has the volume that it had at the start of the
+/// run. The smallest label takes the rest.
+/// \param volumes in the unit of the input, of labels that may have vanished since
+/// \param unit volume of the unit of the complex, in the unit of the input
+/// \param visitor visitor of the changes; none if null
+/// \param report of the step, which tells of the changes
+template <class Complex>
+void restore_start_volumes(Complex& complex, const std::map<int, double>& volumes, double unit,
+                           unsigned threads, DSC::Any_visitor<Complex>* visitor,
+                           DSC::Deformation_report<Complex>& report) {
+  std::map<typename Complex::Label, double> kept;
+  for (const auto& [label, volume] : volumes)
+    if (complex.number_of_cells(label) > 0)
+      kept.emplace(label, volume / unit);
+  if (!kept.empty() && kept.begin()->first == complex.labels().front())
+    kept.erase(kept.begin());
+  DSC::Volume_restoration_options<Complex> options;
+  options.deformation.number_of_threads = threads;
+  options.deformation.forbid_topology_changes();
+  options.deformation.visitor = visitor;
+  options.volume_tolerance = 1e-6; // errors of steps do not add up
+  const unsigned parts = report.steps;
+  for (const auto& next : restore_volumes(complex, kept, options).deformations)
+    report.append(next);
+  report.steps = parts;
+}
+
+/// Adapts the mesh before an offset in the plane or of whole faces, which stretches the interface.
+template <class Complex> void make_room(Complex& complex, DSC::Any_visitor<Complex>* visitor) {
+  DSC::Detail_options<Complex> options;
+  options.collapse_length = 2;
+  options.visitor = visitor;
+  DSC::control_detail(complex, options);
+}
 
 /// The types and places that a motion needs of a complex; specialized for a distributed one.
 template <class Complex> struct Motion_of

@@ -6,10 +6,9 @@
 
 #include "input/Inputs.h"
 #include "input/files.h"
-#include "input/surface.h"
+#include "input/functions_of_points.h"
 #include "input/translations.h"
-#include "input/velocity_expressions.h"
-#include "motions/continue_steps.h"
+#include "motions/motion_list.h"
 #include "motions/run_balance.h"
 #include "motions/run_position.h"
 #include "motions/start_distance.h"
@@ -28,10 +27,7 @@
 #include <iostream>
 #include <memory>
 #include <new>
-#include <optional>
 #include <stdexcept>
-#include <string>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -198,8 +194,7 @@ void print_divided(const Divided_steps& divided) {
                 noun(divided.steps, "step was", "steps were"), divided.most);
 }
 
-void print_missing(std::size_t facets,
-                   const CGAL::Deformable_simplicial_complexes::Thin_part_options& thin_parts) {
+void print_missing(std::size_t facets, const DSC::Thin_part_options& thin_parts) {
   if (facets > 0)
     std::printf("dsc: thin parts of the interface are coarse: about %.2g more %s would resolve "
                 "them; use a larger --most-new-facets (now %u)\n",
@@ -364,7 +359,7 @@ void Run::do_steps() {
       progress.show(m_done);
       agree_on_interrupts();
     }
-  } catch (const CGAL::Deformable_simplicial_complexes::Interrupted_error&) {
+  } catch (const DSC::Interrupted_error&) {
     m_complex->go_back();
     agree_on_interrupts();
   } catch (const std::bad_alloc&) {

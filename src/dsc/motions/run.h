@@ -10,7 +10,6 @@
 #include "motions/motion.h"
 
 #include <array>
-#include <memory>
 #include <optional>
 #include <set>
 #include <string>

@@ -27,8 +27,7 @@ public:
 
   /// Returns the lines to be printed: the labels that vanished, and the labels with an unexplained
   /// change of more than a thousandth of their volume.
-  std::vector<std::string>
-  messages(const CGAL::Deformable_simplicial_complexes::Label_names& names) const;
+  std::vector<std::string> messages(const DSC::Label_names& names) const;
 
 private:
   struct Entry

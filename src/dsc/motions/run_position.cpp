@@ -6,12 +6,15 @@
 
 #include "input/translations.h"
 #include "motions/motion_list.h"
+#include "output/report_json.h"
 
+#include <cstddef>
 #include <stdexcept>
+#include <vector>
 
 namespace dsc {
 
-using CGAL::Deformable_simplicial_complexes::Label_names;
+using DSC::Label_names;
 
 namespace {
 
@@ -25,6 +28,21 @@ Json labels_json(const Label_names& names) {
 std::string text_of(const Json& metadata) {
   return metadata.dump(-1, ' ', false,
                        Json::error_handler_t::replace); // names may contain any bytes
+}
+
+using DSC::Mesh_array;
+using DSC::Mesh_arrays;
+
+Json json_of(const Mesh_array& array) {
+  return {{"name", array.name},
+          {"type", array.type},
+          {"components", array.components},
+          {"values", array.values}};
+}
+
+Mesh_array array_of(const Json& json) {
+  return {json.at("name"), json.at("type"), json.at("components"),
+          json.at("values").get<std::vector<double>>()};
 }
 
 } // namespace
@@ -106,6 +124,40 @@ Label_names label_names_of(const std::string& metadata) {
     return {};
   }
   return result;
+}
+
+std::string with_arrays(const std::string& metadata, const Mesh_arrays& arrays) {
+  const bool has_usual_name = arrays.labels.name.empty() || arrays.labels.name == "label";
+  if (arrays.points.empty() && arrays.cells.empty() && has_usual_name)
+    return metadata;
+  Json json = {
+      {"labels", json_of(arrays.labels)}, {"points", Json::array()}, {"cells", Json::array()}};
+  for (const Mesh_array& array : arrays.points)
+    json["points"].push_back(json_of(array));
+  for (const Mesh_array& array : arrays.cells)
+    json["cells"].push_back(json_of(array));
+  std::string result = metadata + '\n';
+  Json::to_cbor(json, result); // exact, and contains numbers that are not finite
+  return result;
+}
+
+Mesh_arrays take_arrays(std::string& metadata) {
+  Mesh_arrays result;
+  const std::size_t end = metadata.find('\n');
+  if (end == std::string::npos)
+    return result;
+  try {
+    const Json json = Json::from_cbor(metadata.begin() + std::ptrdiff_t(end) + 1, metadata.end());
+    result.labels = array_of(json.at("labels"));
+    for (const Json& array : json.at("points"))
+      result.points.push_back(array_of(array));
+    for (const Json& array : json.at("cells"))
+      result.cells.push_back(array_of(array));
+    metadata.erase(end);
+    return result;
+  } catch (const Json::exception&) { // metadata of another program
+    return Mesh_arrays();
+  }
 }
 
 } // namespace dsc

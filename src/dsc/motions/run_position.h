@@ -9,6 +9,7 @@
 #include "motions/motion.h"
 
 #include <CGAL/Mesh_files/Label_names.h>
+#include <CGAL/Mesh_files/Mesh_arrays.h>
 
 #include <optional>
 #include <string>
@@ -32,18 +33,24 @@ struct Saved_run
 
 /// Returns the metadata of a checkpoint, as JSON text.
 std::string to_metadata(const Run_position& position, const Step_options& step,
-                        const CGAL::Deformable_simplicial_complexes::Label_names& names);
+                        const DSC::Label_names& names);
 
 /// Returns the metadata of a checkpoint of no run, with the names of its labels; empty without
 /// them.
-std::string to_metadata(const CGAL::Deformable_simplicial_complexes::Label_names& names);
+std::string to_metadata(const DSC::Label_names& names);
 
 /// Returns the run described by the metadata of a checkpoint; `nullopt` if another program wrote
 /// the checkpoint.
 std::optional<Saved_run> from_metadata(const std::string& metadata);
 
 /// Returns the names of labels in the metadata of a checkpoint, which any program may have written.
-CGAL::Deformable_simplicial_complexes::Label_names label_names_of(const std::string& metadata);
+DSC::Label_names label_names_of(const std::string& metadata);
+
+/// Appends arrays to the metadata of a checkpoint, a line of JSON text, as binary data.
+std::string with_arrays(const std::string& metadata, const DSC::Mesh_arrays& arrays);
+
+/// Removes the arrays from the metadata of a checkpoint and returns them; none if there are none.
+DSC::Mesh_arrays take_arrays(std::string& metadata);
 
 } // namespace dsc
 

@@ -33,13 +33,10 @@ public:
 private:
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Triangles = std::vector<Kernel::Triangle_3>;
-  using Tree_traits =
-      CGAL::Deformable_simplicial_complexes::Tree_traits_3<Kernel, Triangles::const_iterator>;
+  using Tree_traits = DSC::Tree_traits_3<Kernel, Triangles::const_iterator>;
 
   using Segments = std::vector<Kernel::Segment_3>; // of curves in the plane, with z = 0
-  using Segment_traits =
-      CGAL::Deformable_simplicial_complexes::Segment_tree_traits_3<Kernel,
-                                                                   Segments::const_iterator>;
+  using Segment_traits = DSC::Segment_tree_traits_3<Kernel, Segments::const_iterator>;
 
   Triangles m_triangles;
   Segments m_segments;

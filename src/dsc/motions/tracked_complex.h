@@ -34,7 +34,7 @@ public:
 
   virtual int dimension() const = 0;
 
-  CGAL::Deformable_simplicial_complexes::Label_names label_names; ///< from the input
+  DSC::Label_names label_names; ///< from the input
 
   /// Calls a function on one process. A complex can be distributed among processes, which all call
   /// the same functions; one of them writes files. If `function()` throws, all of them throw.

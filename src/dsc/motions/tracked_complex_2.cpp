@@ -6,9 +6,9 @@
 
 #include "input/domain_box.h"
 #include "input/files.h"
+#include "input/start_complex.h"
 #include "input/start_curves.h"
-#include "input/tracked_checkpoint.h"
-#include "input/unused.h"
+#include "input/translations.h"
 #include "motions/tracked_whole_impl.h"
 #include "output/angle_statistics.h"
 #include "output/label_titles.h"
@@ -25,30 +25,27 @@
 #include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
 
-#include <CGAL/Bbox_2.h>
-
 #include <array>
 #include <cstddef>
 #include <map>
 #include <optional>
-#include <string>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc {
 namespace {
 
 using Complex = Tracked_complex_2::Complex;
-using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
 
-std::optional<CGAL::Bbox_2> box_of(const std::optional<std::array<double, 6>>& domain) {
-  if (!domain)
-    return std::nullopt;
-  return box_of_dimension<2>(*domain);
+DSC::Construction_options<2> options_of(const Run_start& start,
+                                        const std::optional<std::array<double, 6>>& domain) {
+  DSC::Construction_options<2> result;
+  if (domain)
+    result.enclosing_box = box_of_dimension<2>(*domain);
+  result.thin_parts = start.thin_parts;
+  return result;
 }
 
 std::unique_ptr<Tracked_complex> track_image_2(const Run_start& start, const std::string& format,
-                                               const std::optional<CGAL::Bbox_2>& box) {
+                                               const DSC::Construction_options<2>& options) {
   static constexpr double default_edge = 2.5; // in pixels, as for voxels
   const std::string& path = start.inputs[0];
   Unused_content unused;
@@ -56,9 +53,6 @@ std::unique_ptr<Tracked_complex> track_image_2(const Run_start& start, const std
                                      : CGAL::IO::read_labeled_image(path, &unused);
   print_unused(path, unused);
   const double edge = start.edge > 0 ? start.edge : default_edge;
-  DSC::Construction_options<2> options;
-  options.enclosing_box = box;
-  options.thin_parts = start.thin_parts;
   try {
     auto result = std::make_unique<Tracked_complex_2>(
         DSC::make_deformable_simplicial_complex_2<Complex>(image, edge, options));
@@ -66,7 +60,7 @@ std::unique_ptr<Tracked_complex> track_image_2(const Run_start& start, const std
       throw Input_error(path + ": all pixels have the same label, so there is no interface; give a "
                                "larger --domain, which has label 0 around the image");
     return result;
-  } catch (const CGAL::Deformable_simplicial_complexes::Error& error) {
+  } catch (const DSC::Error& error) {
     throw Input_error(path + ": " + error.what());
   }
 }
@@ -100,23 +94,20 @@ void check_bounds(const Curves& curves, const std::string& input, const Complex&
 std::unique_ptr<Tracked_complex> track_figure(const Run_start& start,
                                               const std::optional<std::array<double, 6>>& domain) {
   const std::string format = start.inputs.size() == 1 ? extension(start.inputs[0]) : "";
-  const std::optional<CGAL::Bbox_2> box = box_of(domain);
+  const DSC::Construction_options<2> options = options_of(start, domain);
   if (format == "pgm" || format == "png")
-    return track_image_2(start, format, box);
+    return track_image_2(start, format, options);
   const Curves curves = start_curves(start);
-  DSC::Construction_options<2> options;
-  options.enclosing_box = box;
-  options.thin_parts = start.thin_parts;
   try {
     auto result = std::make_unique<Tracked_complex_2>(
         curves.seeded ? DSC::make_deformable_simplicial_complex_2<Complex>(*curves.seeded, options)
                       : DSC::make_deformable_simplicial_complex_2<Complex>(curves.closed, options));
     check_bounds(curves, start.inputs.empty() ? "the figure" : start.inputs[0], result->complex);
     return result;
-  } catch (const Invalid_surface_error& error) {
+  } catch (const DSC::Invalid_surface_error& error) {
     throw Input_error((curves.seeded ? start.inputs[0] : curves.names[error.surface()]) + ": " +
                       error.what());
-  } catch (const CGAL::Deformable_simplicial_complexes::Error& error) {
+  } catch (const DSC::Error& error) {
     throw Input_error((start.inputs.empty() ? "the figure" : start.inputs[0]) + std::string(": ") +
                       error.what());
   }

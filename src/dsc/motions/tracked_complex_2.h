@@ -11,8 +11,6 @@
 
 #include <string>
 
-namespace DSC = CGAL::Deformable_simplicial_complexes;
-
 namespace dsc {
 
 extern template class Tracked_whole<CGAL::Deformable_simplicial_complex_2<>>;

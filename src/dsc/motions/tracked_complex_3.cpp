@@ -5,13 +5,12 @@
 #include "motions/tracked_complex_3.h"
 
 #include "input/files.h"
-#include "input/unused.h"
+#include "input/translations.h"
 #include "motions/arrays_on.h"
-#include "motions/saved_arrays.h"
+#include "motions/run_position.h"
 #include "motions/tracked_whole_impl.h"
 #include "output/complex_output_3.h"
 
-#include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
 #include <CGAL/Interface_remeshing/extract_interface_3.h>
 #include <CGAL/Interface_remeshing/subdivide_interface_3.h>
@@ -19,12 +18,8 @@
 #include <CGAL/Mesh_files/labeled_surface_3.h>
 
 #include <cstddef>
-#include <optional>
-#include <string>
 #include <utility>
 #include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc {
 

@@ -14,8 +14,6 @@
 #include <optional>
 #include <string>
 
-namespace DSC = CGAL::Deformable_simplicial_complexes;
-
 namespace dsc {
 
 extern template class Tracked_whole<CGAL::Deformable_simplicial_complex_3<>>;

@@ -6,14 +6,29 @@
 #define DSC_TRACKED_WHOLE_H
 
 #include "motions/tracked_complex.h"
-#include "output/output_arrays.h"
+#include "programs/errors.h"
 
+#include <CGAL/Mesh_files/Mesh_arrays.h>
+
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace dsc {
+
+/// The functions that compute the arrays of output files, such as the velocities of a fluid.
+struct Output_arrays
+{
+  using Mesh_arrays = DSC::Mesh_arrays;
+
+  /// Returns the arrays for write_VTU().
+  std::function<Mesh_arrays()> of_cells = [] { return Mesh_arrays(); };
+  /// Returns the arrays for write_interface_VTU(). The first array on points, if there is one,
+  /// contains velocities in space. Smooth surfaces have them, too.
+  std::function<Mesh_arrays()> of_interface = [] { return Mesh_arrays(); };
+};
 
 /// A complex of either dimension that one process holds. tracked_whole_impl.h defines the
 /// functions.
@@ -47,8 +62,7 @@ public:
 
 protected:
   /// Adds the names of the labels to arrays.
-  CGAL::Deformable_simplicial_complexes::Mesh_arrays
-  with_names(CGAL::Deformable_simplicial_complexes::Mesh_arrays arrays) const {
+  DSC::Mesh_arrays with_names(DSC::Mesh_arrays arrays) const {
     arrays.label_names = label_names;
     return arrays;
   }

@@ -6,6 +6,7 @@
 #define DSC_TRACKED_WHOLE_IMPL_H
 
 #include "motions/tracked_whole.h"
+#include "output/angle_statistics.h"
 
 #include <CGAL/Complex_construction/grow_domain.h>
 #include <CGAL/Complex_construction/refine_thin_parts.h>
@@ -13,17 +14,13 @@
 #include <CGAL/Mesh_files/VTU_3.h>
 #include <CGAL/Mesh_files/checkpoint.h>
 
-#include <algorithm>
-
 namespace dsc {
 
 template <class Complex_> bool Tracked_whole<Complex_>::has_room() const {
-  return CGAL::Deformable_simplicial_complexes::has_room_around_interface(complex);
+  return DSC::has_room_around_interface(complex);
 }
 
-template <class Complex_> void Tracked_whole<Complex_>::grow_domain() {
-  CGAL::Deformable_simplicial_complexes::grow_domain(complex);
-}
+template <class Complex_> void Tracked_whole<Complex_>::grow_domain() { DSC::grow_domain(complex); }
 
 template <class Complex_> void Tracked_whole<Complex_>::go_back() {
   if (!m_kept)
@@ -35,14 +32,11 @@ template <class Complex_> void Tracked_whole<Complex_>::go_back() {
 
 template <class Complex_>
 std::size_t Tracked_whole<Complex_>::missing_facets(double edge_per_thickness) const {
-  return CGAL::Deformable_simplicial_complexes::missing_facets(complex, edge_per_thickness);
+  return DSC::missing_facets(complex, edge_per_thickness);
 }
 
 template <class Complex_> double Tracked_whole<Complex_>::worst_quality() const {
-  double result = 1;
-  for (const typename Complex::Cell_handle c : complex.finite_cells())
-    result = std::min(result, complex.quality(c));
-  return result;
+  return least_quality(complex);
 }
 
 template <class Complex_>

@@ -64,6 +64,14 @@ struct Angle_statistics
   }
 };
 
+/// Returns the least quality of a cell, by the measure of the complex.
+template <class Complex> double least_quality(const Complex& complex) {
+  double result = 1;
+  for (const typename Complex::Cell_handle c : complex.finite_cells())
+    result = std::min(result, complex.quality(c));
+  return result;
+}
+
 /// Sets the angles of the statistics of a complex.
 template <class Complex> void set_angles(const Complex& complex, Statistics& statistics) {
   static constexpr int corners = Complex::dimension + 1;

@@ -18,19 +18,10 @@
 #include <CGAL/Mesh_files/labeled_surface_3.h>
 #include <CGAL/Mesh_support/coordinates.h>
 
-#include <algorithm>
 #include <string>
 #include <utility>
 
 namespace dsc {
-
-/// Returns the least quality of a cell, by the measure of the complex.
-template <class Complex> double least_quality(const Complex& complex) {
-  double result = 1;
-  for (const typename Complex::Cell_handle c : complex.finite_cells())
-    result = std::min(result, complex.quality(c));
-  return result;
-}
 
 /// Returns the statistics of a complex in space whose labels may have names.
 template <class Complex>
@@ -57,8 +48,7 @@ template <class Complex> void write_picture_png(const std::string& path, const C
   for (const auto& f : complex.interface_facets()) {
     Picture_polygon triangle = {{}, color_of_label(f.first->label())};
     for (const auto v : complex.facet_vertices(f))
-      triangle.corners.push_back(
-          CGAL::Deformable_simplicial_complexes::coordinates_of<3>(complex.user_position(v)));
+      triangle.corners.push_back(DSC::coordinates_of<3>(complex.user_position(v)));
     picture.polygons.push_back(std::move(triangle));
   }
   write_picture(path, picture);
@@ -68,7 +58,7 @@ template <class Complex> void write_picture_png(const std::string& path, const C
 /// \param arrays arrays of a .vtu file, and the names of the labels
 template <class Complex>
 void write_complex(const std::string& path, const Complex& complex,
-                   const CGAL::Deformable_simplicial_complexes::Mesh_arrays& arrays) {
+                   const DSC::Mesh_arrays& arrays) {
   require_extension(path, {"off", "obj", "ply", "stl", "vtu", "mesh", "png"});
   tell_lost_names(path, arrays.label_names);
   const std::string format = extension(path);
@@ -79,9 +69,7 @@ void write_complex(const std::string& path, const Complex& complex,
   else if (format == "mesh")
     CGAL::IO::write_MEDIT(path, complex);
   else
-    CGAL::IO::write_named_interface(
-        path, CGAL::Deformable_simplicial_complexes::extract_interface(complex),
-        arrays.label_names);
+    CGAL::IO::write_named_interface(path, DSC::extract_interface(complex), arrays.label_names);
 }
 
 } // namespace dsc

@@ -2,30 +2,22 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "output/convert_file.h"
-
+#include "input/Inputs.h"
 #include "input/files.h"
-#include "input/inr_image.h"
-#include "input/label_image.h"
 #include "input/labeled_tetrahedra.h"
-#include "input/native_file.h"
 #include "input/run_start.h"
 #include "input/surface.h"
 #include "input/translations.h"
-#include "input/unused.h"
+#include "input/voxel_images.h"
 #include "motions/mesh_at_rest.h"
 #include "motions/tracked_complex_3.h"
 #include "output/label_titles.h"
-#include "programs/errors.h"
 #include "programs/option_values.h"
 
-#include <CGAL/Complex_construction/sample_labels.h>
 #include <CGAL/Interface_remeshing/extract_interface_3.h>
 #include <CGAL/Mesh_files/labeled_surface_3.h>
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
 #include <fstream>
 #include <optional>
 #include <utility>
@@ -39,16 +31,6 @@ using Grid = DSC::Sampling_grid<3>;
 
 bool is_one_of(const std::string& format, std::initializer_list<const char*> formats) {
   return std::find(formats.begin(), formats.end(), format) != formats.end();
-}
-
-/// Reads the grid and the labels of an image (.inr).
-Grid read_image(const std::string& path, std::vector<int>& labels) {
-  const CGAL::Image_3 image = read_inr(path);
-  for (std::size_t z = 0; z < image.zdim(); ++z)
-    for (std::size_t y = 0; y < image.ydim(); ++y)
-      for (std::size_t x = 0; x < image.xdim(); ++x)
-        labels.push_back(int(image.value(x, y, z)));
-  return grid_of(image);
 }
 
 void require_format(const std::string& input, const std::string& content, const std::string& output,
@@ -106,22 +88,14 @@ void convert_image(const std::string& input, const std::string& output) {
   require_format(input, "an image", output,
                  {"inr", "mha", "nii", "gz", "tif", "tiff", "vti", "vtk"});
   std::vector<int> labels;
-  const Grid grid = read_image(input, labels);
+  const Grid grid = read_label_image(input, labels);
   write_label_image(output, grid, labels);
 }
 
 } // namespace
 
-Image_statistics image_statistics(const std::string& path) {
-  std::vector<int> labels;
-  Image_statistics result = {read_image(path, labels), {}};
-  for (const int label : labels)
-    ++result.voxels[label];
-  return result;
-}
-
-void convert_file(const std::string& input, const std::string& output, const std::string& labels,
-                  const std::string& thresholds) {
+void All_inputs::convert(const std::string& input, const std::string& output,
+                         const std::string& labels, const std::string& thresholds) const {
   const std::string native = native_file(input, labels, thresholds);
   Run_start start;
   start.inputs = {native};
@@ -142,8 +116,8 @@ void convert_file(const std::string& input, const std::string& output, const std
   }
 }
 
-void convert_to_image(const std::string& checkpoint, const std::string& output,
-                      const std::string& grid) {
+void All_inputs::convert_to_image(const std::string& checkpoint, const std::string& output,
+                                  const std::string& grid) const {
   require_format(checkpoint, "a complex", output,
                  {"inr", "mha", "nii", "gz", "tif", "tiff", "vti", "vtk"});
   std::string metadata;
@@ -155,7 +129,7 @@ void convert_to_image(const std::string& checkpoint, const std::string& output,
   if (extension(native) != "inr" && extension(native) != "gz")
     throw Input_error(grid + " is no image of voxels with several layers; --grid needs one");
   std::vector<int> unused;
-  const Grid voxels = read_image(native, unused);
+  const Grid voxels = read_label_image(native, unused);
   write_label_image(output, voxels, DSC::sample_labels(in_space->complex, voxels),
                     native == grid ? "" : grid);
 }

@@ -15,7 +15,6 @@
 namespace dsc {
 namespace {
 
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 using DSC::internal::Vtu_reader;
 
 /// Returns the number of vertices of the simplices of a grid.

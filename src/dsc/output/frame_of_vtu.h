@@ -6,6 +6,7 @@
 #define DSC_FRAME_OF_VTU_H
 
 #include "film.h"
+#include "programs/errors.h"
 
 #include <CGAL/Mesh_files/Label_names.h>
 
@@ -20,12 +21,12 @@ struct Read_frame
   int dimension;
   Film::Content content;
   Film_frame frame; ///< without step and time
-  CGAL::Deformable_simplicial_complexes::Label_names label_names;
+  DSC::Label_names label_names;
 };
 
 /// Reads the cells of a complex or the facets of its interface, with arrays of numbers that are
 /// scalars or vectors.
-/// \throws CGAL::Deformable_simplicial_complexes::File_error if the file cannot be read, or is not of
+/// \throws DSC::File_error if the file cannot be read, or is not of
 ///         the form that this program writes
 Read_frame frame_of_vtu(const std::string& path);
 

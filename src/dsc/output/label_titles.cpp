@@ -5,7 +5,7 @@
 #include "output/label_titles.h"
 
 #include "input/files.h"
-#include "input/unused.h"
+#include "input/translations.h"
 
 #include <CGAL/Mesh_files/internal/text/number_of_word.h>
 
@@ -24,8 +24,7 @@ std::string label_title(int label, const Label_names& names) {
 }
 
 std::optional<int> label_of(const std::string& text, const Label_names& names) {
-  if (const auto number =
-          CGAL::Deformable_simplicial_complexes::internal::number_of_word<int>(text))
+  if (const auto number = DSC::internal::number_of_word<int>(text))
     return number;
   for (const auto& [label, name] : names)
     if (name == text)

@@ -5,6 +5,8 @@
 #ifndef DSC_LABEL_TITLES_H
 #define DSC_LABEL_TITLES_H
 
+#include "programs/errors.h"
+
 #include <CGAL/Mesh_files/Label_names.h>
 
 #include <optional>
@@ -13,7 +15,7 @@
 
 namespace dsc {
 
-using CGAL::Deformable_simplicial_complexes::Label_names;
+using DSC::Label_names;
 
 /// Returns the name of a label; empty if it has none.
 std::string label_name(int label, const Label_names& names);

@@ -5,13 +5,16 @@
 #include "output/output_folder.h"
 
 #include "input/files.h"
-#include "output/collection.h"
 #include "programs/errors.h"
 
+#include <CGAL/Mesh_files/internal/text/Xml_element.h>
+#include <CGAL/Mesh_files/internal/text/files.h>
+#include <CGAL/Mesh_files/internal/text/number_of_word.h>
+
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <utility>
-#include <vector>
+#include <string_view>
 
 namespace dsc {
 namespace fs = std::filesystem;
@@ -20,11 +23,9 @@ namespace {
 /// Returns the existing files of a collection of an earlier run, up to `time`.
 std::vector<Moment> moments_until(double time, const std::string& collection) {
   std::vector<Moment> moments;
-  for (Moment& moment : moments_of_collection(collection)) {
-    std::error_code error;
-    if (moment.first <= time && fs::exists(moment.second, error))
+  for (Moment& moment : moments_of_collection(collection))
+    if (moment.first <= time && exists(moment.second))
       moments.push_back(std::move(moment));
-  }
   return moments;
 }
 
@@ -34,6 +35,19 @@ std::string numbered(const char* format, unsigned step) {
   return name;
 }
 
+namespace internal = DSC::internal;
+using internal::Xml_element;
+
+/// Replaces the references of XML to characters.
+std::string unescaped(std::string text) {
+  static constexpr const char* references[][2] = {
+      {"&quot;", "\""}, {"&lt;", "<"}, {"&gt;", ">"}, {"&amp;", "&"}};
+  for (const auto& [reference, character] : references)
+    for (std::size_t i = 0; (i = text.find(reference, i)) != text.npos; ++i)
+      text.replace(i, std::string_view(reference).size(), character);
+  return text;
+}
+
 } // namespace
 
 Output_folder::Output_folder(const std::string& path, const std::string& resume, int subdivisions)
@@ -41,8 +55,7 @@ Output_folder::Output_folder(const std::string& path, const std::string& resume,
       m_interface(file("interface.pvd")) {
   create_folder(path);
   require_writable(checkpoint());
-  std::error_code error;
-  if (fs::exists(checkpoint(), error) && !fs::equivalent(checkpoint(), resume, error))
+  if (exists(checkpoint()) && !is_same_file(checkpoint(), resume))
     throw Input_error("the folder '" + path +
                       "' contains the results of another run; choose another "
                       "folder, or continue that run with --resume " +
@@ -86,6 +99,26 @@ std::string Output_folder::checkpoint() const { return file("checkpoint.dsc"); }
 
 std::string Output_folder::file(const std::string& name) const {
   return (fs::path(m_path) / name).string();
+}
+
+std::vector<Moment> moments_of_collection(const std::string& collection) {
+  std::vector<Moment> moments;
+  if (!exists(collection))
+    return moments;
+  const std::string bytes = internal::file_contents(collection);
+  for_each_child(Xml_element{"", "", bytes}, "VTKFile", collection, [&](const Xml_element& file) {
+    for_each_child(file, "Collection", collection, [&](const Xml_element& list) {
+      for_each_child(list, "DataSet", collection, [&](const Xml_element& entry) {
+        const auto time = internal::number_of_word<double>(entry.attribute("timestep"));
+        const std::string name = unescaped(entry.attribute("file"));
+        if (!time || !std::isfinite(*time) || name.empty())
+          throw Input_error("an entry of '" + collection +
+                            "' has no file or no finite time; correct it");
+        moments.emplace_back(*time, (fs::path(collection).parent_path() / name).string());
+      });
+    });
+  });
+  return moments;
 }
 
 } // namespace dsc

@@ -12,6 +12,8 @@
 
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace dsc {
 
@@ -50,6 +52,15 @@ private:
   double m_last_time = -std::numeric_limits<double>::infinity(); // last time in the collections
   double m_checkpoint_time = m_last_time;
 };
+
+/// Time, and file of the state.
+using Moment = std::pair<double, std::string>;
+
+/// Returns the files that a collection (.pvd) lists, in their order. Paths are relative to the
+/// working directory. Files need not exist. Returns nothing if the collection does not exist.
+/// \throws Input_error if an entry has no file or no finite time
+/// \throws DSC::File_error if the collection is not XML
+std::vector<Moment> moments_of_collection(const std::string& collection);
 
 } // namespace dsc
 

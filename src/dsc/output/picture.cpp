@@ -123,7 +123,7 @@ void write_png(const std::string& path, const Canvas& canvas) {
   image.version = PNG_IMAGE_VERSION;
   image.width = image.height = side;
   image.format = PNG_FORMAT_RGB;
-  CGAL::Deformable_simplicial_complexes::replace_file(path, [&](const std::string& name) {
+  DSC::replace_file(path, [&](const std::string& name) {
     return png_image_write_to_file(&image, name.c_str(), 0, pixels.data(), 0, nullptr) != 0;
   });
 }

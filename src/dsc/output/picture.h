@@ -5,6 +5,8 @@
 #ifndef DSC_PICTURE_H
 #define DSC_PICTURE_H
 
+#include "programs/errors.h"
+
 #include <CGAL/Mesh_files/internal/pictures/colors.h>
 
 #include <array>
@@ -13,9 +15,9 @@
 
 namespace dsc {
 
-using CGAL::Deformable_simplicial_complexes::internal::color_of_label;
-using CGAL::Deformable_simplicial_complexes::internal::color_of_number;
-using Picture_color = CGAL::Deformable_simplicial_complexes::internal::Color;
+using DSC::internal::color_of_label;
+using DSC::internal::color_of_number;
+using Picture_color = DSC::internal::Color;
 using Picture_point = std::array<double, 3>; ///< in the plane, the last coordinate is 0
 
 /// A convex polygon of a picture.

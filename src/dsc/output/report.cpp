@@ -3,8 +3,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "output/report.h"
+
 #include "input/translations.h"
 
+#include <cstddef>
+#include <cstdio>
 #include <utility>
 
 namespace dsc {
@@ -115,6 +118,33 @@ void Report::write() {
   write_json(m_path, m_json);
   // Limits the frequency of writing, so that many short steps do not rewrite a long file each time.
   m_next_write = std::chrono::steady_clock::now() + std::chrono::seconds(1);
+}
+
+std::string what_was_repaired(const DSC::Surface_repair_report_3& report) {
+  if (report.was_sound())
+    return "bounds a solid; no repair is necessary";
+  std::string text;
+  const auto add = [&text](std::size_t number, const char* singular, const char* plural) {
+    if (number > 0)
+      text += (text.empty() ? "" : ", ") + std::to_string(number) + ' ' +
+              noun(number, singular, plural);
+  };
+  add(report.merged_points, "duplicate point merged", "duplicate points merged");
+  add(report.degenerate_triangles, "degenerate triangle removed", "degenerate triangles removed");
+  add(report.repeated_triangles, "duplicate triangle removed", "duplicate triangles removed");
+  add(report.stitched_points, "boundary point stitched", "boundary points stitched");
+  add(report.split_edges, "edge split at a T-junction", "edges split at T-junctions");
+  add(report.filled_holes, "hole filled", "holes filled");
+  add(report.crossing_pairs, "pair of intersecting triangles", "pairs of intersecting triangles");
+  add(report.united_parts, "intersecting component united", "intersecting components united");
+  add(report.removed_triangles, "triangle removed that bounds no solid",
+      "triangles removed that bound no solid");
+  if (report.is_wrapped)
+    text += (text.empty() ? "" : ", ") + std::string("wrapped");
+  char distance[100];
+  std::snprintf(distance, sizeof distance, "; maximum displacement %.3g (%.3g mean edges)",
+                report.distance(), report.distance() / report.mean_edge);
+  return text + distance;
 }
 
 } // namespace dsc

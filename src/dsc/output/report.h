@@ -47,6 +47,9 @@ private:
   std::chrono::steady_clock::time_point m_next_write;
 };
 
+/// Returns a description of the repairs of a surface, in one line.
+std::string what_was_repaired(const DSC::Surface_repair_report_3& report);
+
 } // namespace dsc
 
 #endif // DSC_REPORT_H

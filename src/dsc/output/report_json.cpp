@@ -8,7 +8,6 @@
 #include <CGAL/Mesh_files/replace_file.h>
 
 #include <ostream>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -71,7 +70,7 @@ Json statistics_json(const Statistics& statistics) {
 }
 
 void write_json(const std::string& path, const Json& json) {
-  CGAL::Deformable_simplicial_complexes::replace_file_by_stream(path, [&](std::ostream& out) {
+  DSC::replace_file_by_stream(path, [&](std::ostream& out) {
     out << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
   });
 }

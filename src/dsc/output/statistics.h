@@ -5,6 +5,8 @@
 #ifndef DSC_STATISTICS_H
 #define DSC_STATISTICS_H
 
+#include "programs/errors.h"
+
 #include <CGAL/Deformable_simplicial_complexes/Component_event.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 
@@ -14,8 +16,6 @@
 #include <string>
 #include <utility>
 #include <vector>
-
-namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 namespace dsc {
 

@@ -17,7 +17,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <string>
-#include <system_error>
 
 namespace dsc {
 
@@ -31,8 +30,7 @@ public:
   explicit Step_folder(const std::string& path)
       : m_path(path), m_volume(file("volume.pvd")), m_interface(file("interface.pvd")) {
     create_folder(path);
-    std::error_code error;
-    if (std::filesystem::exists(m_volume.path(), error))
+    if (exists(m_volume.path()))
       throw Input_error("the folder '" + path +
                         "' contains the steps of another run; choose another folder");
     require_writable(m_volume.path());
@@ -41,7 +39,7 @@ public:
   /// \param arrays of the interface
   template <class Complex>
   void write(const Complex& complex, std::size_t step, double time,
-             const CGAL::Deformable_simplicial_complexes::Mesh_arrays& arrays = {}) {
+             const DSC::Mesh_arrays& arrays = {}) {
     char name[40];
     std::snprintf(name, sizeof name, "_%06zu.vtu", step);
     const std::string volume = file(std::string("volume") + name),

@@ -6,7 +6,8 @@
 // folder contain the rest, so that they need not be built for a first result.
 
 #include "commands/commands.h"
-#include "input/Surface_inputs.h"
+#include "input/Inputs.h"
+#include "input/files.h"
 #include "input/translations.h"
 #include "programs/errors.h"
 #include "programs/program.h"
@@ -15,9 +16,7 @@
 
 #include <array>
 #include <cstring>
-#include <filesystem>
 #include <string>
-#include <system_error>
 
 namespace {
 
@@ -45,8 +44,7 @@ void leave_flows_to_mpi(CLI::App& app, const std::string& command) {
   if (!dsc::is_started_by_mpi() || app.get_subcommands(is_command).empty())
     return;
   static constexpr char name[] = "dsc-mpi";
-  std::error_code error;
-  if (!std::filesystem::exists(dsc::path_of_program(name), error))
+  if (!dsc::exists(dsc::path_of_program(name)))
     throw dsc::Usage_error("mpirun needs the program dsc-mpi; build it with the CMake option "
                            "-DDSC_WITH_MPI=ON (Debian: libopenmpi-dev), or run dsc without mpirun");
   throw dsc::Other_program{name, "the command '" + command + "' for several processes"};

@@ -7,13 +7,13 @@
 
 #include "commands/commands.h"
 #include "fluids/fluid_processes.h"
+#include "input/files.h"
 #include "input/translations.h"
 #include "programs/program.h"
 
 #include <CLI/CLI.hpp>
 
 #include <cstddef>
-#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -22,8 +22,7 @@ namespace {
 
 [[noreturn]] void leave_to_petsc() {
   static constexpr char name[] = "dsc-fluid-petsc";
-  std::error_code error;
-  if (!std::filesystem::exists(dsc::path_of_program(name), error))
+  if (!dsc::exists(dsc::path_of_program(name)))
     throw std::runtime_error(
         "--solver petsc and mpirun need the program dsc-fluid-petsc; build it with the "
         "CMake option -DDSC_WITH_PETSC=ON (Debian: petsc-dev), or leave "
@@ -46,9 +45,7 @@ bool dsc::is_first_process() { return true; }
 
 unsigned dsc::processes_of_machine() { return 1; }
 
-void dsc::use_petsc(CGAL::Deformable_simplicial_complexes::Saddle_point_solver&) {
-  leave_to_petsc();
-}
+void dsc::use_petsc(DSC::Saddle_point_solver&) { leave_to_petsc(); }
 
 int main(int argc, char** argv) {
   return dsc::run_program(argc, argv, [&](CLI::App& app, int& exit_code) {

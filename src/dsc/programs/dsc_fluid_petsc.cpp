@@ -28,8 +28,6 @@
 
 namespace {
 
-namespace DSC = CGAL::Deformable_simplicial_complexes;
-
 /// Returns whether an argument is an option of PETSc: a dash and at least two letters or digits.
 bool is_petsc_option(const std::string& argument) {
   return argument.size() > 2 && argument[0] == '-' &&

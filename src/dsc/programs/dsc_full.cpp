@@ -6,7 +6,7 @@
 // also of curves, images and tetrahedra, and of surfaces that are repaired.
 
 #include "commands/commands.h"
-#include "input/All_inputs.h"
+#include "input/Inputs.h"
 #include "programs/program.h"
 
 #include <CLI/CLI.hpp>

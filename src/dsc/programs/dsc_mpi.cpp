@@ -7,8 +7,8 @@
 // writes messages.
 
 #include "commands/commands.h"
-#include "input/All_inputs.h"
-#include "input/unused.h"
+#include "input/Inputs.h"
+#include "input/translations.h"
 #include "motions/run.h"
 #include "motions/run_position.h"
 #include "motions/tracked_distributed.h"

@@ -8,6 +8,9 @@
 #include <cstddef>
 #include <stdexcept>
 
+namespace CGAL::Deformable_simplicial_complexes {}
+namespace DSC = CGAL::Deformable_simplicial_complexes;
+
 namespace dsc {
 
 /// An invalid command line. The program ends with exit code 2.

@@ -5,6 +5,8 @@
 #ifndef DSC_INTERRUPT_H
 #define DSC_INTERRUPT_H
 
+#include "programs/errors.h"
+
 #include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <chrono>
@@ -50,7 +52,7 @@ private:
   bool m_shows;
   bool m_shown = false;
   Clock::time_point m_start = Clock::now(), m_next = m_start + std::chrono::seconds(1);
-  CGAL::Deformable_simplicial_complexes::Progress_scope m_scope;
+  DSC::Progress_scope m_scope;
 };
 
 } // namespace dsc

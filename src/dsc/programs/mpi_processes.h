@@ -13,7 +13,6 @@
 #include <cstdio>
 #include <iostream>
 #include <sstream>
-#include <string>
 #include <thread>
 
 namespace dsc {

@@ -5,12 +5,13 @@
 #include "programs/option_values.h"
 
 #include "input/files.h"
-#include "programs/errors.h"
 
-#include <algorithm>
+#include <CLI/CLI.hpp>
+#include <sched.h>
+
 #include <charconv>
 #include <cmath>
-#include <cstddef>
+#include <thread>
 
 namespace dsc {
 namespace {
@@ -147,6 +148,21 @@ void require_extension(const std::string& path, const std::initializer_list<cons
     list += std::string(list.empty() ? "." : ", .") + name;
   throw Usage_error("the extension of '" + path +
                     "' is not supported; supported extensions: " + list);
+}
+
+unsigned default_number_of_threads() {
+  // mpirun and batch systems bind a process to some of the cores.
+  cpu_set_t cores;
+  if (sched_getaffinity(0, sizeof(cores), &cores) == 0)
+    return std::clamp(unsigned(CPU_COUNT(&cores)), 1u, most_threads);
+  return std::clamp(std::thread::hardware_concurrency(), 1u, most_threads); // 0 if unknown
+}
+
+void add_threads_option(CLI::App& command, unsigned& threads) {
+  command
+      .add_option("--threads", threads,
+                  "Number of threads (default: all cores); the result does not depend on it")
+      ->check(CLI::Range(1u, most_threads));
 }
 
 } // namespace dsc

@@ -5,7 +5,7 @@
 #ifndef DSC_OPTION_VALUES_H
 #define DSC_OPTION_VALUES_H
 
-#include "motions/distance.h"
+#include "programs/errors.h"
 
 #include <algorithm>
 #include <array>
@@ -15,8 +15,24 @@
 #include <string>
 #include <vector>
 
+namespace CLI {
+class App;
+}
+
 namespace dsc {
 
+/// A length in one of two units.
+struct Distance
+{
+  double value;
+  bool in_mean_edges; ///< unit: mean interface edge of the input if true, otherwise the unit
+                      ///< of the input coordinates
+  bool operator==(const Distance& other) const {
+    return value == other.value && in_mean_edges == other.in_mean_edges;
+  }
+};
+
+constexpr unsigned most_threads = 1024;
 constexpr int most_subdivisions = 5; ///< of a surface; each replaces a triangle by four
 
 /// The numbers that an option accepts.
@@ -84,6 +100,13 @@ const std::string& name_of(const std::map<std::string, Value>& names, const Valu
 }
 
 void require_extension(const std::string& path, const std::initializer_list<const char*>& known);
+
+/// Returns the number of cores, clamped to the range of the option `--threads`.
+unsigned default_number_of_threads();
+
+/// Adds the option for the number of threads.
+/// \param threads receives the number; it keeps its value without the option
+void add_threads_option(CLI::App& command, unsigned& threads);
 
 } // namespace dsc
 

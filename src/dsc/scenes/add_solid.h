@@ -14,16 +14,13 @@
 #include <CGAL/Incompressible_fluids_3/Solids_3.h>
 #include <CGAL/Mesh_support/coordinates.h>
 
-#include <array>
 #include <cstddef>
 #include <type_traits>
 
 namespace dsc {
 
 /// Returns the body of a solid with its initial motion.
-inline CGAL::Deformable_simplicial_complexes::Rigid_body_3 body_of(const Scene_solid& solid,
-                                                                   int dimension) {
-  namespace DSC = CGAL::Deformable_simplicial_complexes;
+inline DSC::Rigid_body_3 body_of(const Scene_solid& solid, int dimension) {
   using Point = DSC::Ball_solid_3::Point;
   const auto at_rest = [&] {
     if (solid.kind == Scene_solid::Kind::mesh)
@@ -51,7 +48,6 @@ inline CGAL::Deformable_simplicial_complexes::Rigid_body_3 body_of(const Scene_s
 /// Adds a solid to a fluid, with its behavior and its motion.
 /// \param step time step of the differences of the places of a solid that moves as a function
 template <class Fluid> void add_solid(const Scene_solid& given, double step, Fluid& fluid) {
-  namespace DSC = CGAL::Deformable_simplicial_complexes;
   using Point = DSC::Ball_solid_3::Point;
   using Vector = DSC::Solid_motion_3::Vector;
   const auto add = [&](const auto& solid) {

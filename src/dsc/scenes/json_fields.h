@@ -9,7 +9,6 @@
 #include "output/report_json.h"
 
 #include <array>
-#include <optional>
 #include <string>
 #include <vector>
 

@@ -22,8 +22,8 @@ namespace dsc {
 struct Scene_solid
 {
   enum class Kind { plane, tank, box, ball, cylinder, mesh };
-  using Mesh = CGAL::Deformable_simplicial_complexes::Mesh_solid_3::Mesh;
-  using Place = CGAL::Deformable_simplicial_complexes::Solid_place_3;
+  using Mesh = DSC::Mesh_solid_3::Mesh;
+  using Place = DSC::Solid_place_3;
 
   Kind kind;
   std::array<double, 3> point = {}, direction = {}; ///< of plane and cylinder; center of a ball

@@ -2,14 +2,16 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "input/gray_image.h"
+#include "input/voxel_images.h"
 
 #include "input/files.h"
-#include "input/inr_image.h"
 #include "input/translations.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <fstream>
+#include <limits>
 #include <utility>
 
 namespace dsc {
@@ -37,7 +39,57 @@ std::vector<float> values_of(const CGAL::Image_3& image, std::size_t channels) {
   }
 }
 
+using Grid = DSC::Sampling_grid<3>;
+
+/// Writes labels of voxels for VTK, as an image with raw data.
+void write_vti(const std::string& path, const Grid& grid, const std::vector<int>& labels) {
+  std::ofstream out(path, std::ios::binary);
+  out.precision(std::numeric_limits<double>::max_digits10);
+  out << "<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" "
+         "header_type=\"UInt64\">\n<ImageData WholeExtent=\"";
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    out << "0 " << grid.size[axis] - 1 << (axis < 2 ? " " : "\" Origin=\"");
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    out << grid.origin[axis] << (axis < 2 ? " " : "\" Spacing=\"");
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    out << grid.spacing[axis] << (axis < 2 ? " " : "\">\n<Piece Extent=\"");
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    out << "0 " << grid.size[axis] - 1 << (axis < 2 ? " " : "\">\n");
+  const bool is_small = std::all_of(labels.begin(), labels.end(),
+                                    [](int label) { return 0 <= label && label <= 65535; });
+  out << "<PointData Scalars=\"label\"><DataArray type=\"" << (is_small ? "UInt16" : "Int32")
+      << "\" Name=\"label\" format=\"appended\" offset=\"0\"/></PointData>\n"
+      << "</Piece>\n</ImageData>\n<AppendedData encoding=\"raw\">\n_";
+  const auto write = [&](auto number) {
+    out.write(reinterpret_cast<const char*>(&number), sizeof number);
+  };
+  write(std::uint64_t(labels.size() * (is_small ? 2 : 4)));
+  for (const int label : labels)
+    if (is_small)
+      write(std::uint16_t(label));
+    else
+      write(std::int32_t(label));
+  out << "\n</AppendedData>\n</VTKFile>\n";
+}
+
 } // namespace
+
+Grid read_label_image(const std::string& path, std::vector<int>& labels) {
+  const CGAL::Image_3 image = read_inr(path);
+  for (std::size_t z = 0; z < image.zdim(); ++z)
+    for (std::size_t y = 0; y < image.ydim(); ++y)
+      for (std::size_t x = 0; x < image.xdim(); ++x)
+        labels.push_back(int(image.value(x, y, z)));
+  return grid_of(image);
+}
+
+Image_statistics image_statistics(const std::string& path) {
+  std::vector<int> labels;
+  Image_statistics result = {read_label_image(path, labels), {}};
+  for (const int label : labels)
+    ++result.voxels[label];
+  return result;
+}
 
 Read_image read_gray_image(const std::string& path, bool has_channels) {
   static constexpr std::size_t most_channels = 16;
@@ -63,13 +115,20 @@ Read_image read_gray_image(const std::string& path, bool has_channels) {
   return result;
 }
 
-CGAL::Deformable_simplicial_complexes::Gray_image<2> layer_of(Read_image image) {
+DSC::Gray_image<2> layer_of(Read_image image) {
   const auto& grid = image.image.grid;
   return {{{grid.size[0], grid.size[1]},
            {grid.spacing[0], grid.spacing[1]},
            {grid.origin[0], grid.origin[1]}},
           std::move(image.image.channels),
           std::move(image.image.mask)};
+}
+
+void write_label_image(const std::string& path, const Grid& grid, const std::vector<int>& labels,
+                       const std::string& like) {
+  const std::string image = temporary_file("image.vti");
+  write_vti(image, grid, labels);
+  write_foreign(image, path, like);
 }
 
 } // namespace dsc
