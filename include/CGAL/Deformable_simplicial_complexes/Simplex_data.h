@@ -22,8 +22,8 @@ namespace CGAL::Deformable_simplicial_complexes {
 \ingroup PkgDeformableSimplicialComplexesRef
 
 Data of a vertex of a deformable simplicial complex, in any dimension, in addition to its point: a
-time stamp that orders vertices by creation, and values cached by the complex. Only the complex may
-call the setters, since they change values that it caches. Remeshing sets the spacing.
+time stamp that orders vertices by creation, and values cached by the complex. Only the package may
+call the setters, since the complex caches these values.
 */
 class Vertex_data
 {

@@ -72,6 +72,9 @@ void expect_complex(const Cubes& cubes, std::size_t copies, std::size_t componen
     EXPECT_EQ(sum, components);
     for (const auto v : dsc.vertices())
       EXPECT_TRUE(v->boundary_class() == 0 || v->boundary_class() == DSC::Boundary_class::fixed);
+    const Complex copy = dsc;
+    EXPECT_TRUE(copy.is_valid(true));
+    EXPECT_TRUE(copy.state() == dsc.state());
     DSC::improve_mesh(dsc, DSC::parameters::aggressive(true));
   }
 }

@@ -364,14 +364,15 @@ bool CGAL_DSC_CLASS::are_kept(const internal::Connections<Labeled_complex>& conn
   }
 }
 
-// Subtracts the interface facets of the removed cells from the counts. `removed` marks these cells.
+// Subtracts the interface facets of the removed cells from the counts, each once. `removed` marks
+// these cells.
 CGAL_DSC_TEMPLATE
 void CGAL_DSC_CLASS::count_removed_interface(const Cavity& cavity, const internal::Marks& removed) {
   for (Cell_handle c : cavity.removed())
     for (int i = 0; i < corners; ++i) {
       const Cell_handle n = c->neighbor(i);
-      const bool comes_again = removed.has(n) && n->label() < c->label();
-      if (is_interface(Facet(c, i)) && !comes_again)
+      const bool is_counted_from_other_side = removed.has(n) && n->label() < c->label();
+      if (is_interface(Facet(c, i)) && !is_counted_from_other_side)
         count_interface_facet(Facet(c, i), -1);
     }
 }

@@ -365,7 +365,8 @@ void CGAL_DSC_CLASS::create_items(const State& state) {
   for (size_type v = first; v < vertices.size(); ++v)
     vertices[v]->set_cell(cells[state.vertex_cells[v - first]]);
   check_stars(vertices);
-  check_boundary();
+  if (Domain::is_ball || !Domain::has_outside)
+    check_boundary();
   initialize_caches();
   for (size_type i = 0; i < cells.size(); ++i)
     cells[i]->set_noted_quality(state.noted_qualities[i]);
@@ -396,7 +397,7 @@ void CGAL_DSC_CLASS::check_stars(const std::vector<Vertex_handle>& vertices) con
           "domain is a ball or a disk",
           {}, {i});
   }
-  if (Domain::has_outside && !is_connected(0))
+  if (Domain::is_ball && !is_connected(0))
     throw Invalid_cells_error(
         "the boundary of the cells is not connected; give a mesh whose domain is a ball or a disk");
 }

@@ -53,7 +53,7 @@ public:
 
   explicit Destinations(const Complex& complex) : m_complex(complex) {}
 
-  // Adds the destination of v, unless v is already there. Must be called by increasing time stamp,
+  // Adds the destination of v, unless it is the point of v. Must be called by increasing time stamp,
   // and before anything moves.
   void add(Vertex_handle v, const Point& destination) {
     if (v->point() == destination)
@@ -125,7 +125,8 @@ public:
     return item && item->is_open ? m_complex.approximate(item->destination) : m_complex.position(v);
   }
 
-  // Returns the position of v before the deformation.
+  // Returns the position of v before the deformation, or its current position if it had no
+  // destination.
   Position position_before(Vertex_handle v) const {
     const Item* item = find(v);
     return item ? item->before : m_complex.position(v);
