@@ -16,9 +16,6 @@ import cad_solids
 import numpy
 from thin_parts import read_mesh
 
-SECONDS = 600  # limit of a run
-
-
 class Set:
     """Files, each with one or more solids, and the expected moments of the labels 1, 2, ...
 
@@ -78,23 +75,24 @@ def error(found, expected):
     return max(abs(found[0] / expected[0] - 1), float(numpy.linalg.norm(center)) / size)
 
 
-def run_program(command):
+def run_program(command, seconds):
     """Returns the message of a program that failed, or an empty string."""
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
                           start_new_session=True) as process:  # fmt: skip
         try:
-            _, message = process.communicate(timeout=SECONDS)
+            _, message = process.communicate(timeout=seconds)
         except subprocess.TimeoutExpired:
             os.killpg(process.pid, signal.SIGKILL)
-            return f"not done in {SECONDS} s"
+            return f"not done in {seconds} s"
     return "" if process.returncode == 0 else message.strip() or f"status {process.returncode}"
 
 
-def compare(program, folder, solid_set, form):
+def compare(solid_set, folder, arguments):
     """Runs the program, and returns the largest error, or a message."""
     out = folder / "out"
     motion = ["--axis", "0,0,1", "--angle", "5", "--steps", "1", "--quiet", "--output", out]
-    message = run_program([program, "rotate", *solid_set.write(folder, form), *motion])
+    paths = solid_set.write(folder, arguments.format)
+    message = run_program([arguments.program, "rotate", *paths, *motion], arguments.seconds)
     if message:
         return "refused: " + message
     found = moments_of_labels(out / "volume_000000.vtu")
@@ -114,6 +112,7 @@ def parser(description):
     result.add_argument("--format", default="%.17g", help="format of coordinates")
     result.add_argument("--tolerance", type=float, default=1e-9,
                         help="largest error, besides that of the last digits of coordinates")  # fmt: skip
+    result.add_argument("--seconds", type=float, default=120, help="time limit of a run")
     result.add_argument("--keep", type=pathlib.Path, help="folder for the files of refused and wrong sets")
     return result
 
@@ -131,7 +130,7 @@ def check(name, make, arguments):
             continue
         with tempfile.TemporaryDirectory() as folder:
             begin = time.monotonic()
-            result = compare(arguments.program, pathlib.Path(folder), solid_set, arguments.format)
+            result = compare(solid_set, pathlib.Path(folder), arguments)
             seconds.append(time.monotonic() - begin)
             if not isinstance(result, str):
                 errors.append((result, number))

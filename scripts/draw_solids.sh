@@ -5,7 +5,8 @@
 . "$(dirname "$0")/figures.sh"
 doc=$source/doc
 
-require "$build/dsc"
+"$source/scripts/install_dependencies.sh" python3-numpy
+require "$build"/{dsc,dsc-full,dsc-reconstruct}
 begin_in "$build/solids"
 "$python" - "$source/benchmark" <<'INPUTS'
 import sys
@@ -24,13 +25,13 @@ def write(name, solids):
 
 random = numpy.random.default_rng(1)
 turn = numpy.eye(3)
-boxes = [((0, 0, 0), (1, 1, 1), 3), ((1, 0, 0), (1.5, 1, 1), 5), ((1.5, 0.2, 0.2), (2.3, 0.8, 0.8), 2)]
+boxes = [((0, 0, 0), (0.7, 1, 1), 3), ((0.7, 0, 0), (1.2, 1, 0.8), 5)]
 write("walls", [cad_solids.divided_box(low, high, [n, n, n], random) for low, high, n in boxes])
 plate = cad_solids.divided_box((-0.2, -0.2, 0), (4.4, 1.2, 0.3), [1, 1, 1], random)
 letters = [cad_solids.moved(cad_solids.letter(name, 0.5), turn, (1.1 * i, 0, 0.15)) for i, name in enumerate("ABEO")]
 ball = cad_solids.moved(cad_solids.ball(0.7, 12), turn, (2.1, 1.1, 0.3))
 write("overlaps", [plate, *letters, ball])
-write("foam", walls.foams(random, 30).solids())
+write("foam", walls.foams(random, 20).solids())
 numpy.savetxt("sheet.xyz", sheets.points_of("hole", 1600, 0, random))
 INPUTS
 
@@ -41,9 +42,9 @@ render() { # NAME ARGUMENT...: renders the solids of the files NAME_*.off
 }
 
 mkdir -p "$doc/Triangle_soup_repair/fig"
-render walls --eye 1 -0.7 0.5
-render overlaps --distance 0.4
-render foam --distance 0.35
+render walls --distance 1.2 --eye 1 -1 0.5
+render overlaps --distance 0.4 --eye 0.3 -1 1.3
+render foam --distance 0.5
 "$build/dsc" reconstruct --open sheet.xyz -o sheet.ply --quiet
 "${display[@]}" "$python" "$source/scripts/render_sheet.py" sheet.ply \
   "$doc/Solid_reconstruction_3/fig/solids_sheet.png"

@@ -32,8 +32,9 @@ def main():
         look.SetInterpolationToFlat()
         look.SetAmbient(0.25)
     actor.SetBackfaceProperty(back)
-    camera = render.camera_on(actor.GetBounds(), arguments.eye, (0, 0, 1), zoom=1.4)
-    render.write(render.render([render.edged(actor, render.EDGE_COLOUR, 1)], camera), arguments.picture)
+    camera = render.camera_on(actor.GetBounds(), arguments.eye, (0, 0, 1), zoom=1.15)
+    image = render.render([render.edged(actor, render.EDGE_COLOUR, 1)], camera)
+    render.write(render.cropped(image, 640), arguments.picture)
 
 
 if __name__ == "__main__":
