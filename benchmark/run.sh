@@ -307,7 +307,7 @@ measure_walls() {
   check_sets walls.py boxes --sets 100 --format %.9g
   check_sets walls.py boxes --sets 60 --format %.6g
   local kind
-  for kind in layers gears nested; do
+  for kind in file layers gears nested; do
     check_sets walls.py "$kind" --sets 40
   done
   check_sets walls.py foams --sets 5

@@ -3,6 +3,7 @@
 
 boxes   two to four boxes in a row, whose faces are divided n x n with random diagonals (n up to 20); each shares a wall
         with the next one, or a part of it
+file    the same boxes in one file, as objects or as one surface with walls
 layers  two to ten layers with plane, tilted or folded walls, each divided in another way
 gears   two gears that touch along the flanks of a tooth
 nested  a ball in a box in a box, which may share a wall, in separate files, as objects of a file or as one surface
@@ -40,6 +41,13 @@ def boxes(numbers, _):
         bounds.append(((x, low * size[1], low * size[2]), (x + width, high * size[1], high * size[2])))
     return solid_sets.separate(placed([cad_solids.divided_box(*b, [numbers.integers(1, 21)] * 3, numbers) for b in bounds],
                                       numbers))  # fmt: skip
+
+
+def boxes_of_file(numbers, _):
+    """Returns boxes in a row, as objects of a file or as one surface."""
+    result = boxes(numbers, _)
+    result.files = [(numbers.choice(["0.obj", "0.off"]), result.solids())]
+    return result
 
 
 def layers(numbers, _):
@@ -179,7 +187,7 @@ def foams(numbers, cells):
 
 
 def main():
-    kinds = {"boxes": boxes, "layers": layers, "gears": gears, "nested": nested, "foams": foams}
+    kinds = {"boxes": boxes, "file": boxes_of_file, "layers": layers, "gears": gears, "nested": nested, "foams": foams}
     parser = solid_sets.parser(__doc__)
     parser.add_argument("kind", choices=kinds)
     parser.add_argument("--cells", type=int, default=60, help="cells of a foam")
