@@ -112,7 +112,7 @@ def parser(description):
     result.add_argument("--format", default="%.17g", help="format of coordinates")
     result.add_argument("--tolerance", type=float, default=1e-9,
                         help="largest error, besides that of the last digits of coordinates")  # fmt: skip
-    result.add_argument("--seconds", type=float, default=120, help="time limit of a run")
+    result.add_argument("--seconds", type=float, default=300, help="time limit of a run")
     result.add_argument("--keep", type=pathlib.Path, help="folder for the files of refused and wrong sets")
     return result
 
