@@ -4,9 +4,9 @@
 solids  two to thirty balls, cylinders, gears, boxes and letters at random places, mostly turned
 text    a plate with letters that stand on it, are sunk into it, go through it, or lie in it; their volumes are known
 
-The peer of `solids` is the program `boolean_volumes` of this folder: corefinement with exact numbers. Sets for which it fails
-are skipped. Prints a line for each set, the ten largest errors, and a row of a table. Ends with status 1 if a set is refused
-or wrong.
+The peer of `solids` is the program `boolean_volumes` of this folder: corefinement with exact numbers. Sets for which it
+fails are skipped. Prints a line for each set, the ten largest errors, and a row of a table. Ends with status 1 if a set is
+refused or wrong.
 
     benchmark/overlaps.py build/dsc solids --peer build/benchmark/boolean_volumes --sets 25
 """

@@ -62,7 +62,8 @@ def layers(numbers, _):
         n = numbers.integers(1, 9, 2)
         points, triangles = cad_solids.divided_box((0, 0, 0), (1, 1, 1), [2 * n[0], n[1], numbers.integers(1, 4)], numbers)
         x, y, z = points.T
-        walls = [heights[i] + slopes[i, 0] * (abs(x - 0.5) if kind == "folded" else x) + slopes[i, 1] * y for i in (k, k + 1)]
+        shape = abs(x - 0.5) if kind == "folded" else x
+        walls = [heights[i] + slopes[i, 0] * shape + slopes[i, 1] * y for i in (k, k + 1)]
         solids.append((np.stack([x, y, (1 - z) * walls[0] + z * walls[1]], 1), triangles))
     return solid_sets.separate(placed(solids, numbers))
 

@@ -49,7 +49,8 @@ def main():
     parser.add_argument("--solids", action="store_true", help="draw edges, no label 0 and no margins")
     arguments = parser.parse_args()
     grid, array = render.read_labels(arguments.mesh)
-    labels = sorted({int(array.GetValue(i)) for i in range(array.GetNumberOfTuples())} - ({0} if arguments.solids else set()))
+    hidden = {0} if arguments.solids else set()
+    labels = sorted({int(array.GetValue(i)) for i in range(array.GetNumberOfTuples())} - hidden)
     # A table with gaps would be drawn transparent.
     table = render.colour_table([color(label) for label in range(labels[-1] + 1)])
     actor = render.labeled_actor(moved_apart(grid, labels, arguments.distance), table, ambient=0.2)
