@@ -3,23 +3,51 @@
 Each solid is a tuple of points and triangles. `write_off()` writes it to a file.
 """
 
+import functools
 import itertools
 import math
 
 import numpy
 
 
-def write_off(path, solid):
+def write_off(path, solid, form="%.17g"):
     points, triangles = solid
     with open(path, "w", encoding="ascii") as file:
         file.write(f"OFF\n{len(points)} {len(triangles)} 0\n")
-        file.writelines(" ".join(repr(float(x)) for x in p) + "\n" for p in points)
+        file.writelines(" ".join(form % x for x in p) + "\n" for p in points)
         file.writelines(f"3 {a} {b} {c}\n" for a, b, c in triangles)
 
 
+def write_obj(path, solids, form="%.17g"):
+    """Writes an object for each solid."""
+    first = 1
+    with open(path, "w", encoding="ascii") as file:
+        for i, (points, triangles) in enumerate(solids):
+            file.write(f"o solid_{i + 1}\n")
+            file.writelines("v " + " ".join(form % x for x in p) + "\n" for p in points)
+            file.writelines(f"f {a + first} {b + first} {c + first}\n" for a, b, c in triangles)
+            first += len(points)
+
+
+def joined(solids):
+    """Returns the points and triangles of all solids."""
+    firsts = numpy.cumsum([0] + [len(points) for points, _ in solids])
+    return (numpy.concatenate([points for points, _ in solids]),
+            numpy.concatenate([numpy.asarray(triangles) + first for (_, triangles), first in zip(solids, firsts)]))
+
+
+def moments(solid):
+    """Returns the integrals of 1, x, y and z."""
+    points = numpy.asarray(solid[0], float)
+    middle = points.mean(0)
+    p = (points - middle)[numpy.asarray(solid[1])]
+    volumes = numpy.einsum("ij,ij->i", numpy.cross(p[:, 0], p[:, 1]), p[:, 2]) / 6
+    total = volumes.sum()
+    return numpy.array([total, *(volumes @ p.sum(1) / 4 + total * middle)])
+
+
 def volume(solid):
-    p = numpy.asarray(solid[0], float)[numpy.asarray(solid[1])]
-    return float(numpy.einsum("ij,ij->", numpy.cross(p[:, 0], p[:, 1]), p[:, 2])) / 6
+    return float(moments(solid)[0])
 
 
 def area(solid):
@@ -55,6 +83,79 @@ def turning(solid):
         sine = numpy.cross(normals[0], normals[1]) @ (p[b] - p[a]) / length
         total += math.atan2(sine, normals[0] @ normals[1]) * length
     return total
+
+
+def rotation(numbers):
+    """Returns a random rotation."""
+    q, r = numpy.linalg.qr(numbers.normal(size=(3, 3)))
+    q = q * numpy.sign(numpy.diag(r))
+    return q if numpy.linalg.det(q) > 0 else q[[1, 0, 2]]
+
+
+def moved(solid, turn, shift=0):
+    return numpy.asarray(solid[0], float) @ turn.T + shift, solid[1]
+
+
+def subdivided(solid, n):
+    """Divides each edge into n parts, and each triangle into n * n."""
+    corners, index, triangles = numpy.asarray(solid[0], float), {}, []
+    points = []
+    for triangle in solid[1]:
+        def vertex(i, j, k):
+            key = tuple(sorted((v, w) for v, w in zip(triangle, (i, j, k)) if w > 0))
+            if key not in index:
+                index[key] = len(points)
+                points.append(sum(corners[v] * w for v, w in key) / n)
+            return index[key]
+
+        for i, j in itertools.product(range(n), repeat=2):
+            if i + j < n:
+                k = n - 1 - i - j
+                triangles.append((vertex(i + 1, j, k), vertex(i, j + 1, k), vertex(i, j, k + 1)))
+                if k > 0:
+                    triangles.append((vertex(i, j + 1, k), vertex(i + 1, j, k), vertex(i + 1, j + 1, k - 1)))
+    return numpy.array(points), triangles
+
+
+def divided_box(low, high, divisions, numbers):
+    """Returns a box whose faces are rectangular grids with random diagonals."""
+    points, triangles, known = [], [], {}
+    low, high = numpy.array(low, float), numpy.array(high, float)
+
+    def index(place):
+        if place not in known:
+            known[place] = len(points)
+            points.append(low + (high - low) * numpy.array(place) / divisions)
+        return known[place]
+
+    for axis in range(3):
+        u, v = (axis + 1) % 3, (axis + 2) % 3
+        for end, i, j in itertools.product((0, divisions[axis]), range(divisions[u]), range(divisions[v])):
+            corners = []
+            for di, dj in ((0, 0), (1, 0), (1, 1), (0, 1)):
+                place = [0, 0, 0]
+                place[axis], place[u], place[v] = end, i + di, j + dj
+                corners.append(index(tuple(place)))
+            a, b, c, d = corners if end else corners[::-1]
+            triangles += [(a, b, c), (a, c, d)] if numbers.random() < 0.5 else [(a, b, d), (b, c, d)]
+    return numpy.array(points), triangles
+
+
+def ball(radius, n):
+    """Returns a ball around the origin, divided by n parallels and 2 n meridians."""
+    points = [(0.0, 0.0, radius)]
+    for i, j in itertools.product(range(1, n), range(2 * n)):
+        u, v = math.pi * i / n, math.pi * j / n
+        points.append((radius * math.sin(u) * math.cos(v), radius * math.sin(u) * math.sin(v), radius * math.cos(u)))
+    points.append((0.0, 0.0, -radius))
+    triangles = []
+    for j in range(2 * n):
+        k = (j + 1) % (2 * n)
+        triangles += [(0, 1 + j, 1 + k), (len(points) - 1, len(points) - 1 - 2 * n + k, len(points) - 1 - 2 * n + j)]
+        for row in range(1, (n - 2) * 2 * n + 1, 2 * n):
+            a, b, c, d = row + j, row + k, row + 2 * n + j, row + 2 * n + k
+            triangles += [(a, c, d), (a, d, b)]
+    return numpy.array(points), triangles
 
 
 def from_quads(quads):
@@ -262,12 +363,22 @@ def triangulate(outline, holes):
 
 def extruded(outline, holes, height):
     """Returns a plate: a polygon with holes, of a thickness."""
-    points, triangles = triangulate(outline, holes)
+    return plate(*triangulate(outline, holes), (outline, *holes), height)
+
+
+def extruded_star(outline, height):
+    """Returns a plate of a polygon whose points all see the origin."""
+    n = len(outline)
+    return plate([*outline, (0.0, 0.0)], [(i, (i + 1) % n, n) for i in range(n)], (outline,), height)
+
+
+def plate(points, triangles, rings, height):
+    """Returns a plate whose bottom and top have given triangles; the points begin with those of the rings."""
     n = len(points)
     solid = [(x, y, 0.0) for x, y in points] + [(x, y, height) for x, y in points]
     faces = [(c, b, a) for a, b, c in triangles] + [(a + n, b + n, c + n) for a, b, c in triangles]
     first = 0
-    for ring in (outline, *holes):
+    for ring in rings:
         for i in range(len(ring)):
             a, b = first + i, first + (i + 1) % len(ring)
             faces += [(a, b, b + n), (a, b + n, a + n)]
@@ -279,6 +390,30 @@ def circle(x, y, radius, number, clockwise=False):
     sign = -1 if clockwise else 1
     return [(x + radius * math.cos(sign * 2 * math.pi * i / number), y + radius * math.sin(sign * 2 * math.pi * i / number))
             for i in range(number)]
+
+
+def arc(x, y, radius, begin, end, number):
+    """Returns the points of an arc; angles are in degrees."""
+    angles = numpy.radians(numpy.linspace(begin, end, number))
+    return [(x + radius * math.cos(t), y + radius * math.sin(t)) for t in angles]
+
+
+LETTERS = {  # outline and holes, in the unit square
+    "A": ([(0, 0), (0.2, 0), (0.32, 0.3), (0.68, 0.3), (0.8, 0), (1, 0), (0.6, 1), (0.4, 1)],
+          [[(0.4, 0.45), (0.5, 0.7), (0.6, 0.45)]]),
+    "B": ([(0, 0), *arc(0.35, 0.25, 0.25, -90, 60, 10), *arc(0.3, 0.75, 0.25, -50, 90, 10), (0, 1)],
+          [[*arc(0.35, 0.25, 0.12, 90, -90, 6), (0.13, 0.13), (0.13, 0.37)],
+           [*arc(0.3, 0.75, 0.12, 90, -90, 6), (0.13, 0.63), (0.13, 0.87)]]),
+    "E": ([(0, 0), (0.7, 0), (0.7, 0.18), (0.2, 0.18), (0.2, 0.42), (0.6, 0.42), (0.6, 0.58), (0.2, 0.58), (0.2, 0.82),
+           (0.7, 0.82), (0.7, 1), (0, 1)], []),
+    "O": (circle(0.5, 0.5, 0.5, 24), [circle(0.5, 0.5, 0.3, 18, clockwise=True)]),
+}
+
+
+@functools.lru_cache
+def letter(name, height):
+    """Returns a letter of height 1 in the plane, extruded."""
+    return extruded(*LETTERS[name], height)
 
 
 def random_plate(random, thickness):

@@ -2,13 +2,13 @@
 # Builds the benchmarks, runs them on the meshes of CGAL, and writes tables and raw results to
 # BUILD_DIR/benchmark-results. benchmark/README.md describes the measurements.
 # Usage: benchmark/run.sh [BUILD_DIR [motion] [breathing] [topology] [improvement] [memory] [operations]
-#                                   [flows] [surfaces] [points] [abuse] [meshes] [repair] [cut_loci] [segmentation]]
+#                                   [flows] [surfaces] [points] [abuse] [meshes] [repair] [cut_loci] [segmentation] [walls]]
 # Runs all parts by default.
 set -euo pipefail
 source=$(realpath "$(dirname "$0")/..")
 build=$(realpath --canonicalize-missing "${1:-$source/build}")
 parts=("${@:2}")
-[ ${#parts[@]} -gt 0 ] || parts=(motion breathing topology flows surfaces points improvement memory operations abuse meshes repair cut_loci segmentation)
+[ ${#parts[@]} -gt 0 ] || parts=(motion breathing topology flows surfaces points improvement memory operations abuse meshes repair cut_loci segmentation walls)
 mesh_seconds=${MESH_SECONDS:-600} # the time limit of one mesh in `meshes`, in seconds
 
 programs=$build/benchmark
@@ -297,6 +297,27 @@ measure_segmentation() {
     echo
     "$programs/segmentation"
   } >"$results/segmentation.md" || fail "$results/segmentation.md" segmentation $?
+}
+
+# Solids that share walls or overlap. Sets that are refused or wrong stay in a folder.
+measure_walls() {
+  local table=$results/walls.md keep=$results/walls
+  : >"$table"
+  check_sets walls.py boxes --sets 400
+  check_sets walls.py boxes --sets 100 --format %.9g
+  check_sets walls.py boxes --sets 60 --format %.6g
+  local kind
+  for kind in file layers gears nested; do
+    check_sets walls.py "$kind" --sets 40
+  done
+  check_sets walls.py foams --sets 5
+  check_sets overlaps.py solids --sets 25 --peer "$programs/boolean_volumes"
+  check_sets overlaps.py text --sets 40
+}
+
+check_sets() { # SCRIPT ARGUMENT..., in the variables `table` and `keep`
+  echo "$*"
+  /usr/bin/python3 "$source/benchmark/$1" "$build/dsc" "${@:2}" --keep "$keep" >>"$table" || fail "$table" "$*" $?
 }
 
 "$source/scripts/install_dependencies.sh" libvtk9-dev python3-numpy python3-skimage

@@ -1,70 +1,116 @@
 #!/usr/bin/env python3
-"""Gives `dsc` random sets of solids that share walls, and compares volumes with those of the input files.
+"""Gives `dsc` random sets of solids that share walls, and compares volumes and centers with those of the solids.
 
-Boxes: two to four boxes in a row, whose faces are divided n x n with random diagonals (n up to 20), mostly turned and moved.
-Foams: Voronoi cells, each with its own triangles: edges are divided, and faces are fans around random points.
-Prints a line for each wrong or refused set, and the ten sets with the largest errors.
+boxes   two to four boxes in a row, whose faces are divided n x n with random diagonals (n up to 20); each shares a wall
+        with the next one, or a part of it
+file    the same boxes in one file, as objects or as one surface with walls
+layers  two to ten layers with plane, tilted or folded walls, each divided in another way
+gears   two gears that touch along the flanks of a tooth
+nested  a ball in a box in a box, which may share a wall, in separate files, as objects of a file or as one surface
+foams   Voronoi cells, each with its own triangles: edges are divided, and faces are fans around random points
+
+Most sets are turned and moved. Prints a line for each set, the ten largest errors, and a row of a table. Ends with status
+1 if a set is refused or wrong.
 
     benchmark/walls.py build/dsc boxes --sets 400
     benchmark/walls.py build/dsc foams --sets 5 --cells 60
 """
 
-import argparse
-import json
-import pathlib
-import subprocess
-import tempfile
+import math
+import sys
 
+import cad_solids
 import numpy as np
+import solid_sets
 
 
-def rotation(numbers):
-    """Returns a random rotation."""
-    q, r = np.linalg.qr(numbers.normal(size=(3, 3)))
-    q = q * np.sign(np.diag(r))
-    return q if np.linalg.det(q) > 0 else q[[1, 0, 2]]
-
-
-def box(low, high, n, numbers):
-    """Returns points and triangles of a box whose faces are divided n x n."""
-    points, triangles, known = [], [], {}
-    low, high = np.array(low, float), np.array(high, float)
-
-    def index(place):
-        if place not in known:
-            known[place] = len(points)
-            points.append(low + (high - low) * np.array(place) / n)
-        return known[place]
-
-    for axis in range(3):
-        for end in (0, n):
-            for i in range(n):
-                for j in range(n):
-                    corners = []
-                    for u, v in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)):
-                        place = [0, 0, 0]
-                        place[axis], place[(axis + 1) % 3], place[(axis + 2) % 3] = end, u, v
-                        corners.append(index(tuple(place)))
-                    a, b, c, d = corners if end else corners[::-1]
-                    triangles += [(a, b, c), (a, c, d)] if numbers.random() < 0.5 else [(a, b, d), (b, c, d)]
-    return np.array(points), np.array(triangles)
+def placed(solids, numbers):
+    """Returns solids that are mostly turned and moved."""
+    turn = cad_solids.rotation(numbers) if numbers.random() < 0.75 else np.eye(3)
+    shift = numbers.choice([0, 1 / 3, 2 / 7, 0.1, 10], 3)
+    return [cad_solids.moved(solid, turn, shift) for solid in solids]
 
 
 def boxes(numbers, _):
-    """Returns two to four boxes; each shares a wall with the next one, or a part of it."""
+    """Returns boxes in a row."""
     size = numbers.choice([1, 1 / 3, 3 / 7, 2, 0.9], 3)
     bounds = [((0, 0, 0), tuple(size))]
     for _ in range(numbers.choice([1, 1, 1, 2, 3])):
         x, width = bounds[-1][1][0], numbers.choice([1, 1 / 3, 3 / 7, 0.7])
         low, high = [(0, 1), (1 / 3, 5 / 7), (-1 / 3, 5 / 7)][numbers.choice(3, p=[0.5, 0.25, 0.25])]
         bounds.append(((x, low * size[1], low * size[2]), (x + width, high * size[1], high * size[2])))
-    turn = rotation(numbers) if numbers.random() < 0.75 else np.eye(3)
-    shift = numbers.choice([0, 1 / 3, 2 / 7, 0.1, 10], 3)
+    return solid_sets.separate(placed([cad_solids.divided_box(*b, [numbers.integers(1, 21)] * 3, numbers) for b in bounds],
+                                      numbers))  # fmt: skip
+
+
+def boxes_of_file(numbers, _):
+    """Returns boxes in a row, as objects of a file or as one surface."""
+    result = boxes(numbers, _)
+    result.files = [(numbers.choice(["0.obj", "0.off"]), result.solids())]
+    return result
+
+
+def layers(numbers, _):
+    """Returns layers of a unit square; their walls are z = a + b x + c y or z = a + b |x - 1/2| + c y."""
+    count = numbers.integers(2, 11)
+    kind = numbers.choice(["plane", "tilted", "folded"])
+    heights = np.cumsum(numbers.choice([0.03, 0.1, 1 / 3, 1 / 7], count + 1))
+    slopes = numbers.uniform(-0.02, 0.02, (count + 1, 2)) if kind != "plane" else np.zeros((count + 1, 2))
+    heights += 0.06 * np.arange(count + 1)  # more than the slopes take away
     solids = []
-    for low, high in bounds:
-        points, triangles = box(low, high, numbers.integers(1, 21), numbers)
-        solids.append((points @ turn.T + shift, triangles))
-    return solids
+    for k in range(count):
+        n = numbers.integers(1, 9, 2)
+        points, triangles = cad_solids.divided_box((0, 0, 0), (1, 1, 1), [2 * n[0], n[1], numbers.integers(1, 4)], numbers)
+        x, y, z = points.T
+        shape = abs(x - 0.5) if kind == "folded" else x
+        walls = [heights[i] + slopes[i, 0] * shape + slopes[i, 1] * y for i in (k, k + 1)]
+        solids.append((np.stack([x, y, (1 - z) * walls[0] + z * walls[1]], 1), triangles))
+    return solid_sets.separate(placed(solids, numbers))
+
+
+def repeated(tooth, number):
+    """Returns the outline of a gear."""
+    angles = 2 * math.pi / number * np.arange(number)
+    turns = np.array([[np.cos(angles), np.sin(angles)], [-np.sin(angles), np.cos(angles)]])
+    return [tuple(p) for p in np.einsum("pk,kin->npi", np.array(tooth), turns).reshape(-1, 2)]
+
+
+def gears(numbers, _):
+    """Returns two gears of module 1. A tooth of the second one fills a gap of the first one, or touches one flank of it."""
+    n, m = numbers.integers(16, 25, 2)
+    a, b, slope = n / 2, m / 2, math.tan(math.radians(10))
+    flank = np.array([(a + h, 0.8 - slope * h) for h in (-0.6, 0.4)])  # of a tooth around the x-axis
+    t = math.pi / n  # the first gear has a gap at the x-axis
+    turn = np.array([[math.cos(t), math.sin(t)], [-math.sin(t), math.cos(t)]])
+    first = repeated([*(flank * [1, -1]) @ turn, *flank[::-1] @ turn], n)
+    (x0, y0), (x1, y1) = (flank * [1, -1]) @ turn  # the upper flank of the gap
+    play = numbers.choice([0, 0.1, 0.2])
+    heights = [y0 + (y1 - y0) * (x - x0) / (x1 - x0) - play for x in (a - 0.4, a + 0.6)]
+    tooth = np.array([(b - 0.6, heights[1]), (b + 0.4, heights[0])])
+    second = [(-x, -y) for x, y in repeated([*(tooth * [1, -1]), *tooth[::-1]], m)]
+    thickness, other, shift = numbers.choice([1, 1 / 3, 3, 2.5], 3)
+    solids = [cad_solids.extruded_star(first, thickness), cad_solids.extruded_star(second, other)]
+    solids[1] = cad_solids.moved(solids[1], np.eye(3), (a + b, play, numbers.choice([0, -shift / 2 * other])))
+    return solid_sets.separate(placed([cad_solids.subdivided(s, numbers.integers(1, 4)) for s in solids], numbers))
+
+
+def nested(numbers, _):
+    """Returns a ball in a box in a box. As one surface, they bound one solid with a cavity."""
+    kind = numbers.choice(["files", "objects", "surface"])
+    wall = 0 if numbers.random() < 0.5 and kind != "surface" else numbers.choice([0.1, 1 / 7])
+    outer = cad_solids.divided_box((0, 0, 0), (1, 1.2, 1.4), numbers.integers(1, 8, 3), numbers)
+    inner = cad_solids.divided_box((wall, 0.2, 0.2), (0.8, 1, 1), numbers.integers(1, 8, 3), numbers)
+    ball = cad_solids.moved(cad_solids.ball(0.25, numbers.integers(3, 13)), cad_solids.rotation(numbers), (0.45, 0.6, 0.6))
+    solids = placed([outer, inner, ball], numbers)
+    whole = [cad_solids.moments(s) for s in solids]
+    if kind == "surface":
+        return solid_sets.Set([("0.off", solids)], [whole[0] - whole[1] + whole[2]])
+    parts = [whole[0] - whole[1], whole[1] - whole[2], whole[2]]
+    order = numbers.permutation(3)
+    solids, parts = [solids[i] for i in order], [parts[i] for i in order]
+    if kind == "objects":
+        return solid_sets.Set([("0.obj", solids)], parts)
+    return solid_sets.Set([(f"{i}.off", [s]) for i, s in enumerate(solids)], parts)
 
 
 def cut(faces, normal, offset):
@@ -129,7 +175,7 @@ def triangulate(faces, numbers):
 
 def foams(numbers, cells):
     """Returns the Voronoi cells of random points in a cube."""
-    seeds, turn, solids = numbers.random((cells, 3)), rotation(numbers), []
+    seeds, solids = numbers.random((cells, 3)), []
     corners = np.array([[i & 1, i >> 1 & 1, i >> 2] for i in range(8)], float)
     sides = ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5))
     for seed in seeds:
@@ -137,62 +183,18 @@ def foams(numbers, cells):
         for other in seeds[np.argsort(((seeds - seed) ** 2).sum(1))][1:]:
             normal = other - seed
             faces = cut(faces, normal, normal @ (seed + other) / 2)
-        points, triangles = triangulate(faces, numbers)
-        solids.append((points @ turn.T, triangles))
-    return solids
-
-
-def volume(points, triangles):
-    """Returns the volume inside an oriented surface."""
-    a, b, c = (points[triangles[:, i]] - points.mean(0) for i in range(3))
-    return abs(np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6)
-
-
-def run(program, folder, solids, form):
-    """Writes the solids, runs the program, and returns the largest relative error of a volume, or a message."""
-    paths = []
-    for i, (points, triangles) in enumerate(solids):
-        paths.append(folder / f"{i}.off")
-        with open(paths[-1], "w", encoding="ascii") as file:
-            file.write(f"OFF\n{len(points)} {len(triangles)} 0\n")
-            file.writelines(" ".join(form % x for x in p) + "\n" for p in points)
-            file.writelines(f"3 {a} {b} {c}\n" for a, b, c in triangles)
-    report = folder / "report.json"
-    motion = ["--axis", "0,0,1", "--angle", "5", "--steps", "1", "--quiet", "--report", report]
-    command = [program, "rotate", *paths, *motion]
-    outcome = subprocess.run(command, capture_output=True, text=True, check=False)
-    if outcome.returncode != 0:
-        return outcome.stderr.strip()
-    labels = {entry["label"]: entry["volume"] for entry in json.loads(report.read_text())["steps"][0]["labels"]}
-    return max(abs(labels.get(i + 1, 0) / volume(*solid) - 1) for i, solid in enumerate(solids))
+        solids.append(triangulate(faces, numbers))
+    return solid_sets.separate(placed(solids, numbers))
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("program")
-    parser.add_argument("kind", choices=["boxes", "foams"])
-    parser.add_argument("--sets", type=int, default=20)
+    kinds = {"boxes": boxes, "file": boxes_of_file, "layers": layers, "gears": gears, "nested": nested, "foams": foams}
+    parser = solid_sets.parser(__doc__)
+    parser.add_argument("kind", choices=kinds)
     parser.add_argument("--cells", type=int, default=60, help="cells of a foam")
-    parser.add_argument("--first", type=int, default=0, help="number of the first set")
-    parser.add_argument("--format", default="%.17g", help="format of coordinates")
-    parser.add_argument("--tolerance", type=float, default=1e-9, help="of volumes")
     arguments = parser.parse_args()
-    make = {"boxes": boxes, "foams": foams}[arguments.kind]
-    errors, refused = [], 0
-    for number in range(arguments.first, arguments.first + arguments.sets):
-        solids = make(np.random.default_rng(number), arguments.cells)
-        with tempfile.TemporaryDirectory() as folder:
-            result = run(arguments.program, pathlib.Path(folder), solids, arguments.format)
-        if isinstance(result, str):
-            refused += 1
-            print(f"set {number}: {result}")
-        else:
-            errors.append((result, number))
-    errors.sort(reverse=True)
-    wrong = sum(error > arguments.tolerance for error, _ in errors)
-    print(f"{arguments.sets} sets, {refused} refused, {wrong} wrong; largest errors of volumes:")
-    for error, number in errors[:10]:
-        print(f"  set {number}: {error:.2g}")
+    make = lambda number: kinds[arguments.kind](np.random.default_rng(number), arguments.cells)
+    sys.exit(not solid_sets.check(arguments.kind, make, arguments))
 
 
 if __name__ == "__main__":

@@ -265,6 +265,24 @@ def render(actors, camera, size=SIZE):
     return grab.GetOutput()
 
 
+def cropped(image, size):
+    """Cuts off the white margins; the larger extent becomes `size` pixels."""
+    width, height, _ = image.GetDimensions()
+    scalars = image.GetPointData().GetScalars()
+    shown = [i for i in range(width * height) if scalars.GetTuple(i) != (255, 255, 255)]
+    columns, rows = {i % width for i in shown}, {i // width for i in shown}
+    part = vtk.vtkExtractVOI()
+    part.SetInputData(image)
+    part.SetVOI(min(columns), max(columns), min(rows), max(rows), 0, 0)
+    part.Update()
+    extents = part.GetOutput().GetDimensions()[:2]
+    resized = vtk.vtkImageResize()
+    resized.SetInputConnection(part.GetOutputPort())
+    resized.SetOutputDimensions(*(round(size * n / max(extents)) for n in extents), 1)
+    resized.Update()
+    return resized.GetOutput()
+
+
 def write(image, path):
     writer = vtk.vtkPNGWriter()
     writer.SetFileName(path)

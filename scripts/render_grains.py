@@ -46,14 +46,19 @@ def main():
     parser.add_argument("picture", metavar="PICTURE.png")
     parser.add_argument("--distance", type=float, default=0.45, help="motion, in distances from the center")
     parser.add_argument("--eye", type=float, nargs=3, default=[0.5, -1, 0.6], help="direction to the camera")
+    parser.add_argument("--solids", action="store_true", help="draw edges, no label 0 and no margins")
     arguments = parser.parse_args()
     grid, array = render.read_labels(arguments.mesh)
-    labels = sorted({int(array.GetValue(i)) for i in range(array.GetNumberOfTuples())})
+    hidden = {0} if arguments.solids else set()
+    labels = sorted({int(array.GetValue(i)) for i in range(array.GetNumberOfTuples())} - hidden)
     # A table with gaps would be drawn transparent.
     table = render.colour_table([color(label) for label in range(labels[-1] + 1)])
     actor = render.labeled_actor(moved_apart(grid, labels, arguments.distance), table, ambient=0.2)
     camera = render.camera_on(actor.GetBounds(), arguments.eye, (0, 0, 1), zoom=1.15)
-    render.write(render.render([actor], camera), arguments.picture)
+    if arguments.solids:
+        render.edged(actor, render.EDGE_COLOUR, 1)
+    image = render.render([actor], camera)
+    render.write(render.cropped(image, 640) if arguments.solids else image, arguments.picture)
 
 
 if __name__ == "__main__":

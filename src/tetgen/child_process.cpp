@@ -126,6 +126,15 @@ void limit_time(double seconds) {
   setitimer(ITIMER_REAL, &once, nullptr);
 }
 
+void limit_processor_time(double seconds) {
+  signal(SIGXCPU, SIG_DFL);
+  rlimit limit;
+  if (!(seconds < longest_time) || getrlimit(RLIMIT_CPU, &limit) != 0)
+    return;
+  limit.rlim_cur = (std::min)(limit.rlim_cur, rlim_t(std::ceil(seconds)));
+  setrlimit(RLIMIT_CPU, &limit);
+}
+
 void allow_signals() {
   sigset_t none;
   sigemptyset(&none);
@@ -154,13 +163,15 @@ void send(int pipe, const char* data, std::size_t size) {
   }
 }
 
-[[noreturn]] void run(const Child_process::Function& function, int pipe, double seconds) {
+[[noreturn]] void run(const Child_process::Function& function, int pipe, double seconds,
+                      double processor_seconds) {
   // If the caller has closed its standard streams, the pipe may use one of their numbers.
   pipe = fcntl(pipe, F_DUPFD, STDERR_FILENO + 1);
   be_silent();
   ignore_what_the_caller_handles();
   watch_caller();
   limit_time(seconds);
+  limit_processor_time(processor_seconds);
   allow_signals();
   std::set_terminate(exit_with_thrown_code);
   function([pipe](const void* data, std::size_t size) {
@@ -171,7 +182,7 @@ void send(int pipe, const char* data, std::size_t size) {
 
 } // namespace
 
-Child_process::Child_process(const Function& function, double seconds) {
+Child_process::Child_process(const Function& function, double seconds, double processor_seconds) {
   // Children are started one after the other. A pipe ends only when all its write ends are closed,
   // and other children could inherit them.
   static std::mutex mutex;
@@ -191,7 +202,7 @@ Child_process::Child_process(const Function& function, double seconds) {
     m_pid = fork();
     if (m_pid == 0) {
       close(reader.get()); // otherwise the pipe would keep an open read end
-      run(function, writer.get(), seconds);
+      run(function, writer.get(), seconds, processor_seconds);
     }
     error = errno;
   }).join();
@@ -236,6 +247,7 @@ Child_process::Outcome Child_process::wait() {
     return {End::EXITED, WEXITSTATUS(status)};
   switch (const int number = WTERMSIG(status)) {
   case SIGALRM:
+  case SIGXCPU:
     return {End::TIMED_OUT, number};
   case SIGKILL:
     return {End::KILLED, number};
@@ -246,7 +258,7 @@ Child_process::Outcome Child_process::wait() {
 
 #else
 
-Child_process::Child_process(const Function& function, double) {
+Child_process::Child_process(const Function& function, double, double) {
   try {
     function([this](const void* data, std::size_t size) {
       const char* bytes = static_cast<const char*>(data);

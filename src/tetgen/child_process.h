@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <vector>
 
 #if defined(__unix__) || defined(__APPLE__)
@@ -49,8 +50,10 @@ public:
   /// destructors are not called in this case. Any other exception is a crash. If it returns, the
   /// exit code is zero.
   /// \param seconds time limit after which the child is killed; infinity for no limit
+  /// \param processor_seconds the same for its processor time, which is rounded up to seconds
   /// \throws std::system_error if the system cannot create another process
-  Child_process(const Function& function, double seconds);
+  Child_process(const Function& function, double seconds,
+                double processor_seconds = std::numeric_limits<double>::infinity());
 
   /// Kills the child unless it has ended. Never leaves a zombie process.
   ~Child_process();

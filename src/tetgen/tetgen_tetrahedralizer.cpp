@@ -21,6 +21,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <new>
 #include <numeric>
 #include <optional>
@@ -126,7 +127,7 @@ struct Job
   const Triangles& triangles;
   int exponent;
   tetgenbehavior behavior;
-  std::vector<int> order;
+  std::vector<int> order, order_of_triangles;
 };
 
 void set_input(tetgenio& input, const Job& job) {
@@ -143,7 +144,8 @@ void set_input(tetgenio& input, const Job& job) {
   // The destructor of the input frees arrays according to their counters. So each counter is set
   // after its allocation.
   input.facetlist = new tetgenio::facet[job.triangles.size()];
-  for (const internal::Triangle_indices& t : job.triangles) {
+  for (int i : job.order_of_triangles) {
+    const internal::Triangle_indices& t = job.triangles[i];
     tetgenio::facet& facet = input.facetlist[input.numberoffacets];
     tetgenio::init(&facet);
     ++input.numberoffacets;
@@ -153,8 +155,8 @@ void set_input(tetgenio& input, const Job& job) {
     facet.numberofpolygons = 1;
     polygon.vertexlist = new int[3];
     polygon.numberofvertices = 3;
-    for (std::size_t i = 0; i < 3; ++i)
-      polygon.vertexlist[i] = position[t[i]];
+    for (std::size_t k = 0; k < 3; ++k)
+      polygon.vertexlist[k] = position[t[k]];
   }
 }
 
@@ -229,26 +231,52 @@ bool orient(Tetrahedralization_3& mesh) {
   });
 }
 
-bool has_facets(const Tetrahedralization_3& mesh, Triangles triangles) {
-  for (internal::Triangle_indices& t : triangles)
-    std::sort(t.begin(), t.end());
-  std::sort(triangles.begin(), triangles.end());
-  std::vector<char> is_found(triangles.size(), 0);
+// A facet of a tetrahedron: its corners in increasing order, and the parity of their order as they
+// are seen from inside.
+using Half_facet = std::pair<internal::Triangle_indices, bool>;
+
+// Returns the facets of all tetrahedra, sorted.
+std::vector<Half_facet> half_facets(const Tetrahedralization_3& mesh) {
+  std::vector<Half_facet> result;
+  result.reserve(4 * mesh.tetrahedra.size());
   for (const auto& v : mesh.tetrahedra) {
     Deformable_simplicial_complexes::Progress_scope::check();
     for (std::size_t i = 0; i < 4; ++i) {
-      internal::Triangle_indices facet = {v[(i + 1) % 4], v[(i + 2) % 4], v[(i + 3) % 4]};
-      std::sort(facet.begin(), facet.end());
-      const auto t = std::lower_bound(triangles.begin(), triangles.end(), facet);
-      if (t != triangles.end() && *t == facet)
-        is_found[t - triangles.begin()] = 1;
+      internal::Triangle_indices f = {v[(i + 1) % 4], v[(i + 2) % 4], v[(i + 3) % 4]};
+      const bool is_even = (f[0] < f[1]) + (f[1] < f[2]) + (f[2] < f[0]) == 2;
+      std::sort(f.begin(), f.end());
+      result.emplace_back(f, is_even == (i % 2 == 0));
     }
   }
-  return std::find(is_found.begin(), is_found.end(), 0) == is_found.end();
+  std::sort(result.begin(), result.end());
+  return result;
 }
 
-Tetrahedralization_3 tetrahedralize_once(const Job& job, double seconds) try {
-  Child_process child([&](const Child_process::Send& send) { run_tetgen(job, send); }, seconds);
+bool has_facets(const std::vector<Half_facet>& facets, const Triangles& triangles) {
+  return std::all_of(triangles.begin(), triangles.end(), [&](const auto& t) {
+    const Half_facet facet = {internal::sorted(t), false};
+    const auto found = std::lower_bound(facets.begin(), facets.end(), facet);
+    return found != facets.end() && found->first == facet.first;
+  });
+}
+
+// Throws unless positively oriented tetrahedra fill space without overlaps, and contain the
+// triangles: each side of a facet belongs to one tetrahedron at most.
+void check(const Tetrahedralization_3& mesh, const Triangles& triangles) {
+  const std::vector<Half_facet> facets = half_facets(mesh);
+  if (!has_facets(facets, triangles))
+    throw Failed_attempt(Cause::RESULT,
+                         "TetGen lost triangles: separate vertices and surfaces that are very "
+                         "close, or remesh the surfaces");
+  if (std::adjacent_find(facets.begin(), facets.end()) != facets.end())
+    throw Failed_attempt(Cause::RESULT, "TetGen created tetrahedra that overlap: separate vertices "
+                                        "and surfaces that are very close, or remesh the surfaces");
+}
+
+Tetrahedralization_3 tetrahedralize_once(const Job& job, double seconds,
+                                         double processor_seconds) try {
+  Child_process child([&](const Child_process::Send& send) { run_tetgen(job, send); }, seconds,
+                      processor_seconds);
   Tetrahedralization_3 mesh;
   const bool is_complete = receive(mesh, job, child);
   const Child_process::Outcome outcome = child.wait();
@@ -256,13 +284,10 @@ Tetrahedralization_3 tetrahedralize_once(const Job& job, double seconds) try {
     throw failure(outcome);
   if (!is_complete)
     throw tetgen_failure(internal_error);
-  if (!has_facets(mesh, job.triangles))
-    throw Failed_attempt(Cause::RESULT,
-                         "TetGen lost triangles: separate vertices and surfaces that are very "
-                         "close, or remesh the surfaces");
   if (!orient(mesh))
     throw Failed_attempt(Cause::RESULT, "TetGen created flat tetrahedra: use other bounds for the "
                                         "tetrahedra, or remesh the surfaces");
+  check(mesh, job.triangles);
   return mesh;
 } catch (const std::system_error& e) {
   throw Failed_attempt(Cause::MEMORY, std::string("TetGen could not be started, ") + e.what() +
@@ -273,18 +298,27 @@ struct Attempt
 {
   double tolerance; // relative to the extent; TetGen treats closer points as equal
   bool has_bounds;  // on the shapes of tetrahedra
-  unsigned seed;    // of the order of the points
+  unsigned seed;    // of the order of the points and triangles
   double end;       // fraction of the time limit at which the attempt ends
 };
 
 // The attempts, in their order. TetGen is less robust with a tolerance below its default, which is
-// the first one. Crashes and infinite loops occur while points are inserted to satisfy the shape
-// bounds; another order of the points changes the inserted points.
-constexpr Attempt attempts[] = {{1e-8, true, 0, 1. / 3},
-                                {1e-14, true, 0, 1. / 3},
-                                {1e-8, true, 1, 2. / 3},
-                                {1e-8, false, 0, 1},
-                                {1e-8, false, 1, 1}};
+// the first one. Crashes and infinite loops occur where triangles of a flat side are rounded,
+// mostly while points are inserted to satisfy the shape bounds; another order changes the inserted
+// points.
+constexpr Attempt attempts[] = {{1e-8, true, 0, 1. / 3}, {1e-14, true, 0, 1. / 3},
+                                {1e-8, true, 1, 2. / 3}, {1e-8, true, 2, 2. / 3},
+                                {1e-8, true, 3, 2. / 3}, {1e-8, false, 0, 1},
+                                {1e-8, false, 1, 1},     {1e-8, false, 2, 1}};
+
+// Returns the processor time after which an attempt is taken for an infinite loop, in seconds:
+// about twenty times the usual one. If volumes are bounded, the time does not follow from the
+// input.
+double longest_processor_time(const Job& job) {
+  static constexpr double at_least = 5, for_triangle = 2e-3;
+  return job.behavior.fixedvolume ? std::numeric_limits<double>::infinity()
+                                  : at_least + for_triangle * double(job.triangles.size());
+}
 
 // Returns whether an attempt may succeed after a failure.
 bool may_help(const Attempt& attempt, Cause cause) {
@@ -303,7 +337,7 @@ bool may_help(const Attempt& attempt, Cause cause) {
 
 // Returns the input order for seed 0, otherwise a pseudorandom order that is the same on all
 // systems.
-std::vector<int> order_of_points(std::size_t size, unsigned seed) {
+std::vector<int> order_of_items(std::size_t size, unsigned seed) {
   std::vector<int> order(size);
   std::iota(order.begin(), order.end(), 0);
   std::mt19937_64 random(seed);
@@ -333,7 +367,7 @@ Tetgen_tetrahedralizer_3::Tetgen_tetrahedralizer_3(double radius_edge_ratio,
 Tetrahedralization_3 Tetgen_tetrahedralizer_3::operator()(const Points& points,
                                                           const Triangles& triangles) const {
   const auto start = std::chrono::steady_clock::now();
-  Job job = {points, triangles, scale_exponent(points), {}, {}};
+  Job job = {points, triangles, scale_exponent(points), {}, {}, {}};
   // p: tetrahedralize the triangles, Y: preserve them, q: bound the quality, Q: quiet.
   char switches[] = "pYqQ";
   job.behavior.parse_commandline(switches);
@@ -351,10 +385,12 @@ Tetrahedralization_3 Tetgen_tetrahedralizer_3::operator()(const Points& points,
     job.behavior.epsilon = attempt.tolerance;
     if (!attempt.has_bounds)
       job.behavior.quality = job.behavior.fixedvolume = 0;
-    job.order = order_of_points(points.size(), attempt.seed);
+    job.order = order_of_items(points.size(), attempt.seed);
+    job.order_of_triangles = order_of_items(triangles.size(), attempt.seed);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     try {
-      return tetrahedralize_once(job, attempt.end * m_time_limit - elapsed.count());
+      return tetrahedralize_once(job, attempt.end * m_time_limit - elapsed.count(),
+                                 longest_processor_time(job));
     } catch (const Failed_attempt& e) {
       failure = e;
     }

@@ -112,6 +112,7 @@ TEST(Child_process, is_killed_when_time_is_up) {
   };
   EXPECT_EQ(outcome(loop, .05).end, End::TIMED_OUT);
   EXPECT_EQ(outcome(loop, 0).end, End::TIMED_OUT);
+  EXPECT_EQ(Child_process(loop, infinity, .5).wait().end, End::TIMED_OUT);
 }
 
 TEST(Child_process, is_killed_when_nobody_waits) {
