@@ -11,6 +11,7 @@
 #include <CGAL/license/Triangle_soup_repair.h>
 
 #include <CGAL/Mesh_support/Error.h>
+#include <CGAL/Mesh_support/internal/cgal/cgal_compat.h>
 #include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
 #include <CGAL/Triangle_soup_repair/internal/arrangement/Solid_cells_3.h>
 #include <CGAL/Triangle_soup_repair/internal/arrangement/coordinate_rounding_3.h>
@@ -20,6 +21,10 @@
 #include <CGAL/Triangle_soup_repair/internal/checks/refuse_surface.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/soup_intersections_3.h>
+
+#include <CGAL/Cartesian_converter.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/intersections.h>
 
 #include <algorithm>
 #include <array>
@@ -123,6 +128,18 @@ inline bool crosses_plane(const Triangle_soup_3& soup, std::size_t triangle, std
   return is_in_front && is_behind;
 }
 
+// Returns whether triangles cross: along a line that is longer than a distance, and at an angle
+// such that corners of both are farther than the distance from the plane of the other one.
+inline bool do_cross(const Triangle_soup_3& soup, std::size_t s, std::size_t t, double distance) {
+  using Kernel = Exact_predicates_exact_constructions_kernel;
+  if (!crosses_plane(soup, s, t, distance) || !crosses_plane(soup, t, s, distance))
+    return false;
+  const Cartesian_converter<Predicates_kernel, Kernel> exact;
+  const auto common = intersection(exact(exact_triangle(soup, s)), exact(exact_triangle(soup, t)));
+  const auto* segment = common ? get_alternative<Kernel::Segment_3>(*common) : nullptr;
+  return segment && to_double(segment->squared_length()) > square(distance);
+}
+
 // Throws `Invalid_surface_error` if triangles of the same surface cross. Parts of a surface that
 // touch are permitted, although rounding may make triangles cross there.
 // \param origins triangle of the input that contains each triangle
@@ -133,8 +150,7 @@ inline void check_self_intersections(const Triangle_soup_3& soup,
   for (const auto& [s, t] : crossing_triangles(soup)) {
     const std::size_t a = origins[s], b = origins[t];
     if (input.triangle_origins[a].surface == input.triangle_origins[b].surface &&
-        !have_same_corners(soup.triangles[s], soup.triangles[t]) &&
-        crosses_plane(soup, s, t, distance) && crosses_plane(soup, t, s, distance))
+        !have_same_corners(soup.triangles[s], soup.triangles[t]) && do_cross(soup, s, t, distance))
       own.push_back(std::minmax(a, b));
   }
   refuse_crossings(input, own);
@@ -147,7 +163,7 @@ inline std::optional<Split_soup_3> split_surfaces(const Joined_soup_3& input, do
   if (!weld(welded, distance))
     return std::nullopt;
   check_boundaries(welded, input);
-  check_self_intersections(welded, welded.origins, input, 0);
+  check_self_intersections(welded, welded.origins, input, distance);
   std::optional<Split_soup_3> result = split_at_crossings(
       welded, [distance](Split_soup_3& soup, int) { return weld(soup, distance); });
   if (result)
