@@ -98,6 +98,12 @@ TEST(Shared_walls, of_one_surface_divide_it_into_labels) {
   const Complex halves = complex_of({once});
   EXPECT_NEAR(halves.volume(3), .5, 1e-12);
   EXPECT_NEAR(halves.volume(4), .5, 1e-12);
+  // Edges of the overlapping faces cross in a point.
+  Surface shifted = join({box({0, 0, 0, 1, 1, 1}, 1), box({1, -.5, -.5, 3, .5, .5}, 1)});
+  shifted.label = 3;
+  const Complex overlap = complex_of({shifted});
+  EXPECT_NEAR(overlap.volume(3), 1, 1e-12);
+  EXPECT_NEAR(overlap.volume(4), 2, 1e-12);
 }
 
 // A box whose faces are divided into n x n squares of two triangles, turned about a skew axis. The
