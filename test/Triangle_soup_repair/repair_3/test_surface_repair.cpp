@@ -392,6 +392,18 @@ TEST(Surface_repair, unites_parts_that_nearly_meet_in_a_point) {
   EXPECT_NEAR(volume(surface), 1.7, .01); // nearly that of frusta of pyramids
 }
 
+TEST(Surface_repair, unites_parts_that_nearly_coincide) {
+  for (double angle : {1e-15, 1e-12, 1e-10, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3}) {
+    Surface surface = cube(), turned = cube();
+    for (Point& p : turned.points)
+      p = Point(p.x() + angle * (p.y() - .7 * p.z()), p.y() + angle * (.3 * p.z() - p.x()),
+                p.z() + angle * (.7 * p.x() - .3 * p.y()));
+    append(surface, turned);
+    EXPECT_FALSE(DSC::repair_surface_3(surface).is_wrapped) << angle;
+    EXPECT_NEAR(volume(surface), 1, 10 * angle + 1e-7) << angle;
+  }
+}
+
 TEST(Surface_repair, keeps_cavities_of_parts_that_cross) {
   const Surface a = box(Point(0, 0, 0), Point(2, 1, 1)),
                 b = box(Point(1.1, .2, .3), Point(3, 2, 1.7));
