@@ -58,9 +58,8 @@ void add_view(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command
       ->add_option("--without", options->film.without,
-                   "Labels, by number or name, whose cells are left out, separated by commas; the page "
-                   "is smaller")
-      ->delimiter(',');
+                   "Labels, by number or name, whose cells are left out, like 1,shell")
+      ->allow_extra_args(false);
   command->add_flag("--surface", options->film.is_surface,
                     "Show the interface only; the page is smaller");
   command->add_flag("--quiet", options->quiet, "Print only errors");

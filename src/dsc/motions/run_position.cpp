@@ -6,21 +6,13 @@
 
 #include "input/translations.h"
 #include "motions/motion_list.h"
+#include "output/label_titles.h"
 
 #include <stdexcept>
 
 namespace dsc {
 
-using CGAL::Deformable_simplicial_complexes::Label_names;
-
 namespace {
-
-Json labels_json(const Label_names& names) {
-  Json result = Json::array();
-  for (const auto& [label, name] : names)
-    result.push_back({{"label", label}, {"name", name}});
-  return result;
-}
 
 std::string text_of(const Json& metadata) {
   return metadata.dump(-1, ' ', false,
@@ -28,6 +20,13 @@ std::string text_of(const Json& metadata) {
 }
 
 } // namespace
+
+Json label_names_json(const Label_names& names) {
+  Json result = Json::array();
+  for (const auto& [label, name] : names)
+    result.push_back({{"label", label}, {"name", name}});
+  return result;
+}
 
 std::string to_metadata(const Run_position& position, const Step_options& step,
                         const Label_names& names) {
@@ -52,12 +51,12 @@ std::string to_metadata(const Run_position& position, const Step_options& step,
                  {"input", with_user_names(position.start.inputs)},
                  {"parameters", parameters}};
   if (!names.empty())
-    result["labels"] = labels_json(names);
+    result["labels"] = label_names_json(names);
   return text_of(result);
 }
 
 std::string to_metadata(const Label_names& names) {
-  return names.empty() ? "" : text_of(Json{{"labels", labels_json(names)}});
+  return names.empty() ? "" : text_of(Json{{"labels", label_names_json(names)}});
 }
 
 std::optional<Saved_run> from_metadata(const std::string& metadata) {

@@ -111,23 +111,6 @@ void add_events(const std::vector<Json>& steps, Film& film) {
                                                          event["kind"].get<std::string>());
 }
 
-/// Returns the labels that are given by their numbers or names.
-std::vector<int> labels_of(const std::vector<std::string>& texts, const Label_names& names) {
-  std::vector<int> result;
-  for (const std::string& text : texts)
-    if (const std::optional<int> label = label_of(text, names))
-      result.push_back(*label);
-  return result;
-}
-
-/// \throws Input_error if a label to be left out is not one of the labels
-void require_labels(const std::vector<std::string>& left_out, const std::set<int>& labels,
-                    const Label_names& names) {
-  for (const std::string& text : left_out)
-    if (const std::optional<int> label = label_of(text, names); !label || labels.count(*label) == 0)
-      throw Input_error("no state has the label " + text + "; correct the option --without");
-}
-
 /// \throws Input_error if a report is given and none of its steps is at the time of a state
 void require_steps(const Film_options& options, const std::vector<Moment>& states,
                    const std::vector<Json>& steps) {
@@ -148,6 +131,7 @@ std::string film_of_run(const Film_options& options) {
   std::vector<Read_frame> waiting; // first states without cells, which have no dimension
   std::set<int> labels;
   Label_names names;
+  std::vector<int> left_out;
   const auto add = [&](const Read_frame& read) {
     film->add(read.frame);
     for (const auto& [label, name] : read.label_names)
@@ -166,7 +150,8 @@ std::string film_of_run(const Film_options& options) {
     for (const auto& pair : read.frame.labels)
       labels.insert(pair.begin(), pair.begin() + (read.content == Film::Content::cells ? 1 : 2));
     names.insert(read.label_names.begin(), read.label_names.end());
-    leave_out(labels_of(options.without, read.label_names), read);
+    left_out = labels_of("--without", options.without, names);
+    leave_out(left_out, read);
     read.frame.time = time;
     read.frame.step = step_of_file(file).value_or(std::int64_t(i));
     const bool is_empty = read.frame.simplices.empty();
@@ -188,7 +173,10 @@ std::string film_of_run(const Film_options& options) {
                         "of a single run");
     add(read);
   }
-  require_labels(options.without, labels, names);
+  for (const int label : left_out)
+    if (labels.count(label) == 0)
+      throw Input_error("no state has the label " + std::to_string(label) +
+                        "; correct the option --without");
   if (!film)
     throw Input_error("the states of '" + options.run + "' have no cells or facets to show");
   add_events(steps, *film);

@@ -22,6 +22,7 @@ struct Film_options
 /// Returns a film of the states of a run as an HTML file.
 /// \throws Input_error if the run has no states or a label to be left out does not occur, or the
 ///         report is not one of this program
+/// \throws Usage_error if a name of a label to be left out is unknown
 /// \throws CGAL::Deformable_simplicial_complexes::File_error if a file cannot be read
 std::string film_of_run(const Film_options& options);
 
