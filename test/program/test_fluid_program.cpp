@@ -274,7 +274,8 @@ TEST_F(Fluids, have_labels_with_names) {
                           "no label has the name 'wate <&>' (0 'air', 1 'water <&>', 2 '7'); did "
                           "you mean 'water <&>'?");
   expect_refusal_of_value(json, "/surface_tension/0/labels/1", "\"oil\"", "name 'oil' (0 'air'");
-  expect_refusal_of_value(json, "/liquids/0/label", "\"\"", "empty name");
+  expect_refusal_of_value(json, "/liquids/0/label", "\"\"", "in one line");
+  expect_refusal_of_value(json, "/liquids/0/label", "\"a\\n\"", "in one line");
   expect_refusal_of_value(json, "/liquids/0/label", "\"air\"", "label 0 is reserved");
   expect_refusal_of_value(json, "/liquids/1/label", "\"water <&>\"", "the same density");
 }

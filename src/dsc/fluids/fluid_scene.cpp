@@ -129,8 +129,8 @@ std::optional<Expression> read_velocity(const Json_fields& liquid) {
 /// Returns the label of a name: that of an earlier liquid or gas with this name, or a new one.
 int label_of_name(const Json_fields& json, int new_label, Label_names& names) {
   const std::string name = json.text("label");
-  if (name.empty())
-    json.refuse("label", "must not be an empty name");
+  if (name.empty() || name.find_first_of("\n\r\t\x1b") != std::string::npos)
+    json.refuse("label", "must be a number or a name in one line");
   const int label = label_with_name(name, names).value_or(new_label);
   names.emplace(label, name);
   return label;

@@ -55,13 +55,11 @@ Json event_json(const DSC::Component_event& event, const std::array<double, 3>& 
       result.push_back(component.volume);
     return result;
   };
-  Json result = {{"kind", DSC::Component_event::name_of(event.kind)}};
-  result.update(
-      label_json(event.label, names,
-                 {{"where", std::vector<double>(where.begin(), where.begin() + dimension)},
-                  {"volumes_before", volumes(event.before)},
-                  {"volumes_after", volumes(event.after)}}));
-  return result;
+  return label_json(event.label, names,
+                    {{"kind", DSC::Component_event::name_of(event.kind)},
+                     {"where", std::vector<double>(where.begin(), where.begin() + dimension)},
+                     {"volumes_before", volumes(event.before)},
+                     {"volumes_after", volumes(event.after)}});
 }
 
 Json statistics_json(const Statistics& statistics) {
