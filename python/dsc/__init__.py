@@ -50,6 +50,7 @@ from ._fluid import (
     Tension,
 )
 from ._grains import GrainGrowth, GrainStep, Orientations, Voronoi
+from ._labels import Label
 from ._progress import ProgressLine
 from ._report import Cells, Changes, Grain, Interface, LabelChange, Report, TopologyEvent
 from ._segmentation import Boundary, Phase, Segmentation, segment
@@ -88,6 +89,7 @@ __all__ = [
     "InvalidPointsError",
     "InvalidSolidError",
     "InvalidSurfaceError",
+    "Label",
     "LabelChange",
     "LabelFunction",
     "Liquid",

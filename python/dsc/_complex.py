@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import importlib
-import operator
+import json
 import os
 import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from types import MappingProxyType
 from typing import Any, Literal, TypeVar, Union
 
 import numpy as np
@@ -16,6 +17,7 @@ from . import _dsc
 from ._errors import VolumeWarning
 from ._film import Film
 from ._images import PlacedImage
+from ._labels import ByLabel, Label, _by_label, _integer, _label, _names_of, _pairs
 from ._report import Cells, Changes, Grain, Interface, LabelChange, Points, Report, TopologyEvent
 from ._values import Values
 
@@ -30,7 +32,7 @@ LabelFunction = Callable[[Points], Any]
 """Labels at points: array of integers of shape (n,) for points of shape (n, d)."""
 
 Topology = Union[
-    Literal["allow", "forbid"], Sequence[tuple[int, int]], Callable[[int, int, Points], bool]
+    Literal["allow", "forbid"], Sequence[tuple[Label, Label]], Callable[[int, int, Points], bool]
 ]
 """Changes of topology: all, none, those between pairs of labels, or those that a function of the label,
 the new label and the place permits."""
@@ -38,7 +40,7 @@ the new label and the place permits."""
 PairFunction = Callable[[int, int], float]
 """Number for each pair of labels, the smaller one first; it depends on the labels only."""
 
-Density = Union[Callable[[int], float], Mapping[int, float]]
+Density = Union[Callable[[int], float], ByLabel[float]]
 """Number for each label; 0 for labels that a dictionary lacks."""
 
 Scheme = Literal["euler", "rk2", "rk4", "adaptive"]
@@ -57,6 +59,8 @@ def _given(arguments: dict[str, Any], /, *others: str, **more: Any) -> dict[str,
     skipped = {"self", "cls", "progress", "deformation", *others}
     options = {name: value for name, value in arguments.items() if name not in skipped}
     options.update(arguments.get("deformation", {}), **more)
+    if isinstance(options.get("topology"), (list, tuple)):
+        options["topology"] = _pairs(options["topology"], arguments["self"].label_names)
     return {name: value for name, value in options.items() if value is not None}
 
 
@@ -73,16 +77,6 @@ def _number(value: Any, name: str) -> float:
     except (TypeError, ValueError):
         pass
     raise TypeError(f"{name} must be a number, not {value!r}")
-
-
-def _integer(value: Any, name: str) -> int:
-    try:
-        result = operator.index(value)
-    except TypeError:
-        raise TypeError(f"{name} must be an integer, not {value!r}") from None
-    if not -(2**31) <= result < 2**31:
-        raise ValueError(f"{name} does not fit into 32 bits: {result}")
-    return result
 
 
 def _not_masked(array: Any, name: str) -> None:
@@ -103,15 +97,16 @@ def _report(result: dict[str, Any]) -> Report:
     return Report(**result)
 
 
-def _report_with_warnings(result: dict[str, Any]) -> Report:
+def _report_with_warnings(result: dict[str, Any], names: Mapping[int, str]) -> Report:
     """Warns if a label vanished, or if its volume changed in an unexplained way."""
     report = _report(result)
     for change in report.labels:
+        label = f"label {change.label}" + (f" {names[change.label]!r}" if change.label in names else "")
         if change.components_before > 0 and change.components_after == 0:
-            warnings.warn(f"label {change.label} vanished", VolumeWarning, stacklevel=3)
+            warnings.warn(f"{label} vanished", VolumeWarning, stacklevel=3)
         elif abs(change.volume_unexplained) > 1e-3 * max(change.volume_before, change.volume_after):
             warnings.warn(
-                f"the volume of label {change.label} changed by {change.volume_unexplained:.3g} more than the "
+                f"the volume of {label} changed by {change.volume_unexplained:.3g} more than the "
                 "motion and changes of topology explain: use smaller steps, or a finer interface",
                 VolumeWarning,
                 stacklevel=3,
@@ -132,13 +127,16 @@ def _warn_of_thin_parts(complex_: Any, edge_per_thickness: float | None) -> Any:
 
 
 def _energy(
-    tension: float | PairFunction | None, mobility: float | PairFunction | None, density: Density | None
+    tension: float | PairFunction | None,
+    mobility: float | PairFunction | None,
+    density: Density | None,
+    names: Mapping[int, str],
 ) -> dict[str, Any]:
     for name, value in (("tension", tension), ("mobility", mobility)):
         if value is not None and not callable(value):
             _number(value, name)
     if isinstance(density, Mapping):
-        values = {_integer(label, "a label"): _number(x, "a density") for label, x in density.items()}
+        values = {label: _number(x, "a density") for label, x in _by_label(density, names).items()}
         return {"tension": tension, "mobility": mobility, "density": lambda label: values.get(label, 0.0)}
     return {
         "tension": tension,
@@ -153,6 +151,11 @@ def _labels(labels: Iterable[int] | None, number: int) -> list[int]:
     if len(result) != number:
         raise ValueError(f"there are {len(result)} labels for {number} regions")
     return result
+
+
+def _parts(parts: Any) -> tuple[list[str], list[Any]]:
+    """Returns the names and the values of a dictionary, or the values of a list."""
+    return (list(parts), list(parts.values())) if isinstance(parts, Mapping) else ([], list(parts))
 
 
 def _box(box: npt.ArrayLike, dimension: int) -> tuple[list[float], list[float]]:
@@ -179,6 +182,7 @@ class Complex:
         if not isinstance(compiled, self._class):
             raise TypeError(f"make a {type(self).__name__} by one of its class methods, from_...")
         self._compiled = compiled
+        self._label_names: dict[int, str] = {}
 
     # Creation
 
@@ -221,7 +225,8 @@ class Complex:
 
         Raises `FileError` if the bytes are of another version or dimension, or damaged.
         """
-        return cls(cls._class.from_bytes(data, progress))
+        compiled, metadata = cls._class.from_bytes(data, progress)
+        return cls(compiled)._named(_names_of(metadata))
 
     @classmethod
     def read(cls: type[Self], path: str | os.PathLike[str]) -> Self:
@@ -245,6 +250,28 @@ class Complex:
     def labels(self) -> list[int]:
         """Labels that occur, increasing."""
         return list(self._compiled.labels())
+
+    @property
+    def label_names(self) -> Mapping[int, str]:
+        """Names of labels, by their numbers. Assign a dictionary to change them.
+
+        Functions take names instead of numbers of labels. Checkpoint files, films, and grids of VTK and meshio
+        contain the names. Names are not empty, and differ.
+        """
+        return MappingProxyType(self._label_names)
+
+    @label_names.setter
+    def label_names(self, names: Mapping[int, str]) -> None:
+        checked = {_integer(label, "a label"): name for label, name in names.items()}
+        if not all(isinstance(name, str) and name.strip() and not {"\n", "\r"} & set(name) for name in checked.values()):
+            raise ValueError("names of labels must be texts of one line that are not empty")
+        if len(set(checked.values())) < len(checked):
+            raise ValueError("two labels have the same name")
+        self._label_names = checked
+
+    def _named(self: Self, names: Mapping[int, str]) -> Self:
+        self._label_names = dict(names)
+        return self
 
     @property
     def volumes(self) -> dict[int, float]:
@@ -302,6 +329,9 @@ class Complex:
             [("tetra" if self.dimension == 3 else "triangle", cells.cells)],
             point_data={n: values[cells.vertices] for n, values in state.vertex_values.items()},
             cell_data={name: [values] for name, values in data.items()},
+            field_data={
+                name: np.array([label, self.dimension]) for label, name in state.label_names.items()
+            },
         )
 
     def to_vtk(self) -> Any:
@@ -333,6 +363,15 @@ class Complex:
                 array = support.numpy_to_vtk(values, deep=True)
                 array.SetName(name)
                 attributes.AddArray(array)
+        if state.label_names:
+            labels, names = vtk.vtkIntArray(), vtk.vtkStringArray()
+            labels.SetName("named_labels")
+            names.SetName("label_names")
+            for label, name in state.label_names.items():
+                labels.InsertNextValue(label)
+                names.InsertNextValue(name)
+            grid.GetFieldData().AddArray(labels)
+            grid.GetFieldData().AddArray(names)
         return grid
 
     def to_pyvista(self) -> Any:
@@ -370,7 +409,8 @@ class Complex:
 
     def to_bytes(self) -> bytes:
         """Returns everything needed to continue with bitwise equal results."""
-        return bytes(self._compiled.to_bytes())
+        names = [{"label": label, "name": name} for label, name in sorted(self._label_names.items())]
+        return bytes(self._compiled.to_bytes(json.dumps({"labels": names}) if names else ""))
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes a checkpoint (.dsc). The file is complete or unchanged."""
@@ -386,7 +426,7 @@ class Complex:
 
     def copy(self: Self) -> Self:
         """Returns a copy, also of the values. Both give bitwise equal results."""
-        return type(self)(self._compiled.copy())
+        return type(self)(self._compiled.copy())._named(self._label_names)
 
     def __copy__(self: Self) -> Self:
         return self.copy()
@@ -461,7 +501,8 @@ class Complex:
         return _report_with_warnings(
             self._compiled.advect(
                 _callable(velocity, "velocity"), _number(t, "t"), _number(dt, "dt"), options, progress
-            )
+            ),
+            self._label_names,
         )
 
     def offset(
@@ -483,7 +524,9 @@ class Complex:
         A distance of several edges is divided into parts. Other parameters are those of `advect()`.
         """
         options = _given(locals(), "distance")
-        return _report_with_warnings(self._compiled.offset(_number(distance, "distance"), options, progress))
+        return _report_with_warnings(
+            self._compiled.offset(_number(distance, "distance"), options, progress), self._label_names
+        )
 
     def mean_curvature(
         self,
@@ -509,14 +552,15 @@ class Complex:
             default 1
         mobility: at least 0: a number, or a function of two labels; default 1. An interface of mobility 0
             does not move, and the ends of other interfaces slide along it.
-        density: energy per volume, in the plane per area: a function of a label, or a dictionary;
-            default 0
+        density: energy per volume, in the plane per area: a function of a label, or a dictionary whose keys
+            are labels or their names; default 0
         keep_volumes: whether the volume of each label stays the same
         Other parameters are those of `advect()`.
         """
-        options = _given(locals(), "dt", "keep_volumes", **_energy(tension, mobility, density))
+        options = _given(locals(), "dt", "keep_volumes", **_energy(tension, mobility, density, self.label_names))
         return _report_with_warnings(
-            self._compiled.mean_curvature(_number(dt, "dt"), bool(keep_volumes), options, progress)
+            self._compiled.mean_curvature(_number(dt, "dt"), bool(keep_volumes), options, progress),
+            self._label_names,
         )
 
     def grains(self) -> list[Grain]:
@@ -567,11 +611,11 @@ class Complex:
         """
         options = _given(locals(), "destinations")
         points = np.asarray(destinations, dtype=float)
-        return _report_with_warnings(self._compiled.deform(points, options, progress))
+        return _report_with_warnings(self._compiled.deform(points, options, progress), self._label_names)
 
     def restore_volumes(
         self,
-        volumes: Mapping[int, float],
+        volumes: ByLabel[float],
         *,
         volume_tolerance: float | None = None,
         number_of_iterations: int | None = None,
@@ -583,7 +627,7 @@ class Complex:
         volume_tolerance: relative
         """
         options = _given(locals(), "volumes")
-        targets = {_integer(k, "a label"): _number(v, "a volume") for k, v in volumes.items()}
+        targets = {k: _number(v, "a volume") for k, v in _by_label(volumes, self.label_names).items()}
         return bool(self._compiled.restore_volumes(targets, options, progress))
 
     # Remeshing
@@ -676,7 +720,8 @@ class Complex3(Complex):
     @classmethod
     def from_surfaces(
         cls,
-        surfaces: Iterable[tuple[npt.ArrayLike, npt.ArrayLike]],
+        surfaces: Iterable[tuple[npt.ArrayLike, npt.ArrayLike]]
+        | Mapping[str, tuple[npt.ArrayLike, npt.ArrayLike]],
         labels: Iterable[int] | None = None,
         *,
         box: npt.ArrayLike | None = None,
@@ -691,7 +736,7 @@ class Complex3(Complex):
         Surfaces may share walls, be nested, touch and overlap; where they overlap, the innermost one
         determines the label and, if neither contains the other, the later one.
 
-        surfaces: points (n, 3) and triangles (m, 3) of each surface
+        surfaces: points (n, 3) and triangles (m, 3) of each surface; in a dictionary, by the names of labels
         labels: labels of the solids; by default 1, 2, ... Label 0 is the outside.
         box: two opposite corners, shape (2, 3); by default a cube around the surfaces
         box_subdivision: number of pieces of each edge of the box
@@ -704,10 +749,14 @@ class Complex3(Complex):
         `TetrahedralizationError` if TetGen fails.
         """
         options = _given(locals(), "surfaces", "labels", box=None if box is None else _box(box, 3))
-        soups = [(np.asarray(p, dtype=float), np.asarray(t)) for p, t in surfaces]
-        labeled = [(p, t, label) for (p, t), label in zip(soups, _labels(labels, len(soups)))]
+        names, regions = _parts(surfaces)
+        soups = [(np.asarray(p, dtype=float), np.asarray(t)) for p, t in regions]
+        numbers = _labels(labels, len(soups))
+        labeled = [(p, t, label) for (p, t), label in zip(soups, numbers)]
         compiled = _dsc.Complex3.from_surfaces(labeled, options, progress)
-        return cls(_warn_of_thin_parts(compiled, edge_per_thickness))
+        result = cls(_warn_of_thin_parts(compiled, edge_per_thickness))
+        result.label_names = dict(zip(numbers, names))
+        return result
 
     @classmethod
     def from_tetrahedra(
@@ -837,7 +886,7 @@ class Complex2(Complex):
     @classmethod
     def from_polygons(
         cls,
-        polygons: Iterable[Sequence[npt.ArrayLike]],
+        polygons: Iterable[Sequence[npt.ArrayLike]] | Mapping[str, Sequence[npt.ArrayLike]],
         labels: Iterable[int] | None = None,
         *,
         box: npt.ArrayLike | None = None,
@@ -850,7 +899,7 @@ class Complex2(Complex):
         """Fills a rectangle around polygons with triangles.
 
         polygons: for each region a list of closed polylines of shape (n, 2): the outer boundary and
-            holes, in any order
+            holes, in any order; in a dictionary, by the names of labels
         labels: labels of the regions; by default 1, 2, ... Label 0 is the outside.
         box: two opposite corners, shape (2, 2); by default a square around the polygons
         improve: whether the triangles are improved at the end
@@ -863,10 +912,13 @@ class Complex2(Complex):
         Raises `InvalidSurfaceError` if polygons intersect themselves or each other.
         """
         options = _given(locals(), "polygons", "labels", box=None if box is None else _box(box, 2))
-        regions = [[np.asarray(ring, dtype=float) for ring in rings] for rings in polygons]
-        labeled = list(zip(regions, _labels(labels, len(regions))))
-        compiled = _dsc.Complex2.from_polygons(labeled, options, progress)
-        return cls(_warn_of_thin_parts(compiled, edge_per_thickness))
+        names, outlines = _parts(polygons)
+        regions = [[np.asarray(ring, dtype=float) for ring in rings] for rings in outlines]
+        numbers = _labels(labels, len(regions))
+        compiled = _dsc.Complex2.from_polygons(list(zip(regions, numbers)), options, progress)
+        result = cls(_warn_of_thin_parts(compiled, edge_per_thickness))
+        result.label_names = dict(zip(numbers, names))
+        return result
 
     @classmethod
     def from_triangles(

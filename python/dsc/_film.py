@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import html
-import operator
 import os
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
@@ -12,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _dsc
+from ._labels import Label, _integer, _label
 from ._report import Report
 
 if TYPE_CHECKING:
@@ -22,13 +22,15 @@ class Film:
     """Collects states of a complex, and shows them in a browser or a notebook.
 
     surface: whether only the interface is stored, which takes less space
-    hidden: labels that are not shown until the user shows them
+    hidden: labels, by number or name, that are not shown until the user shows them
     """
 
-    def __init__(self, title: str = "", *, surface: bool = False, hidden: Iterable[int] = (0,)) -> None:
+    def __init__(self, title: str = "", *, surface: bool = False, hidden: Iterable[Label] = (0,)) -> None:
         self._title = str(title)
         self._surface = surface
-        self._hidden = [operator.index(label) for label in hidden]
+        self._hidden: list[Label] = [
+            label if isinstance(label, str) else _integer(label, "a label") for label in hidden
+        ]
         self._dimension = 0
         self._compiled: _dsc.Film | None = None
 
@@ -50,7 +52,7 @@ class Film:
             self._dimension = complex.dimension
             self._compiled = _dsc.Film(self._title, complex.dimension, not self._surface)
             for label in self._hidden:
-                self._compiled.hide(label)
+                self._compiled.hide(_label(label, complex.label_names))
         elif complex.dimension != self._dimension:
             raise ValueError("the complex has another dimension than the film")
         step = self._compiled.number_of_frames()
@@ -61,6 +63,8 @@ class Film:
         else:
             cells = complex.cells()
             points, simplices, labels, ids = cells.points, cells.cells, cells.labels, cells.ids
+        for label, name in complex.label_names.items():
+            self._compiled.set_name(label, name)
         values = {name: np.asarray(field) for name, field in fields.items()}
         for name, field in values.items():
             if field.ndim not in (1, 2) or field.dtype.kind not in "biuf":

@@ -17,10 +17,10 @@ from ._complex import (
     Topology,
     _callable,
     _given,
-    _integer,
     _number,
     _report,
 )
+from ._labels import ByLabel, Label, _by_label, _integer, _label, _pairs
 from ._report import Points, Report
 from ._solids import Solids
 
@@ -35,6 +35,11 @@ Field = Callable[[Points], Any]
 
 Tension = Union[float, Callable[[float], float]]
 """A surface tension: a number, or a function of a value of the field."""
+
+Tensions = Union[
+    Mapping[tuple[int, int], Tension], Mapping[tuple[str, str], Tension], Mapping[tuple[Label, Label], Tension]
+]
+"""Surface tensions by two labels."""
 
 _SIDES = ("x-", "x+", "y-", "y+", "z-", "z+")
 
@@ -142,8 +147,8 @@ class Fluid(Solids):
     """Liquids, gases and void: the labels of a complex in space or in the plane.
 
     complex: the initial state; the fluid works on a copy
-    liquids, gases: media by label; all other labels are void
-    tensions: surface tension between two labels: a number, or a function of a value of the field
+    liquids, gases: media by label, or by its name in the complex; all other labels are void
+    tensions: surface tension between two labels or names: a number, or a function of a value of the field
     gravity: acceleration, by default 0
     field: the field that liquids carry, see `set_field()`, by default 0
 
@@ -175,13 +180,16 @@ class Fluid(Solids):
         rotate; by default ()
     """
 
+    label_names: Mapping[int, str]
+    """Names of the labels of the initial complex."""
+
     def __init__(
         self,
         complex: Complex2 | Complex3,
-        liquids: Mapping[int, Liquid],
+        liquids: ByLabel[Liquid],
         *,
-        gases: Mapping[int, Gas] = {},
-        tensions: Mapping[tuple[int, int], Tension] = {},
+        gases: ByLabel[Gas] = {},  # type: ignore[assignment]
+        tensions: Tensions = {},  # type: ignore[assignment]
         gravity: Sequence[float] | None = None,
         field: Field | None = None,
     ) -> None:
@@ -192,16 +200,17 @@ class Fluid(Solids):
         if not all(isinstance(gas, Gas) for gas in gases.values()):
             raise TypeError("gases must be values of dsc.Gas")
         self._dimension = complex.dimension
+        self.label_names = names = complex.label_names
         compiled = _dsc.Fluid2 if self._dimension == 2 else _dsc.Fluid3
         self._compiled: Any = compiled(
             complex._compiled,
             {
                 label: (liquid.density, liquid.viscosity, liquid.diffusivity)
-                for label, liquid in liquids.items()
+                for label, liquid in _by_label(liquids, names).items()
             },
-            {label: (gas.pressure, gas.exponent) for label, gas in gases.items()},
+            {label: (gas.pressure, gas.exponent) for label, gas in _by_label(gases, names).items()},
             {
-                labels: tension if callable(tension) else _number(tension, "a surface tension")
+                _pairs([labels], names)[0]: tension if callable(tension) else _number(tension, "a surface tension")
                 for labels, tension in tensions.items()
             },
             self._coordinates([0] * self._dimension if gravity is None else gravity, "gravity"),
@@ -308,7 +317,7 @@ class Fluid(Solids):
         self._compiled.fix_field(_callable(field, "field"))
 
     def set_velocities(
-        self, velocities: npt.ArrayLike | Callable[[Points], Any], *, label: int | None = None
+        self, velocities: npt.ArrayLike | Callable[[Points], Any], *, label: Label | None = None
     ) -> None:
         """Sets the velocities of all vertices, or of one liquid.
 
@@ -320,7 +329,7 @@ class Fluid(Solids):
         """
         given = velocities(self.complex.cells().points) if callable(velocities) else velocities
         self._compiled.set_velocities(
-            np.asarray(given, dtype=float), None if label is None else _integer(label, "label")
+            np.asarray(given, dtype=float), None if label is None else _label(label, self.label_names)
         )
 
     # Access
@@ -329,7 +338,9 @@ class Fluid(Solids):
     def complex(self) -> Complex2 | Complex3:
         """A copy of the present state of the complex."""
         copy = self._compiled.complex()
-        return Complex2(copy) if self._dimension == 2 else Complex3(copy)
+        result: Complex2 | Complex3 = Complex2(copy) if self._dimension == 2 else Complex3(copy)
+        result.label_names = self.label_names
+        return result
 
     @property
     def time(self) -> float:
@@ -354,20 +365,20 @@ class Fluid(Solids):
         pressures: npt.NDArray[np.float64] = self._compiled.pressures(None)
         return pressures
 
-    def velocities_of(self, label: int) -> Points:
+    def velocities_of(self, label: Label) -> Points:
         """Returns the velocities of a liquid, shape (n, d). Vertices off the liquid have the velocity 0.
 
         Two liquids with a common vertex may have different velocities there, because they slip.
         """
-        velocities: Points = self._compiled.velocities(_integer(label, "label"))
+        velocities: Points = self._compiled.velocities(_label(label, self.label_names))
         return velocities
 
-    def pressures_of(self, label: int) -> npt.NDArray[np.float64]:
+    def pressures_of(self, label: Label) -> npt.NDArray[np.float64]:
         """Returns the pressures of a liquid in the last step, shape (n,).
 
         Vertices off the liquid have the pressure 0.
         """
-        pressures: npt.NDArray[np.float64] = self._compiled.pressures(_integer(label, "label"))
+        pressures: npt.NDArray[np.float64] = self._compiled.pressures(_label(label, self.label_names))
         return pressures
 
     @property
@@ -434,4 +445,4 @@ class Fluid(Solids):
         """
         if _integer(steps, "steps") < 1:
             raise ValueError("steps must be at least 1")
-        return float(self._compiled.relax(_number(dt, "dt"), steps, _given({}, **options), progress))
+        return float(self._compiled.relax(_number(dt, "dt"), steps, _given({"self": self}, **options), progress))

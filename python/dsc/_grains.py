@@ -10,7 +10,8 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _dsc
-from ._complex import Complex, Density, PairFunction, Progress, _energy, _given, _integer, _number, _numbers, _report
+from ._complex import Complex, Density, PairFunction, Progress, _energy, _given, _number, _numbers, _report
+from ._labels import _integer
 from ._report import Report
 
 
@@ -70,7 +71,7 @@ class GrainGrowth:
             raise TypeError("complex must be a complex of this package")
         options = _given(
             {},
-            **_energy(tension, mobility, density),
+            **_energy(tension, mobility, density, complex.label_names),
             edges=_number(edges, "edges"),
             step=_number(step, "step"),
             fastest=_number(fastest, "fastest"),

@@ -10,8 +10,9 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _dsc
-from ._complex import Complex2, Complex3, Progress, _given, _integer, _number, _numbers
+from ._complex import Complex2, Complex3, Progress, _given, _number, _numbers
 from ._images import PlacedImage
+from ._labels import Label, _integer, _label
 
 
 @dataclass(frozen=True)
@@ -77,7 +78,7 @@ def segment(
     shortest_edge: float | None = None,
     start: Complex2 | Complex3 | None = None,
     keep_topology: bool | None = None,
-    connected: Iterable[int] | None = None,
+    connected: Iterable[Label] | None = None,
     threads: int | None = None,
     progress: Progress | None = None,
 ) -> Segmentation:
@@ -97,9 +98,10 @@ def segment(
     smoothing: energy of the interface per side of a pixel, in squares of the noise; by default, it
         depends on the smallest contrast of two phases
     longest_edge, shortest_edge: edges at the beginning, and of the interface at the end, in pixels
-    start: complex to begin with, whose labels are indices of phases; it does not change
+    start: complex to begin with, whose labels are indices of phases; it does not change, and the result has
+        the names of its labels
     keep_topology: whether the topology of `start`, or of the labels of the first mesh, stays
-    connected: labels of which only the largest component stays
+    connected: labels, by number or by a name of `start`, of which only the largest component stays
     threads: number of threads; the result does not depend on it
     progress: called with the name of the present phase; the function ends if it returns false
 
@@ -115,6 +117,7 @@ def segment(
     shape = channels[0].shape
     if start is not None and not isinstance(start, Complex2 if d == 2 else Complex3):
         raise TypeError(f"start must be a Complex{d}")
+    names = {} if start is None else start.label_names
     options = _given(
         {},
         phases=None if phases is None else _integer(phases, "phases"),
@@ -124,7 +127,7 @@ def segment(
         longest_edge=None if longest_edge is None else _number(longest_edge, "longest_edge"),
         shortest_edge=None if shortest_edge is None else _number(shortest_edge, "shortest_edge"),
         keep_topology=keep_topology,
-        connected=None if connected is None else [_integer(x, "connected") for x in connected],
+        connected=None if connected is None else [_label(x, names) for x in connected],
         threads=threads,
     )
     compiled, report = (_dsc.segment_2 if d == 2 else _dsc.segment_3)(
@@ -139,7 +142,9 @@ def segment(
     )
     report["phases"] = [Phase(**phase) for phase in report["phases"]]
     report["boundaries"] = [Boundary(**boundary) for boundary in report["boundaries"]]
-    return Segmentation(Complex2(compiled) if d == 2 else Complex3(compiled), **report)
+    result: Complex2 | Complex3 = Complex2(compiled) if d == 2 else Complex3(compiled)
+    result.label_names = names
+    return Segmentation(result, **report)
 
 
 def _placed(

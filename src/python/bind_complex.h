@@ -148,18 +148,23 @@ public:
       throw py::value_error("thin parts are not measured on a torus");
   }
 
-  static py::bytes to_bytes(const Object& object) {
-    return object.read_long(py::none(), [](const Complex& complex) {
-      return CGAL::IO::checkpoint_to_bytes(complex.state());
+  static py::bytes to_bytes(const Object& object, const std::string& metadata) {
+    return object.read_long(py::none(), [&](const Complex& complex) {
+      return CGAL::IO::checkpoint_to_bytes(complex.state(), metadata);
     });
   }
 
-  static std::unique_ptr<Object> from_bytes(const std::string& bytes, const py::object& progress) {
-    return guarded(progress, [&] {
+  /// Returns the complex and the metadata.
+  static py::tuple from_bytes(const std::string& bytes, const py::object& progress) {
+    std::string metadata;
+    auto object = guarded(progress, [&] {
+      auto checkpoint = CGAL::IO::checkpoint_from_bytes<d>(bytes);
+      metadata = std::move(checkpoint.metadata);
       Complex complex;
-      complex.restore(CGAL::IO::checkpoint_from_bytes<d>(bytes).state);
+      complex.restore(checkpoint.state);
       return complex;
     });
+    return py::make_tuple(py::cast(std::move(object)), py::bytes(metadata));
   }
 
   static py::dict advect(Object& object, const py::function& velocity, double t, double dt,

@@ -60,6 +60,7 @@ void bind_film(py::module_& module) {
       .def("add_event", &Film::add_event)
       .def("add_to_series", &Film::add_to_series)
       .def("hide", &Film::hide)
+      .def("set_name", &Film::set_name)
       .def("number_of_frames", &Film::number_of_frames)
       .def("html", &Film::html);
 }

@@ -22,15 +22,15 @@ void insert(const std::string& placeholder, const std::string& text, std::string
   page.replace(page.find(placeholder), placeholder.size(), text);
 }
 
-// Escapes `</`, which would end the element that contains the JSON.
+// Escapes `<`: after `</script` or `<!--<script`, the element with the JSON would end elsewhere.
 std::string escaped(const std::string& json) {
   std::string result;
   result.reserve(json.size());
-  for (const char c : json) {
-    if (c == '/' && !result.empty() && result.back() == '<')
-      result += '\\';
-    result += c;
-  }
+  for (const char c : json)
+    if (c == '<')
+      result += "\\u003c";
+    else
+      result += c;
   return result;
 }
 

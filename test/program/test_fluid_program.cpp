@@ -225,7 +225,7 @@ TEST_F(Fluids, wrong_scenes_are_refused_by_name) {
       "the same density");
   expect("/solids/0/point", "[0, 0, 0]", "inside a solid");
   expect("/time_step", "0", "time_step");
-  expect("/surface_tension", R"([{"labels": [0, 1.7], "value": 1}])", "must be integers");
+  expect("/surface_tension", R"([{"labels": [0, 1.7], "value": 1}])", "must be an integer");
   Json json = scene();
   json.erase("domain");
   expect_refusal(json, "domain");
@@ -239,6 +239,76 @@ TEST_F(Fluids, wrong_scenes_are_refused_by_name) {
   EXPECT_NE(run("fluid").exit_code, 0);
   write("other.dsc", "nothing");
   EXPECT_NE(run("fluid --resume " + path("other.dsc").string()).exit_code, 0);
+}
+
+// Names of liquids reach tensions, probes, reports, files, checkpoints and pages.
+TEST_F(Fluids, have_labels_with_names) {
+  Json json = Json::parse(R"json({
+    "domain": [0, 0, 1, 1], "edge": 0.25,
+    "liquids": [{"shape": {"type": "pool", "level": 0.5}, "label": "water <&>", "density": 1},
+                {"shape": {"type": "box", "from": [0, 0.5], "to": [0.25, 0.75]}, "label": "7",
+                 "density": 0.5},
+                {"shape": {"type": "box", "from": [0.5, 0.75], "to": [1, 1]}, "label": "7",
+                 "density": 0.5}],
+    "gases": [{"shape": {"type": "surroundings"}, "label": "air", "pressure": 1}],
+    "surface_tension": [{"labels": ["water <&>", "7"], "value": 0.1},
+                        {"labels": [0, "7"], "value": 0.2}],
+    "probes": [{"name": "where", "centroid_of": "water <&>"}],
+    "time_step": 0.01, "end": 0.01
+  })json");
+  ASSERT_EQ(run("fluid " + write_scene(json) + " --report r.json --output run --quiet").err, "");
+  const Json step = report("r.json").at("steps").back();
+  EXPECT_EQ(step.at("parts").at(0).at("name"), "water <&>");
+  EXPECT_EQ(step.at("parts").at(1).at("label"), 2);
+  EXPECT_EQ(step.at("parts").at(2).at("name"), "7");
+  EXPECT_EQ(step.at("gases").at(0).at("name"), "air");
+  EXPECT_NEAR(step.at("probes").at("where").at(1).get<double>(), .25, .01);
+  EXPECT_PRED2(contains, run("info run/checkpoint.dsc").out, "label 1 'water <&>': ");
+  ASSERT_EQ(run("view run -o page.html --without air,7").exit_code, 1); // 7 is a number
+  ASSERT_EQ(run("view run -o page.html --without air").exit_code, 0);
+  EXPECT_PRED2(contains, contents(path("page.html")), R"("names":[[0,"air"],[1,"water )");
+  ASSERT_EQ(run("fluid --resume run/checkpoint.dsc --output run --end 0.02 --quiet").err, "");
+  EXPECT_PRED2(contains, contents(path("run/volume_000002.vtu")), "\"label_names\"");
+
+  expect_refusal_of_value(json, "/probes/0/centroid_of", "\"wate <&>\"",
+                          "no label has the name 'wate <&>' (0 'air', 1 'water <&>', 2 '7'); did "
+                          "you mean 'water <&>'?");
+  expect_refusal_of_value(json, "/surface_tension/0/labels/1", "\"oil\"", "name 'oil' (0 'air'");
+  expect_refusal_of_value(json, "/liquids/0/label", "\"\"", "in one line");
+  expect_refusal_of_value(json, "/liquids/0/label", "\"a\\n\"", "in one line");
+  expect_refusal_of_value(json, "/liquids/0/label", "\"air\"", "label 0 is reserved");
+  expect_refusal_of_value(json, "/liquids/1/label", "\"water <&>\"", "the same density");
+}
+
+// The solids of a file with several parts: a liquid and a wall.
+TEST_F(Fluids, are_parts_of_files) {
+  const auto solid = [](const std::string& name, double low, double high) {
+    std::istringstream off(box(low, low, low, high, high, high));
+    std::string line, stl = "solid " + name + "\n";
+    std::vector<std::string> points;
+    for (int i = 0; std::getline(off, line); ++i) {
+      if (i >= 2 && i < 10)
+        points.push_back(line);
+      std::istringstream numbers(line);
+      std::size_t three = 0, a = 0, b = 0, c = 0;
+      if (i >= 10 && numbers >> three >> a >> b >> c)
+        stl += "facet normal 0 0 0\nouter loop\nvertex " + points[a] + "\nvertex " + points[b] +
+               "\nvertex " + points[c] + "\nendloop\nendfacet\n";
+    }
+    return stl + "endsolid\n";
+  };
+  write("parts.stl", solid("drop", -.5, .5) + solid("vessel", -2, 2));
+  Json json = scene();
+  json["edge"] = 0.8;
+  json["end"] = 0.05;
+  json["liquids"][0]["shape"] = Json::parse(
+      R"({"type": "file", "file": "parts.stl", "part": "drop", "center": [0, 0, 0], "radius": 1})");
+  json["solids"] = Json::parse(
+      R"([{"type": "mesh", "file": "parts.stl", "part": "vessel", "liquid": "inside"}])");
+  const Json steps = steps_of(json);
+  EXPECT_NEAR(steps.back().at("volume").get<double>(), 8 / (3 * std::sqrt(3.)), 1e-6);
+  expect_refusal_of_value(json, "/solids/0/part", "\"vesel\"",
+                          "parts.stl: no part has the name 'vesel'; its parts are drop, vessel");
 }
 
 // Two liquids in a box are dragged by the upper side.

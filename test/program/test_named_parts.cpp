@@ -68,7 +68,13 @@ TEST_F(Named_parts, are_labels_in_messages_reports_files_and_checkpoints) {
   EXPECT_PRED2(contains, contents(path("page.html")), R"("names":[[1,"left"],[2,"right )");
   ASSERT_EQ(run("view run -o page.html --without left").exit_code, 0);
   EXPECT_EQ(run("view run -o page.html --without up").err,
-            "dsc: no state has the label up; correct the option --without\n");
+            "dsc: --without: no label has the name 'up' (1 'left', 2 'right <&>', 3 'alone'); give "
+            "the number of a label\n");
+  EXPECT_EQ(run("view run -o page.html --without 1,lef").err,
+            "dsc: --without: no label has the name 'lef' (1 'left', 2 'right <&>', 3 'alone'); did "
+            "you mean 'left'?\n");
+  EXPECT_EQ(run("view run -o page.html --without 9").err,
+            "dsc: no state has the label 9; correct the option --without\n");
 }
 
 TEST_F(Named_parts, are_converted) {
@@ -159,6 +165,34 @@ TEST_F(Named_parts, follow_a_grid_with_arrays) {
   for (const std::string name : {"checkpoint.dsc", "volume_000001.vtu"})
     EXPECT_PRED2(contains, run("info next/" + name).out, "label 2 'right <&>': ");
   EXPECT_PRED2(contains, contents(path("next/interface_000001.vtu")), "\"label_names\"");
+}
+
+TEST_F(Named_parts, may_have_names_with_commas_and_numbers_as_names) {
+  write("a.obj",
+        "o a\n" + obj_box(0, 1, 0) + "o a,b\n" + obj_box(1, 3, 8) + "o 1\n" + obj_box(5, 6, 16));
+  ASSERT_EQ(run("rotate a.obj --output run" + m_motion).exit_code, 0);
+  const auto labels_without = [&](const std::string& list) {
+    EXPECT_EQ(run("view run -o page.html --without " + list).err, "");
+    const std::string page = contents(path("page.html"));
+    const std::size_t begin = page.find("\"labels\":[");
+    return page.substr(begin, page.find(']', begin) - begin);
+  };
+  EXPECT_EQ(labels_without("a,b"), "\"labels\":[0,1,3");
+  EXPECT_EQ(labels_without("a,b,3,0"), "\"labels\":[1");
+  EXPECT_EQ(labels_without("a,1"), "\"labels\":[0,2,3"); // 1 is the number of a
+}
+
+TEST_F(Named_parts, of_reports_have_names_in_events_and_balances) {
+  const Outcome outcome =
+      run("mean-curvature boxes.obj --dt .2 --steps 2 --report a.json --edge-per-thickness 0");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json run_report = report("a.json");
+  EXPECT_EQ(run_report.at("balance").at(1).at("name"), "left");
+  bool vanishes = false;
+  for (const Json& step : run_report.at("steps"))
+    for (const Json& event : step.at("events"))
+      vanishes = vanishes || event.value("name", "") == "alone";
+  EXPECT_TRUE(vanishes);
 }
 
 TEST_F(Named_parts, have_one_label_on_request) {

@@ -163,7 +163,7 @@ def test_a_wrong_edge(make, edge):
         lambda: dsc.Complex2.from_image(np.eye(4, dtype=int), (1, 1)),
         lambda: dsc.Fluid(3, {1: dsc.Liquid(1.0)}),
         lambda: dsc.Fluid(ball(), {1: 1000}),
-        lambda: dsc.Film(hidden=["a"]),
+        lambda: dsc.Film(hidden=[1.5]),
     ],
 )
 def test_arguments_of_wrong_types(call):

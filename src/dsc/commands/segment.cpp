@@ -10,6 +10,7 @@
 #include "motions/run_position.h"
 #include "motions/tracked_complex_2.h"
 #include "motions/tracked_complex_3.h"
+#include "output/label_titles.h"
 #include "output/picture.h"
 #include "output/report_json.h"
 #include "programs/add_value.h"
@@ -49,7 +50,7 @@ struct Segment_options
   unsigned phases = 0;               ///< 0 if not given
   std::vector<double> intensities;
   std::optional<double> noise, smoothing, longest_edge, shortest_edge;
-  std::vector<int> connected;
+  std::vector<std::string> connected; ///< labels by number or name, in lists
   bool keeps_topology = false, has_channels = false, quiet = false;
   unsigned threads = default_number_of_threads();
 };
@@ -58,7 +59,8 @@ template <int d> using Tracked = std::conditional_t<d == 2, Tracked_complex_2, T
 
 /// Returns the options of the library.
 template <int d>
-DSC::Segmentation_options<d> options_of(const Segment_options& options, std::size_t channels) {
+DSC::Segmentation_options<d> options_of(const Segment_options& options, std::size_t channels,
+                                        const Label_names& names) {
   DSC::Segmentation_options<d> result;
   if (options.phases > 0)
     result.phases = options.phases;
@@ -76,7 +78,7 @@ DSC::Segmentation_options<d> options_of(const Segment_options& options, std::siz
   result.longest_edge = options.longest_edge.value_or(result.longest_edge);
   result.shortest_edge = options.shortest_edge.value_or(result.shortest_edge);
   result.keeps_topology = options.keeps_topology;
-  result.connected = options.connected;
+  result.connected = labels_of("--connected", options.connected, names);
   result.number_of_threads = options.threads;
   try {
     result.check();
@@ -188,11 +190,11 @@ Json json_of(const Segmentation_report& report, const Segment_options& options,
                  {"smoothing", report.smoothing},
                  {"noise", report.noise}}}};
   for (const auto& phase : report.phases)
-    json["phases"].push_back({{"label", phase.label},
-                              {"intensities", phase.intensities},
-                              {d == 2 ? "area" : "volume", phase.measure * pixel},
-                              {"pixels", phase.measure},
-                              {"components", phase.components}});
+    json["phases"].push_back(label_json(phase.label, tracked.label_names,
+                                        {{"intensities", phase.intensities},
+                                         {d == 2 ? "area" : "volume", phase.measure * pixel},
+                                         {"pixels", phase.measure},
+                                         {"components", phase.components}}));
   json["boundaries"] = Json::array();
   for (const auto& boundary : report.boundaries)
     json["boundaries"].push_back(
@@ -206,11 +208,12 @@ Json json_of(const Segmentation_report& report, const Segment_options& options,
   return json;
 }
 
-template <int d> void print(const Segmentation_report& report, std::size_t cells) {
+template <int d>
+void print(const Segmentation_report& report, std::size_t cells, const Label_names& names) {
   std::printf("dsc: %zu phases, %zu %s%s\n", report.phases.size(), cells,
               d == 2 ? "triangles" : "tetrahedra", report.has_converged ? "" : "; not converged");
   for (const auto& phase : report.phases) {
-    std::printf("dsc: label %d: intensity", phase.label);
+    std::printf("dsc: label %s: intensity", label_title(phase.label, names).c_str());
     for (const double x : phase.intensities)
       std::printf(" %.4g", x);
     if (phase.components == 0)
@@ -226,14 +229,8 @@ template <int d>
 int segment(const Segment_options& options, const DSC::Gray_image<d>& image,
             const DSC::Sampling_grid<3>& voxels) {
   using Complex = typename Tracked<d>::Complex;
-  const auto library_options = options_of<d>(options, image.channels.size());
   Tracked<d> tracked;
-  Segmentation_report report;
-  if (options.start.empty()) {
-    auto result = DSC::segment_image<Complex>(image, library_options);
-    tracked.complex = std::move(result.first);
-    report = std::move(result.second);
-  } else {
+  if (!options.start.empty()) {
     std::string metadata;
     const auto start = track_checkpoint(options.start, metadata);
     auto* const complex = dynamic_cast<Tracked<d>*>(start.get());
@@ -242,6 +239,14 @@ int segment(const Segment_options& options, const DSC::Gray_image<d>& image,
                         " differ in dimension; use a complex of the same dimension");
     tracked.complex = std::move(complex->complex);
     tracked.label_names = std::move(complex->label_names);
+  }
+  const auto library_options = options_of<d>(options, image.channels.size(), tracked.label_names);
+  Segmentation_report report;
+  if (options.start.empty()) {
+    auto result = DSC::segment_image<Complex>(image, library_options);
+    tracked.complex = std::move(result.first);
+    report = std::move(result.second);
+  } else {
     try {
       report = DSC::segment_image(tracked.complex, image, library_options);
     } catch (const DSC::Error& error) {
@@ -249,10 +254,11 @@ int segment(const Segment_options& options, const DSC::Gray_image<d>& image,
     }
   }
   for (const std::string& output : options.outputs)
-    if (is_label_image(output))
+    if (is_label_image(output)) {
+      tell_lost_names(output, tracked.label_names);
       write_label_image(output, voxels, DSC::sample_labels(tracked.complex, image.grid),
                         is_foreign(options.input) ? options.input : "");
-    else if (extension(output) == "dsc")
+    } else if (extension(output) == "dsc")
       tracked.write_checkpoint(output, to_metadata(tracked.label_names));
     else
       tracked.write(output);
@@ -261,7 +267,7 @@ int segment(const Segment_options& options, const DSC::Gray_image<d>& image,
   if (!options.report.empty())
     write_json(options.report, json_of<d>(report, options, tracked, image));
   if (!options.quiet)
-    print<d>(report, tracked.complex.number_of_cells());
+    print<d>(report, tracked.complex.number_of_cells(), tracked.label_names);
   if (!options.mesh.empty())
     write_improved(tracked, options.threads, options.mesh);
   return 0;
@@ -365,8 +371,8 @@ void add_segment(CLI::App& app, int& exit_code) {
                     "Keep the topology of --start, or of the labels of the first mesh");
   command
       ->add_option("--connected", options->connected,
-                   "Labels of which only the largest component stays, like 1,2")
-      ->delimiter(',');
+                   "Labels of which only the largest component stays, like 1,2 or names of --start")
+      ->allow_extra_args(false);
   command->add_option("--mesh", options->mesh,
                       "File (.vtu, .mesh) of cells that are improved for simulations");
   command->add_option("--picture", options->picture,

@@ -131,23 +131,6 @@ void add_events(const std::vector<Json>& steps, Film& film) {
                                                          event["kind"].get<std::string>());
 }
 
-/// Returns the labels that are given by their numbers or names.
-std::vector<int> labels_of(const std::vector<std::string>& texts, const Label_names& names) {
-  std::vector<int> result;
-  for (const std::string& text : texts)
-    if (const std::optional<int> label = label_of(text, names))
-      result.push_back(*label);
-  return result;
-}
-
-/// \throws Input_error if a label to be left out is not one of the labels
-void require_labels(const std::vector<std::string>& left_out, const std::set<int>& labels,
-                    const Label_names& names) {
-  for (const std::string& text : left_out)
-    if (const std::optional<int> label = label_of(text, names); !label || labels.count(*label) == 0)
-      throw Input_error("no state has the label " + text + "; correct the option --without");
-}
-
 /// \throws Input_error if a report is given and none of its steps is at the time of a state
 void require_steps(const View_options& options, const std::vector<Moment>& states,
                    const std::vector<Json>& steps) {
@@ -161,6 +144,7 @@ void require_steps(const View_options& options, const std::vector<Moment>& state
 /// Returns a film of the states of a run as an HTML file.
 /// \throws Input_error if the run has no states or a label to be left out does not occur, or the
 ///         report is not one of this program
+/// \throws Usage_error if a name of a label to be left out is unknown
 /// \throws DSC::File_error if a file cannot be read
 std::string film_of_run(const View_options& options) {
   const std::vector<Moment> states = states_of(options.run, options.is_surface);
@@ -170,6 +154,7 @@ std::string film_of_run(const View_options& options) {
   std::vector<Read_frame> waiting; // first states without cells, which have no dimension
   std::set<int> labels;
   Label_names names;
+  std::vector<int> left_out;
   const auto add = [&](const Read_frame& read) {
     film->add(read.frame);
     for (const auto& [label, name] : read.label_names)
@@ -188,7 +173,8 @@ std::string film_of_run(const View_options& options) {
     for (const auto& pair : read.frame.labels)
       labels.insert(pair.begin(), pair.begin() + (read.content == Film::Content::cells ? 1 : 2));
     names.insert(read.label_names.begin(), read.label_names.end());
-    leave_out(labels_of(options.without, read.label_names), read);
+    left_out = labels_of("--without", options.without, names);
+    leave_out(left_out, read);
     read.frame.time = time;
     read.frame.step = step_of_file(file).value_or(std::int64_t(i));
     const bool is_empty = read.frame.simplices.empty();
@@ -210,7 +196,10 @@ std::string film_of_run(const View_options& options) {
                         "of a single run");
     add(read);
   }
-  require_labels(options.without, labels, names);
+  for (const int label : left_out)
+    if (labels.count(label) == 0)
+      throw Input_error("no state has the label " + std::to_string(label) +
+                        "; correct the option --without");
   if (!film)
     throw Input_error("the states of '" + options.run + "' have no cells or facets to show");
   add_events(steps, *film);
@@ -245,11 +234,9 @@ void add_view(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(1, INT_MAX))
       ->capture_default_str();
   command
-      ->add_option(
-          "--without", options->without,
-          "Labels, by number or name, whose cells are left out, separated by commas; the page "
-          "is smaller")
-      ->delimiter(',');
+      ->add_option("--without", options->without,
+                   "Labels, by number or name, whose cells are left out, like 1,shell")
+      ->allow_extra_args(false);
   command->add_flag("--surface", options->is_surface,
                     "Show the interface only; the page is smaller");
   command->add_flag("--quiet", options->quiet, "Print only errors");

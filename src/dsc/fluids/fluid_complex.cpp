@@ -101,7 +101,7 @@ std::optional<Surface> surface_of_shape(const Fluid_shape& shape, double edge,
     start.ball = file->ball;
     start.triangles = file->triangles;
     const std::string& path = start.inputs.front();
-    return start_surfaces(start, {{read_surface(path)}, {path}, {}}).all.front();
+    return start_surfaces(start, {{read_part(path, file->part)}, {path}, {}}).all.front();
   }
   return std::nullopt;
 }

@@ -42,10 +42,11 @@ Json balance_json(const DSC::Fluid_balance& balance) {
 }
 
 /// Returns the topology changes, with the state of the liquids before and after them.
-template <class Complex> Json events_json(const DSC::Fluid_report<Complex>& report) {
+template <class Complex>
+Json events_json(const DSC::Fluid_report<Complex>& report, const Label_names& names) {
   Json result = Json::array();
   for (const auto& event : report.deformation.events) {
-    Json entry = event_json(event, coordinates_of(event.where), 3);
+    Json entry = event_json(event, coordinates_of(event.where), 3, names);
     entry.update({{"before", balance_json(report.moved)}, {"after", balance_json(report.after)}});
     result.push_back(std::move(entry));
   }
@@ -74,7 +75,8 @@ struct Measured_component
   Extent extent;
 };
 
-template <class Complex> Json components_json(const Fluid<Complex>& fluid) {
+template <class Complex>
+Json components_json(const Fluid<Complex>& fluid, const Label_names& names) {
   Json result = Json::array();
   std::map<std::uint32_t, Measured_component> present;
   const Complex& complex = fluid.complex();
@@ -87,18 +89,19 @@ template <class Complex> Json components_json(const Fluid<Complex>& fluid) {
   }
   for (const auto& [number, volume] : fluid.volumes()) {
     const Measured_component& component = present[number];
-    result.push_back({{"label", component.label},
-                      {"volume", component.volume},
-                      {"wanted_volume", volume},
-                      {"extent", json_of(component.extent)}});
+    result.push_back(label_json(component.label, names,
+                                {{"volume", component.volume},
+                                 {"wanted_volume", volume},
+                                 {"extent", json_of(component.extent)}}));
   }
   return result;
 }
 
-template <class Complex> Json gases_json(const Fluid<Complex>& fluid) {
+template <class Complex> Json gases_json(const Fluid<Complex>& fluid, const Label_names& names) {
   Json result = Json::array();
   for (const auto& gas : fluid.gases())
-    result.push_back({{"label", gas.label}, {"volume", gas.volume}, {"pressure", gas.pressure}});
+    result.push_back(
+        label_json(gas.label, names, {{"volume", gas.volume}, {"pressure", gas.pressure}}));
   return result;
 }
 
@@ -199,8 +202,8 @@ Json step_json(const Fluid<Complex>& fluid, const Fluid_scene& scene, unsigned s
     json["field"] = {{"integral", balance.field_integral},
                      {"least", balance.least_field},
                      {"greatest", balance.greatest_field}};
-  json["parts"] = components_json(fluid);
-  json["gases"] = gases_json(fluid);
+  json["parts"] = components_json(fluid, scene.names);
+  json["gases"] = gases_json(fluid, scene.names);
   json["bodies"] = bodies_json(fluid, scene);
   json["extent"] = extent_json(complex);
   json["probes"] = probes_json(scene, fluid);
@@ -235,7 +238,7 @@ Json step_json(const Fluid<Complex>& fluid, const Fluid_scene& scene, unsigned s
                {"depth_in_solids", report->depth_in_solids},
                {"forces_on_solids", forces},
                {"torques_on_solids", torques_json(fluid, scene, *report)},
-               {"events", events_json(*report)},
+               {"events", events_json(*report, scene.names)},
                {"complete", motion.complete},
                {"unfinished_vertices", motion.unfinished.size()},
                {"cells_below_floor", motion.flat.size()},

@@ -6,6 +6,7 @@
 
 #include "fluids/fluid_processes.h"
 #include "fluids/fluid_start.h"
+#include "motions/run_position.h"
 #include "output/report_json.h"
 #include "programs/errors.h"
 
@@ -62,6 +63,7 @@ Fluid_run<dimension> start_fluid(const Fluid_scene& scene, const std::string& fo
   read_meshes(folder, run.scene);
   run.complex = std::make_unique<typename Run::Tracked>(
       start_of_scene<typename Run::Complex>(run.scene, folder));
+  run.complex->label_names = run.scene.names;
   require_effect(run.scene, run.complex->complex);
   run.fluid = fluid_of_scene(run.scene, run.complex->complex);
   require_outside_of_solids(run.scene, *run.fluid);
@@ -93,6 +95,7 @@ Fluid_run<dimension> resume_fluid(const std::string& path, const std::string& fo
     read_meshes(folder, run.scene);
     run.complex = std::make_unique<typename Run::Tracked>();
     run.complex->complex.restore(checkpoint.state);
+    run.complex->label_names = run.scene.names;
     run.fluid = fluid_of_scene(run.scene, run.complex->complex);
     run.fluid->restore(state_of(json.at("fluid")));
     set_time(run.scene, run.fluid->time(), *run.fluid);
@@ -116,8 +119,10 @@ template <int dimension> double Fluid_run<dimension>::next_step(double end) cons
 }
 
 template <int dimension> std::string Fluid_run<dimension>::metadata() const {
-  return Json{{"scene", scene.json}, {"fluid", state_json(fluid->state())}}.dump(
-      -1, ' ', false, Json::error_handler_t::replace);
+  Json result = {{"scene", scene.json}, {"fluid", state_json(fluid->state())}};
+  if (!scene.names.empty())
+    result["labels"] = label_names_json(scene.names);
+  return result.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 template struct Fluid_run<2>;

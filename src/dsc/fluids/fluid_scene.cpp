@@ -14,7 +14,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <map>
 #include <set>
 
@@ -120,22 +119,38 @@ std::optional<Expression> read_velocity(const Json_fields& liquid) {
   return Expression(text, variables, "velocity of " + liquid.name(), form);
 }
 
+/// Returns the label of a name: that of an earlier liquid or gas with this name, or a new one.
+int label_of_name(const Json_fields& json, int new_label, Label_names& names) {
+  const std::string name = json.text("label");
+  if (name.empty() || name.find_first_of("\n\r\t\x1b") != std::string::npos)
+    json.refuse("label", "must be a number or a name in one line");
+  const int label = label_with_name(name, names).value_or(new_label);
+  names.emplace(label, name);
+  return label;
+}
+
 /// Reads the shape of a liquid or gas, and its label.
 template <class Filling>
-void read_filling(const Json_fields& json, std::size_t index, Filling& filling) {
+void read_filling(const Json_fields& json, std::size_t index, Label_names& names,
+                  Filling& filling) {
   filling.shape = read_shape(json.object("shape"));
   const bool is_surroundings = std::holds_alternative<Surroundings>(filling.shape);
-  if (is_surroundings && json.has("label"))
+  const bool has_name = json.has("label") && json.any("label").is_string();
+  if (is_surroundings && json.has("label") && !has_name)
     json.refuse("label", "the shape 'surroundings' has label 0; remove the field");
-  filling.label = is_surroundings ? 0 : int(json.count("label", index + 1));
-  if (!is_surroundings && filling.label == 0)
+  filling.label = is_surroundings ? 0 : int(index + 1);
+  if (has_name)
+    filling.label = label_of_name(json, filling.label, names);
+  else if (!is_surroundings)
+    filling.label = int(json.count("label", index + 1));
+  if (is_surroundings != (filling.label == 0))
     json.refuse("label", "label 0 is reserved for the shape 'surroundings'; choose another label");
 }
 
-Scene_liquid read_liquid(const Json_fields& liquid, std::size_t index) {
+Scene_liquid read_liquid(const Json_fields& liquid, std::size_t index, Label_names& names) {
   liquid.require_known({"shape", "label", "density", "viscosity", "diffusivity", "velocity"});
   Scene_liquid result;
-  read_filling(liquid, index, result);
+  read_filling(liquid, index, names, result);
   result.density = liquid.positive("density");
   result.viscosity = liquid.not_negative("viscosity", 0);
   if (liquid.has("diffusivity"))
@@ -144,10 +159,10 @@ Scene_liquid read_liquid(const Json_fields& liquid, std::size_t index) {
   return result;
 }
 
-Scene_gas read_gas(const Json_fields& gas, std::size_t index) {
+Scene_gas read_gas(const Json_fields& gas, std::size_t index, Label_names& names) {
   gas.require_known({"shape", "label", "pressure", "exponent"});
   Scene_gas result;
-  read_filling(gas, index, result);
+  read_filling(gas, index, names, result);
   gas.any("pressure");
   result.pressure = gas.not_negative("pressure", 0);
   result.exponent = gas.not_negative("exponent", 1.4);
@@ -186,7 +201,8 @@ Vector_in_time read_vector_in_time(const Json_fields& json, const std::string& f
   return {{}, json.vector_in_time(field)};
 }
 
-std::vector<Fluid_scene::Tension> read_tensions(const Json_fields& scene) {
+std::vector<Fluid_scene::Tension> read_tensions(const Json_fields& scene,
+                                                const Label_names& names) {
   if (!scene.has("surface_tension"))
     return {};
   if (!scene.any("surface_tension").is_array())
@@ -194,11 +210,12 @@ std::vector<Fluid_scene::Tension> read_tensions(const Json_fields& scene) {
   std::vector<Fluid_scene::Tension> result;
   for (const Json_fields& tension : scene.objects("surface_tension")) {
     tension.require_known({"labels", "value"});
-    const auto labels = tension.numbers<2>("labels");
-    for (double label : labels)
-      if (label != std::floor(label) || !(std::abs(label) <= std::numeric_limits<int>::max()))
-        tension.refuse("labels", "must be integers");
-    result.push_back(read_tension(tension, "value", {int(labels[0]), int(labels[1])}));
+    const Json& labels = tension.any("labels");
+    if (!labels.is_array() || labels.size() != 2)
+      tension.refuse("labels", "must be a list of 2 labels");
+    result.push_back(read_tension(tension, "value",
+                                  {read_label(tension, "labels", labels[0], names),
+                                   read_label(tension, "labels", labels[1], names)}));
   }
   return result;
 }
@@ -303,14 +320,14 @@ Fluid_scene read_scene(const Json& json) {
   result.edge = scene.positive("edge");
   std::size_t index = 0;
   for (const Json_fields& liquid : scene.objects("liquids"))
-    result.liquids.push_back(read_liquid(liquid, index++));
+    result.liquids.push_back(read_liquid(liquid, index++, result.names));
   if (result.liquids.empty())
     scene.refuse("liquids", "must contain at least one liquid");
   for (const Json_fields& gas : scene.objects("gases"))
-    result.gases.push_back(read_gas(gas, index++));
+    result.gases.push_back(read_gas(gas, index++, result.names));
   for (const Json_fields& source : scene.objects("sources"))
     result.sources.push_back(read_source(source));
-  result.tensions = read_tensions(scene);
+  result.tensions = read_tensions(scene, result.names);
   if (scene.has("field"))
     result.field = read_field(scene.object("field"));
   if (scene.has("gravity"))
@@ -320,7 +337,7 @@ Fluid_scene read_scene(const Json& json) {
   if (scene.has("sides"))
     read_sides(scene.object("sides"), result);
   for (const Json_fields& probe : scene.objects("probes"))
-    result.probes.push_back(read_probe(probe));
+    result.probes.push_back(read_probe(probe, result.names));
   result.time_step = scene.positive("time_step");
   result.cfl = scene.not_negative("cfl", 0);
   result.end = scene.positive("end");

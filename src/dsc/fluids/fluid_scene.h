@@ -7,6 +7,7 @@
 
 #include "input/expression.h"
 #include "input/run_start.h"
+#include "output/label_titles.h"
 #include "output/report_json.h"
 #include "scenes/scene_solid.h"
 
@@ -72,7 +73,7 @@ struct Cylinder_shape
 /// A closed surface of a file, in the plane closed curves, fitted into a ball.
 struct File_shape
 {
-  std::string file;
+  std::string file, part; ///< part: name of a part of the file; empty for the whole surface
   Ball ball;
   std::size_t triangles; ///< 0 keeps the triangles of the file
 };
@@ -178,6 +179,7 @@ struct Fluid_scene
   double edge; ///< target edge length of surfaces or curves
   std::vector<Scene_liquid> liquids;
   std::vector<Scene_gas> gases;
+  Label_names names; ///< of liquids and gases
   std::vector<Scene_source> sources;
   struct Tension
   {

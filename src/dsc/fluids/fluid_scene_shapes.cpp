@@ -5,10 +5,12 @@
 #include "fluids/fluid_scene_parts.h"
 
 #include "input/files.h"
+#include "output/label_titles.h"
 
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -74,13 +76,16 @@ Cylinder_shape read_cylinder(const Json_fields& shape) {
 }
 
 File_shape read_file(const Json_fields& shape) {
-  shape.require_known({"type", "file", "center", "radius", "triangles"});
+  shape.require_known({"type", "file", "part", "center", "radius", "triangles"});
   require_no_triangles_in_plane(shape);
   const File_shape result{shape.text("file"),
+                          shape.text("part", ""),
                           {shape.point("center"), shape.positive("radius")},
                           shape.count("triangles", 0)};
   if (shape.dimension() == 2 && extension(result.file) != "wkt")
     shape.refuse("file", "must be a .wkt file in the plane");
+  if (shape.dimension() == 2 && !result.part.empty())
+    shape.refuse("part", "applies only in space; remove it");
   return result;
 }
 
@@ -99,13 +104,13 @@ Pool_shape read_pool(const Json_fields& shape) {
 }
 
 /// Returns the field for the label of a probe, and checks that the probe has no other field.
-Scene_probe probe_of_label(const Json_fields& probe, const char* field, Scene_probe::Kind kind) {
+Scene_probe probe_of_label(const Json_fields& probe, const char* field, Scene_probe::Kind kind,
+                           const Label_names& names) {
   probe.require_known({"name", field});
   Scene_probe result;
   result.name = probe.text("name");
   result.kind = kind;
-  probe.any(field);
-  result.label = int(probe.count(field, 0));
+  result.label = read_label(probe, field, probe.any(field), names);
   return result;
 }
 
@@ -128,7 +133,7 @@ void read_given_values(const Json_fields& fixed, Scene_field& result) {
 
 Fluid_shape read_shape(const Json_fields& shape) {
   shape.require_known({"type", "center", "radius", "mode", "amplitude", "triangles", "from", "to",
-                       "wave_length", "file", "level", "height"}); // "type" may be misspelt
+                       "wave_length", "file", "part", "level", "height"}); // "type" may be misspelt
   const std::string type =
       shape.choice("type", {"ball", "box", "cylinder", "file", "pool", "surroundings"});
   if (type == "ball")
@@ -145,17 +150,30 @@ Fluid_shape read_shape(const Json_fields& shape) {
   return Surroundings();
 }
 
-Scene_probe read_probe(const Json_fields& probe) {
+int read_label(const Json_fields& json, const std::string& field, const Json& value,
+               const Label_names& names) {
+  if (value.is_number_integer() && std::abs(value.get<double>()) <= std::numeric_limits<int>::max())
+    return value.get<int>();
+  if (!value.is_string())
+    json.refuse(field, "must be an integer of 32 bits, or a name");
+  const auto name = value.get<std::string>();
+  const std::optional<int> label = label_with_name(name, names);
+  if (!label)
+    json.refuse(field, unknown_label(name, names));
+  return *label;
+}
+
+Scene_probe read_probe(const Json_fields& probe, const Label_names& names) {
   using Kind = Scene_probe::Kind;
   const bool has_mode = probe.has("mode");
   if (has_mode && probe.has("height_at"))
     probe.refuse("height_at", "a probe measures either a mode or a height; write two probes");
   if (probe.has("circularity_of"))
-    return probe_of_label(probe, "circularity_of", Kind::circularity);
+    return probe_of_label(probe, "circularity_of", Kind::circularity, names);
   if (probe.has("centroid_of"))
-    return probe_of_label(probe, "centroid_of", Kind::centroid);
+    return probe_of_label(probe, "centroid_of", Kind::centroid, names);
   if (probe.has("velocity_of"))
-    return probe_of_label(probe, "velocity_of", Kind::velocity);
+    return probe_of_label(probe, "velocity_of", Kind::velocity, names);
   if (has_mode)
     probe.require_known({"name", "mode", "center"});
   else if (probe.has("at"))

@@ -289,7 +289,7 @@ void read_meshes(const std::string& folder, Fluid_scene& scene) {
     if (solid.kind != Scene_solid::Kind::mesh)
       continue;
     Scene_solid::Mesh mesh;
-    const Surface surface = read_surface(place_of(solid.file, folder));
+    const Surface surface = read_part(place_of(solid.file, folder), solid.part);
     for (const Surface_point& p : surface.points)
       mesh.add_vertex({p.x(), p.y(), p.z()});
     for (const auto& t : surface.triangles)

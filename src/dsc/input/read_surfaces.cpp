@@ -5,12 +5,13 @@
 #include "input/surface.h"
 #include "input/translations.h"
 #include "output/label_titles.h"
+#include "programs/errors.h"
 
 #include <CGAL/Mesh_files/Surface_parts.h>
 #include <CGAL/Mesh_files/labeled_surface_3.h>
 
+#include <algorithm>
 #include <cstddef>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,31 +42,38 @@ std::vector<Surface> parts_of_file(const std::string& path, bool has_parts, int 
 
 } // namespace
 
-std::string distinct_name(const std::string& name, std::set<std::string>& taken) {
-  std::string result = name;
-  for (int number = 2; !taken.insert(result).second; ++number)
-    result = name + " (" + std::to_string(number) + ')';
-  return result;
-}
-
 Surfaces read_surfaces(const Run_start& start) {
   Surfaces result;
-  std::set<std::string> taken;
+  DSC::internal::Label_name_list labels;
   for (const std::string& path : start.inputs) {
     const std::string file = with_user_names(path);
     std::vector<std::string> names;
     std::vector<Surface> parts =
         parts_of_file(path, start.labels != "none", int(result.all.size()) + 1, names);
     for (std::size_t i = 0; i < parts.size(); ++i) {
-      const std::string name = names[i].empty() ? "" : distinct_name(names[i], taken);
+      labels.add(parts[i].label, names[i]);
+      const std::string name = label_name(parts[i].label, labels.names);
       const std::string part = name.empty() ? "part without name" : "part '" + name + "'";
       result.titles.push_back(parts.size() == 1 ? file : file + ", " + part);
-      if (!name.empty())
-        result.names[parts[i].label] = name;
       result.all.push_back(std::move(parts[i]));
     }
   }
+  result.names = std::move(labels.names);
   return result;
+}
+
+Surface read_part(const std::string& path, const std::string& name) {
+  if (name.empty())
+    return read_surface(path);
+  std::vector<std::string> names;
+  std::vector<Surface> parts = parts_of_file(path, true, 1, names);
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end())
+    throw Input_error(path + ": no part has the name '" + name + "'; its parts are " +
+                      listed(names));
+  Surface& part = parts[std::size_t(found - names.begin())];
+  part.label = 1;
+  return std::move(part);
 }
 
 Surface read_surface(const std::string& path, DSC::Surface_parts* parts) {

@@ -16,7 +16,6 @@
 
 #include <cstddef>
 #include <limits>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -39,15 +38,14 @@ struct Surfaces
 /// \throws std::runtime_error if a file cannot be read
 Surfaces read_surfaces(const Run_start& start);
 
-/// Returns a name that is not among those of other labels, such as `ring (2)` for `ring`. Different
-/// files may contain the same name.
-/// \param taken the names of the other labels; the result is added
-std::string distinct_name(const std::string& name, std::set<std::string>& taken);
-
 /// Reads a file as one surface with label 1.
 /// \param parts receives the named parts, unless it is null
 /// \throws std::runtime_error if the file cannot be read
 Surface read_surface(const std::string& path, DSC::Surface_parts* parts = nullptr);
+
+/// Reads the part of a file with a name as a surface with label 1; without a name, the whole file.
+/// \throws std::runtime_error as read_surface() does; Input_error if no such part bounds a solid
+Surface read_part(const std::string& path, const std::string& name);
 
 /// The repair of a surface.
 struct Repair

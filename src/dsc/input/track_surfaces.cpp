@@ -27,7 +27,6 @@
 #include <iostream>
 #include <limits>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -95,16 +94,15 @@ void tell_labels(const Patches& patches, const std::vector<std::string>& names) 
 /// Returns the names of the labels of surfaces. The other regions of a named part, which internal
 /// walls divide, are called like `ring (2)`.
 Label_names names_of_labels(const Surfaces& surfaces, const std::optional<Patches>& patches) {
-  Label_names result = surfaces.names;
-  std::set<std::string> taken;
-  for (const auto& [label, name] : result)
-    taken.insert(name);
+  DSC::internal::Label_name_list result;
+  for (const auto& [label, name] : surfaces.names)
+    result.add(label, name);
   for (std::size_t i = 0; patches && i < surfaces.all.size(); ++i)
     if (const auto part = surfaces.names.find(surfaces.all[i].label); part != surfaces.names.end())
       for (const int label : patches->labels[i])
         if (label != part->first)
-          result.emplace(label, distinct_name(part->second, taken));
-  return result;
+          result.add(label, part->second);
+  return result.names;
 }
 
 /// Returns the complex of the space inside and around surfaces, which may share walls and overlap.

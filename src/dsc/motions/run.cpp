@@ -310,7 +310,8 @@ void Run::start() {
     throw Input_error("the time step is too small to advance the time " +
                       Json(m_position.time).dump() + " of the run; choose a larger --dt");
   if (!m_options.output.report.empty()) {
-    m_report.emplace(m_options, m_position.start, repairs, m_complex->sweep_seconds());
+    m_report.emplace(m_options, m_position.start, repairs, m_complex->sweep_seconds(),
+                     m_complex->label_names);
     m_report->add(m_position, Step_outcome(), m_complex->statistics());
     m_complex->run_once([&] { m_report->write_now_and_then(); });
   }

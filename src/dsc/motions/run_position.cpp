@@ -6,6 +6,7 @@
 
 #include "input/translations.h"
 #include "motions/motion_list.h"
+#include "output/label_titles.h"
 #include "output/report_json.h"
 
 #include <cstddef>
@@ -17,13 +18,6 @@ namespace dsc {
 using DSC::Label_names;
 
 namespace {
-
-Json labels_json(const Label_names& names) {
-  Json result = Json::array();
-  for (const auto& [label, name] : names)
-    result.push_back({{"label", label}, {"name", name}});
-  return result;
-}
 
 std::string text_of(const Json& metadata) {
   return metadata.dump(-1, ' ', false,
@@ -46,6 +40,13 @@ Mesh_array array_of(const Json& json) {
 }
 
 } // namespace
+
+Json label_names_json(const Label_names& names) {
+  Json result = Json::array();
+  for (const auto& [label, name] : names)
+    result.push_back({{"label", label}, {"name", name}});
+  return result;
+}
 
 std::string to_metadata(const Run_position& position, const Step_options& step,
                         const Label_names& names) {
@@ -70,12 +71,12 @@ std::string to_metadata(const Run_position& position, const Step_options& step,
                  {"input", with_user_names(position.start.inputs)},
                  {"parameters", parameters}};
   if (!names.empty())
-    result["labels"] = labels_json(names);
+    result["labels"] = label_names_json(names);
   return text_of(result);
 }
 
 std::string to_metadata(const Label_names& names) {
-  return names.empty() ? "" : text_of(Json{{"labels", labels_json(names)}});
+  return names.empty() ? "" : text_of(Json{{"labels", label_names_json(names)}});
 }
 
 std::optional<Saved_run> from_metadata(const std::string& metadata) {

@@ -7,6 +7,7 @@
 
 #include "input/run_start.h"
 #include "motions/motion.h"
+#include "output/report_json.h"
 
 #include <CGAL/Mesh_files/Label_names.h>
 #include <CGAL/Mesh_files/Mesh_arrays.h>
@@ -42,6 +43,9 @@ std::string to_metadata(const DSC::Label_names& names);
 /// Returns the run described by the metadata of a checkpoint; `nullopt` if another program wrote
 /// the checkpoint.
 std::optional<Saved_run> from_metadata(const std::string& metadata);
+
+/// Returns names of labels as the value of "labels" in metadata.
+Json label_names_json(const CGAL::Deformable_simplicial_complexes::Label_names& names);
 
 /// Returns the names of labels in the metadata of a checkpoint, which any program may have written.
 DSC::Label_names label_names_of(const std::string& metadata);

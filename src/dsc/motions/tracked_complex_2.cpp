@@ -136,6 +136,7 @@ Statistics Tracked_complex_2::statistics() const {
 
 void Tracked_complex_2::write(const std::string& path) const {
   require_extension(path, {"wkt", "poly", "svg", "vtu"});
+  tell_lost_names(path, label_names);
   const std::string format = extension(path);
   if (format == "wkt")
     CGAL::IO::write_WKT(path, complex);

@@ -128,6 +128,7 @@ void All_inputs::convert_to_image(const std::string& checkpoint, const std::stri
   const std::string native = native_file(grid, "", is_foreign(grid) ? "0" : "");
   if (extension(native) != "inr" && extension(native) != "gz")
     throw Input_error(grid + " is no image of voxels with several layers; --grid needs one");
+  tell_lost_names(output, tracked->label_names);
   std::vector<int> unused;
   const Grid voxels = read_label_image(native, unused);
   write_label_image(output, voxels, DSC::sample_labels(in_space->complex, voxels),

@@ -23,9 +23,17 @@ std::string label_name(int label, const Label_names& names);
 /// Returns a label with its name, such as `2 'shell'`.
 std::string label_title(int label, const Label_names& names);
 
-/// Returns the label that a text gives by its number or its name; `nullopt` if there is no such
-/// name.
-std::optional<int> label_of(const std::string& text, const Label_names& names);
+/// Returns the label with a name; `nullopt` if there is no such label.
+std::optional<int> label_with_name(const std::string& name, const Label_names& names);
+
+/// Returns the message for a name that no label has.
+std::string unknown_label(const std::string& name, const Label_names& names);
+
+/// Returns the labels in the lists that are the values of an option, such as `1,shell`. A number is
+/// never a name. Names may contain commas.
+/// \throws Usage_error if a text is neither a number nor a name
+std::vector<int> labels_of(const std::string& option, const std::vector<std::string>& lists,
+                           const Label_names& names);
 
 /// Returns the first few items of a list, and the number of the others.
 std::string listed(const std::vector<std::string>& items);

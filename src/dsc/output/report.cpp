@@ -54,23 +54,23 @@ Json repairs_json(const Repairs& repairs) {
   return json;
 }
 
-Json balances_json(const std::vector<Label_balance>& balances) {
+Json balances_json(const std::vector<Label_balance>& balances, const DSC::Label_names& names) {
   Json json = Json::array();
   for (const Label_balance& balance : balances)
-    json.push_back({{"label", balance.label},
-                    {"volume_before", balance.before},
-                    {"volume_after", balance.after},
-                    {"volume_swept", balance.swept},
-                    {"volume_of_overlaps", balance.overlaps},
-                    {"volume_unexplained", balance.unexplained}});
+    json.push_back(label_json(balance.label, names,
+                              {{"volume_before", balance.before},
+                               {"volume_after", balance.after},
+                               {"volume_swept", balance.swept},
+                               {"volume_of_overlaps", balance.overlaps},
+                               {"volume_unexplained", balance.unexplained}}));
   return json;
 }
 
 } // namespace
 
 Report::Report(const Run_options& options, const Run_start& start, const Repairs& repairs,
-               double sweep_seconds)
-    : m_path(options.output.report), m_sweep_seconds(sweep_seconds),
+               double sweep_seconds, DSC::Label_names names)
+    : m_path(options.output.report), m_sweep_seconds(sweep_seconds), m_names(std::move(names)),
       m_json({{"input", with_user_names(start.inputs)},
               {"parameters", parameters_json(options, start)},
               {"repairs", repairs_json(repairs)},
@@ -97,8 +97,8 @@ void Report::add(const Run_position& position, const Step_outcome& outcome,
                {"relabeled", outcome.relabeled}});
   step["events"] = Json::array();
   for (const Step_event& event : outcome.events)
-    step["events"].push_back(event_json(event.change, event.where, statistics.dimension));
-  step["balance"] = balances_json(outcome.balances);
+    step["events"].push_back(event_json(event.change, event.where, statistics.dimension, m_names));
+  step["balance"] = balances_json(outcome.balances, m_names);
   if (outcome.distance_to_start)
     step["distance_to_start"] = {{"mean", outcome.distance_to_start->mean},
                                  {"maximum", outcome.distance_to_start->maximum}};
@@ -106,7 +106,7 @@ void Report::add(const Run_position& position, const Step_outcome& outcome,
 }
 
 void Report::set_balance(const Run_balance& balance) {
-  m_json["balance"] = balances_json(balance.labels());
+  m_json["balance"] = balances_json(balance.labels(), m_names);
 }
 
 void Report::write_now_and_then() {

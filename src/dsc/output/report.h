@@ -24,7 +24,7 @@ class Report
 {
 public:
   Report(const Run_options& options, const Run_start& start, const Repairs& repairs,
-         double sweep_seconds);
+         double sweep_seconds, CGAL::Deformable_simplicial_complexes::Label_names names);
 
   /// Adds the state after a step.
   void add(const Run_position& position, const Step_outcome& outcome, const Statistics& statistics);
@@ -43,6 +43,7 @@ public:
 private:
   std::string m_path;
   double m_sweep_seconds;
+  CGAL::Deformable_simplicial_complexes::Label_names m_names;
   Json m_json;
   std::chrono::steady_clock::time_point m_next_write;
 };

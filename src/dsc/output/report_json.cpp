@@ -4,6 +4,8 @@
 
 #include "output/report_json.h"
 
+#include "output/label_titles.h"
+
 #include <CGAL/Mesh_files/internal/text/files.h>
 #include <CGAL/Mesh_files/replace_file.h>
 
@@ -24,35 +26,39 @@ const Names plane = {"triangles", "area", "length", "interface_segments"},
 
 Json labels_json(const std::vector<Label_statistics>& labels, const Names& names) {
   Json json = Json::array();
-  for (const Label_statistics& label : labels) {
-    Json entry = {{"label", label.label}};
-    if (!label.name.empty())
-      entry["name"] = label.name;
-    entry.update({{names.cells, label.cells},
-                  {names.measure, label.volume},
-                  {names.interface_measure, label.area},
-                  {"components", label.components},
-                  {"euler_characteristic", label.euler_characteristic}});
-    json.push_back(std::move(entry));
-  }
+  for (const Label_statistics& label : labels)
+    json.push_back(label_json(label.label, {{label.label, label.name}},
+                              {{names.cells, label.cells},
+                               {names.measure, label.volume},
+                               {names.interface_measure, label.area},
+                               {"components", label.components},
+                               {"euler_characteristic", label.euler_characteristic}}));
   return json;
 }
 
 } // namespace
 
+Json label_json(int label, const Label_names& names, const Json& values) {
+  Json result = {{"label", label}};
+  if (const std::string name = label_name(label, names); !name.empty())
+    result["name"] = name;
+  result.update(values);
+  return result;
+}
+
 Json event_json(const DSC::Component_event& event, const std::array<double, 3>& where,
-                int dimension) {
+                int dimension, const Label_names& names) {
   const auto volumes = [](const auto& components) {
     Json result = Json::array();
     for (const auto& component : components)
       result.push_back(component.volume);
     return result;
   };
-  return {{"kind", DSC::Component_event::name_of(event.kind)},
-          {"label", event.label},
-          {"where", std::vector<double>(where.begin(), where.begin() + dimension)},
-          {"volumes_before", volumes(event.before)},
-          {"volumes_after", volumes(event.after)}};
+  return label_json(event.label, names,
+                    {{"kind", DSC::Component_event::name_of(event.kind)},
+                     {"where", std::vector<double>(where.begin(), where.begin() + dimension)},
+                     {"volumes_before", volumes(event.before)},
+                     {"volumes_after", volumes(event.after)}});
 }
 
 Json statistics_json(const Statistics& statistics) {

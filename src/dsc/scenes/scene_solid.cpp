@@ -48,7 +48,7 @@ void set_center(const Json_fields& solid, Scene_solid& result) {
 /// Reads the fields of a solid that depend on its type.
 void read_geometry(const Json_fields& solid, Scene_solid& result) {
   require_known(solid, {"point", "normal", "box", "open", "from", "to", "center", "radius", "axis",
-                        "file", "liquid"});
+                        "file", "part", "liquid"});
   using Kind = Scene_solid::Kind;
   const std::string type =
       solid.choice("type", {"plane", "tank", "box", "ball", "cylinder", "mesh"});
@@ -86,9 +86,10 @@ void read_geometry(const Json_fields& solid, Scene_solid& result) {
     result.radius = solid.positive("radius");
     result.contains_liquid = read_side(solid);
   } else {
-    require_known(solid, {"file", "liquid", "center"});
+    require_known(solid, {"file", "part", "liquid", "center"});
     result.kind = Kind::mesh;
     result.file = solid.text("file");
+    result.part = solid.text("part", "");
     set_center(solid, result);
     result.contains_liquid = read_side(solid);
   }

@@ -31,7 +31,7 @@ struct Scene_solid
   std::array<double, 6> box = {}; ///< of a tank or box
   bool is_open = false;
   bool contains_liquid = false;     ///< of a ball, cylinder or mesh
-  std::string file;                 ///< of a mesh
+  std::string file, part;           ///< of a mesh; part: of the file, empty for the whole surface
   std::shared_ptr<const Mesh> mesh; ///< set by set_mesh()
   double contact_angle = 90;
   bool sticks = false, separates = true;

@@ -140,19 +140,24 @@ public:
   Label_names label_names() const {
     const std::vector<double> labels = global_numbers("named_labels"),
                               bytes = global_numbers("label_names");
-    Label_names result;
+    Label_name_list result;
     std::string name;
+    std::size_t number = 0;
     for (const double byte : bytes) {
-      const double label = result.size() < labels.size() ? labels[result.size()] : .5;
+      const double label = number < labels.size() ? labels[number] : .5;
       if (!(0 <= byte && byte <= 255) || std::abs(label) > (std::numeric_limits<int>::max)() ||
           label != std::trunc(label))
         return {};
-      if (byte > 0)
+      if (byte > 0) {
         name += static_cast<char>(static_cast<unsigned char>(byte));
-      else if (!result.emplace(static_cast<int>(label), std::exchange(name, "")).second)
+        continue;
+      }
+      if (result.names.count(static_cast<int>(label)) > 0)
         return {};
+      result.add(static_cast<int>(label), std::exchange(name, ""));
+      ++number;
     }
-    return name.empty() && result.size() == labels.size() ? result : Label_names();
+    return name.empty() && number == labels.size() ? result.names : Label_names();
   }
 
   // Returns the values of an array. Throws `File_error` unless there are `components` values for

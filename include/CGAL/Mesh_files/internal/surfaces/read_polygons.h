@@ -100,8 +100,7 @@ template <class Sink> void read_obj(File_scanner& scanner, Sink& sink) {
       sink.polygon(corners);
     } else if (keyword == "o" || keyword == "g") {
       const Part_kind kind = keyword == "o" ? Part_kind::object : Part_kind::group;
-      const std::string name = scanner.rest_of_line();
-      sink.part(kind, name.substr(0, name.find(" #"))); // a comment follows white space
+      sink.part(kind, scanner.rest_of_line()); // names like part #2 are usual
     } else if (!scanner.is_keyword()) {
       scanner.fail(in_quotes(keyword) + " is not expected; is it an OBJ file?");
     } else if (const Obj_statement* const statement = find_obj_statement(keyword)) {
