@@ -82,12 +82,13 @@ inline Reconstructed_sheet_3 reconstruct_sheet(const Collected_points& points,
   std::vector<double> radii;
   for (double reach : cloud.reaches())
     radii.push_back(reach_of_points * reach);
-  Sheet_front_3 front(surface.points(), cloud.spacing(), radii, clusters_of(cloud));
+  const Sheet_front_3 front(surface.points(), cloud.spacing(), radii, clusters_of(cloud));
   if (front.triangles.empty())
     throw Invalid_points_error(Invalid_points_error::Reason::open,
                                "the points sample no surface: they lie on a line or a curve");
-  close_seams(surface.points(), front);
-  const Sheet_triangles_3 sheet(cloud.size(), front.triangles);
+  Sheet_triangles_3 sheet(cloud.size(), front.triangles);
+  close_seams(cloud, surface.points(), front.other_facets, sheet);
+  sheet.orient();
   Sheet_report_3 report;
   report.number_of_points = cloud.size();
   report.number_of_duplicates = cloud.number_of_duplicates();
