@@ -114,8 +114,9 @@ The triangles are selected by the advancing front of the package
 \ref PkgAdvancingFrontSurfaceReconstructionRef. An empty ball at a selected triangle is at most as
 large as twice the distance of a corner from its sixth neighbor. Larger holes of the points stay
 open. On a one-sided surface, the front leaves a seam, which is closed by further Delaunay facets.
-The vertices are the points. If the noise exceeds a tenth of the spacing, the points are first
-projected to quadrics that fit their neighbors.
+The vertices are the points. If the noise exceeds 0.01 spacings, the points first move towards
+quadrics that fit their neighbors, by at most three times the noise. The result does not depend on
+the order of the points.
 
 At the end, the result is verified by the points; see `Sheet_report_3::is_complete`.
 

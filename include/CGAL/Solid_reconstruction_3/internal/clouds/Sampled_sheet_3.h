@@ -29,7 +29,7 @@ public:
   // too few points remain.
   Sampled_sheet_3(const std::vector<Point>& points, unsigned number_of_threads)
       : m_cloud(points, {}, number_of_threads) {
-    static constexpr double noisy = .03; // in spacings; thicker layers are smoothed
+    static constexpr double noisy = .01; // in spacings; thicker layers are smoothed
     m_cloud.keep(surface_points(m_cloud));
     m_cloud.keep(fit());
     m_points = m_cloud.points();
@@ -69,7 +69,7 @@ private:
 
   // Moves the points towards smoothed points. The bound of the motion preserves sharp edges.
   void smooth() {
-    static constexpr double farthest = 2; // in noises
+    static constexpr double farthest = 3; // in noises
     const std::vector<Point> smoothed = smoothed_points(m_cloud, m_noise);
     for (std::size_t i = 0; i < m_points.size(); ++i) {
       const auto motion = smoothed[i] - m_points[i];
