@@ -82,12 +82,13 @@ inline Reconstructed_sheet_3 reconstruct_sheet(const Collected_points& points,
   std::vector<double> radii;
   for (double reach : cloud.reaches())
     radii.push_back(reach_of_points * reach);
-  Sheet_front_3 front(surface.points(), cloud.spacing(), radii, clusters_of(cloud));
+  const Sheet_front_3 front(surface.points(), cloud.spacing(), radii, clusters_of(cloud));
   if (front.triangles.empty())
     throw Invalid_points_error(Invalid_points_error::Reason::open,
                                "the points sample no surface: they lie on a line or a curve");
-  close_seams(surface.points(), front);
-  const Sheet_triangles_3 sheet(cloud.size(), front.triangles);
+  Sheet_triangles_3 sheet(cloud.size(), front.triangles);
+  close_seams(cloud, surface.points(), front.other_facets, sheet);
+  sheet.orient();
   Sheet_report_3 report;
   report.number_of_points = cloud.size();
   report.number_of_duplicates = cloud.number_of_duplicates();
@@ -113,8 +114,9 @@ The triangles are selected by the advancing front of the package
 \ref PkgAdvancingFrontSurfaceReconstructionRef. An empty ball at a selected triangle is at most as
 large as twice the distance of a corner from its sixth neighbor. Larger holes of the points stay
 open. On a one-sided surface, the front leaves a seam, which is closed by further Delaunay facets.
-The vertices are the points. If the noise exceeds a tenth of the spacing, the points are first
-projected to quadrics that fit their neighbors.
+The vertices are the points. If the noise exceeds 0.01 spacings, the points first move towards
+quadrics that fit their neighbors, by at most three times the noise. The result does not depend on
+the order of the points.
 
 At the end, the result is verified by the points; see `Sheet_report_3::is_complete`.
 

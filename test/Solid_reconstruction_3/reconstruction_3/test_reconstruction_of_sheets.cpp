@@ -22,15 +22,15 @@ using DSC::Sheet_report_3;
 
 constexpr int side = 30;     // points on the side of a square sheet
 constexpr double bound = .5; // largest distance of a point from the sheet, in spacings
-constexpr double noise = .2; // in distances of neighbors
 
 class Numbers
 {
 public:
+  explicit Numbers(unsigned seed = 5) : m_random(seed) {}
   double operator()(double size) { return size * m_random.uniform_real(-1., 1.); }
 
 private:
-  CGAL::Random m_random{5};
+  CGAL::Random m_random;
 };
 
 double height(double x, double y) { return 2 * std::sin(.2 * x) * std::cos(.15 * y); }
@@ -78,6 +78,25 @@ std::vector<Point> half_ball() {
   return points;
 }
 
+// A sheet that is rolled up. The layers are about eight distances of neighbors apart.
+std::vector<Point> roll(unsigned seed) {
+  Numbers uniform(seed);
+  std::vector<Point> points;
+  for (int i = 0; i < 1600; ++i) {
+    const double t = 1.5 * CGAL_PI * (1 + uniform(1)), r = .25 + .12 * t;
+    points.emplace_back(r * std::cos(t), r * std::sin(t), uniform(1));
+  }
+  return points;
+}
+
+std::vector<Point> with_noise(const std::vector<Point>& points, double size) {
+  Numbers uniform;
+  std::vector<Point> result;
+  for (const Point& p : points)
+    result.emplace_back(p.x() + uniform(size), p.y() + uniform(size), p.z() + uniform(size));
+  return result;
+}
+
 struct Expected
 {
   int euler_characteristic = 1;
@@ -122,17 +141,31 @@ TEST(Reconstruction_of_sheets, finds_hills_from_regular_random_and_jittered_poin
 }
 
 TEST(Reconstruction_of_sheets, smooths_noise) {
-  Numbers uniform;
-  std::vector<Point> points;
+  for (const double size : {.1, .2, .4}) { // the spacing is about 1.2
+    const std::vector<Point> points = with_noise(random_hills(), size);
+    verify(points, {});
+    const Reconstructed_sheet_3 sheet = DSC::reconstruct_sheet_3(points);
+    double squares = 0;
+    for (const Point& p : sheet.points)
+      squares += std::pow(p.z() - height(p.x(), p.y()), 2);
+    // The root mean square of the noise is size / sqrt(3)
+    EXPECT_LT(std::sqrt(squares / double(sheet.points.size())), .7 * size / std::sqrt(3.)) << size;
+  }
+}
+
+TEST(Reconstruction_of_sheets, keeps_sharp_edges_within_the_noise) {
+  static constexpr double size = .1, slope = .8;
+  std::vector<Point> roof;
   for (const Point& p : hills(.3))
-    points.emplace_back(p.x() + uniform(noise), p.y() + uniform(noise), p.z() + uniform(noise));
-  verify(points, {});
-  const Reconstructed_sheet_3 sheet = DSC::reconstruct_sheet_3(points);
-  double squares = 0;
+    roof.emplace_back(p.x(), p.y(), slope * std::abs(p.x() - side / 2.));
+  const Reconstructed_sheet_3 sheet = DSC::reconstruct_sheet_3(with_noise(roof, size));
   for (const Point& p : sheet.points)
-    squares += std::pow(p.z() - height(p.x(), p.y()), 2);
-  // Less than the noise in each direction, whose root mean square is noise / sqrt(3)
-  EXPECT_LT(std::sqrt(squares / double(sheet.points.size())), .7 * noise / std::sqrt(3.));
+    EXPECT_LT(std::abs(p.z() - slope * std::abs(p.x() - side / 2.)), 4 * size) << p;
+}
+
+TEST(Reconstruction_of_sheets, does_not_join_the_layers_of_a_roll) {
+  for (const unsigned seed : {1, 2, 3, 4, 5, 6})
+    verify(roll(seed), {});
 }
 
 TEST(Reconstruction_of_sheets, keeps_holes_and_several_components) {
@@ -177,20 +210,36 @@ TEST(Reconstruction_of_sheets, tells_where_the_points_are_no_manifold) {
 
 TEST(Reconstruction_of_sheets, does_not_depend_on_the_unit) {
   const std::vector<Point> points = hills(.3);
-  // The advancing front chooses the orientation of a component by the order of its memory.
-  const auto corners = [](const Reconstructed_sheet_3& sheet) {
-    std::set<std::set<std::size_t>> result;
-    for (const auto& t : sheet.triangles)
-      result.insert({t[0], t[1], t[2]});
-    return result;
-  };
-  const auto one = corners(DSC::reconstruct_sheet_3(points));
+  const auto one = DSC::reconstruct_sheet_3(points).triangles;
   for (const int exponent : {-60, 60}) {
     std::vector<Point> scaled;
     for (const Point& p : points)
       scaled.emplace_back(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent),
                           std::ldexp(p.z(), exponent));
-    EXPECT_EQ(corners(DSC::reconstruct_sheet_3(scaled)), one);
+    EXPECT_EQ(DSC::reconstruct_sheet_3(scaled).triangles, one);
+  }
+}
+
+// Empty balls of the points of a grid are equally large.
+TEST(Reconstruction_of_sheets, does_not_depend_on_memory_or_the_order_of_points) {
+  std::vector<Point> plane, corner;
+  for (int i = 0; i < side * side; ++i) {
+    plane.emplace_back(i % side, i / side, 0);
+    corner.insert(corner.end(),
+                  {{i % side, i / side, 0}, {0, i % side, i / side}, {i / side, 0, i % side}});
+  }
+  for (std::vector<Point> points : {plane, corner, moebius_band()}) {
+    const Reconstructed_sheet_3 one = DSC::reconstruct_sheet_3(points);
+    CGAL::Random random(7);
+    std::vector<std::vector<char>> memory;
+    for (int i = 0; i < 20000; ++i)
+      memory.emplace_back(std::size_t(random.get_int(1, 600)));
+    for (std::size_t i = 0; i < memory.size(); i += 2)
+      memory[i] = {}; // leaves gaps
+    std::rotate(points.begin(), points.begin() + 100, points.end());
+    const Reconstructed_sheet_3 other = DSC::reconstruct_sheet_3(points);
+    EXPECT_EQ(other.points, one.points);
+    EXPECT_EQ(other.triangles, one.triangles);
   }
 }
 

@@ -12,6 +12,8 @@
 #include <CGAL/Solid_reconstruction_3/internal/clouds/Point_cloud_3.h>
 #include <CGAL/Solid_reconstruction_3/internal/clouds/cloud_properties_3.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -27,11 +29,12 @@ public:
   // too few points remain.
   Sampled_sheet_3(const std::vector<Point>& points, unsigned number_of_threads)
       : m_cloud(points, {}, number_of_threads) {
-    static constexpr double noisy = .1; // in spacings; thicker layers are smoothed
+    static constexpr double noisy = .01; // in spacings; thicker layers are smoothed
     m_cloud.keep(surface_points(m_cloud));
     m_cloud.keep(fit());
-    m_points = can_be_smoothed(m_cloud, m_noise, noisy) ? smoothed_points(m_cloud, m_noise)
-                                                        : m_cloud.points();
+    m_points = m_cloud.points();
+    if (can_be_smoothed(m_cloud, m_noise, noisy))
+      smooth();
   }
 
   const Point_cloud_3& cloud() const { return m_cloud; }
@@ -62,6 +65,17 @@ private:
     for (std::size_t i = 0; i < points.size(); ++i)
       is_kept[i] = !is_off_planes(m_cloud, i, neighbors[i], planes);
     return is_kept;
+  }
+
+  // Moves the points towards smoothed points. The bound of the motion preserves sharp edges.
+  void smooth() {
+    static constexpr double farthest = 3; // in noises
+    const std::vector<Point> smoothed = smoothed_points(m_cloud, m_noise);
+    for (std::size_t i = 0; i < m_points.size(); ++i) {
+      const auto motion = smoothed[i] - m_points[i];
+      const double part = farthest * m_noise / std::sqrt(motion.squared_length());
+      m_points[i] += (std::min)(part, 1.) * motion;
+    }
   }
 
   Point_cloud_3 m_cloud;

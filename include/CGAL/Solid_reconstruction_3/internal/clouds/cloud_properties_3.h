@@ -106,6 +106,27 @@ inline bool is_off_planes(const Point_cloud_3& cloud, std::size_t i,
   });
 }
 
+// Returns whether a point lies on the boundary of the surface that a cloud samples: there is a wide
+// sector without neighbors.
+inline bool is_boundary_point(const Point_cloud_3& cloud, std::size_t i) {
+  static constexpr unsigned around = 16;            // neighbors: about two rings
+  static constexpr double widest = 2 * CGAL_PI / 3; // sector between random neighbors
+  std::vector<Point_cloud_3::Point> near;
+  for (std::size_t k : cloud.nearest(cloud.points()[i], around + 1)) // including the point itself
+    near.push_back(cloud.points()[k]);
+  const auto normal = fit_plane(near).normal;
+  const auto first = near[1] - near[0], u = first - (first * normal) * normal,
+             v = cross_product(normal, u);
+  std::vector<double> angles;
+  for (std::size_t k = 1; k < near.size(); ++k)
+    angles.push_back(std::atan2((near[k] - near[0]) * v, (near[k] - near[0]) * u));
+  std::sort(angles.begin(), angles.end());
+  double sector = angles.front() + 2 * CGAL_PI - angles.back();
+  for (std::size_t k = 1; k < angles.size(); ++k)
+    sector = (std::max)(sector, angles[k] - angles[k - 1]);
+  return sector > widest;
+}
+
 // Returns the number of neighbors over which a layer of noise is smoothed.
 inline unsigned neighbors_to_smooth(const Point_cloud_3& cloud, double noise) {
   static constexpr double around = 24, most = 200; // points: at thickness 1; bound

@@ -12,9 +12,9 @@
 #include <CGAL/Solid_reconstruction_3/internal/clouds/Point_cloud_3.h>
 
 #include <CGAL/Advancing_front_surface_reconstruction.h>
-#include <CGAL/Bbox_3.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Random.h>
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/property_map.h>
 #include <CGAL/spatial_sort.h>
@@ -22,7 +22,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -36,16 +35,10 @@ class Sheet_front_3
   using Kernel = Exact_predicates_inexact_constructions_kernel;
 
 public:
-  using Triangle = std::array<std::size_t, 3>;
+  using Triangle = std::array<std::size_t, 3>; // sorted
 
-  struct Ball_facet // a Delaunay facet that the front did not select
-  {
-    double squared_radius; // of its smallest empty ball
-    Triangle triangle;
-  };
-
-  std::vector<Triangle> triangles;      // consistently oriented
-  std::vector<Ball_facet> other_facets; // with small balls
+  std::vector<Triangle> triangles;    // sorted
+  std::vector<Triangle> other_facets; // Delaunay facets that are not selected, small balls first
 
   // \param unit the unit of length of the front; its constants are for points at distance 1
   // \param radii largest radii of the balls at the points
@@ -56,17 +49,24 @@ public:
     for (double radius : radii)
       bounds.push_back(radius / unit * (radius / unit));
     Delaunay delaunay;
-    triangulate(points, unit, delaunay);
+    triangulate(points, unit, radii, delaunay);
     const Priority priority{bounds, clusters};
     Front front(delaunay, priority);
     front.run();
-    write_triple_indices(std::back_inserter(triangles), front);
+    std::vector<std::pair<double, Triangle>> others;
     for (const auto& f : delaunay.finite_facets()) {
       const double squared_radius = priority(front, f.first, f.second);
-      if (squared_radius != front.infinity() && !front.has_on_surface(f) &&
-          !front.has_on_surface(delaunay.mirror_facet(f)))
-        other_facets.push_back({squared_radius, triangle_of(f)});
+      if (squared_radius == front.infinity())
+        continue;
+      if (front.has_on_surface(f) || front.has_on_surface(delaunay.mirror_facet(f)))
+        triangles.push_back(triangle_of(f));
+      else
+        others.emplace_back(squared_radius, triangle_of(f));
     }
+    std::sort(triangles.begin(), triangles.end());
+    std::sort(others.begin(), others.end());
+    for (const auto& [squared_radius, triangle] : others)
+      other_facets.push_back(triangle);
   }
 
 private:
@@ -79,13 +79,12 @@ private:
     Triangle result;
     for (int k = 0; k < 3; ++k)
       result[std::size_t(k)] = f.first->vertex((f.second + 1 + k) & 3)->id();
+    std::sort(result.begin(), result.end());
     return result;
   }
 
-  static constexpr std::size_t box_corner = static_cast<std::size_t>(-1);
-
   // The squared radius of the smallest empty ball of a facet. It is infinite if it is too large, or
-  // if the facet joins clusters or has a corner of the box.
+  // if the facet joins clusters.
   struct Priority
   {
     const std::vector<double>& bounds; // of squared radii
@@ -95,8 +94,6 @@ private:
     double operator()(const Front& front, const Delaunay::Cell_handle& c, int i) const {
       Progress_scope::check();
       const Triangle t = triangle_of({c, i});
-      if (std::find(t.begin(), t.end(), box_corner) != t.end())
-        return front.infinity();
       const double result = front.smallest_radius_delaunay_sphere(c, i);
       const bool is_within = clusters[t[0]] == clusters[t[1]] && clusters[t[0]] == clusters[t[2]];
       return is_within && result <= (std::max)({bounds[t[0]], bounds[t[1]], bounds[t[2]]})
@@ -106,24 +103,21 @@ private:
   };
   using Front = Advancing_front_surface_reconstruction<Delaunay, Priority>;
 
-  // Triangulates the points and the corners of a box around them. Without these corners, the front
-  // would find no facets where the points lie in a plane up to rounding errors.
+  // Triangulates the points after a small perturbation. Without it, the result of the front would
+  // depend on addresses where balls are equally large, and it would find no facets in a plane.
   static void triangulate(const std::vector<Cloud_kernel::Point_3>& points, double unit,
-                          Delaunay& delaunay) {
+                          const std::vector<double>& radii, Delaunay& delaunay) {
     using Vertex = std::pair<Kernel::Point_3, std::size_t>;
-    static constexpr double away = 2; // in extents of the points
-    std::vector<Vertex> vertices;     // with their indices
-    Bbox_3 box;
-    for (const auto& p : points) {
-      const auto v = (p - points.front()) / unit;
-      vertices.emplace_back(Kernel::Point_3(v.x(), v.y(), v.z()), vertices.size());
-      box += vertices.back().first.bbox();
+    static constexpr double small = 1e-4; // largest change, in radii
+    std::vector<Vertex> vertices;         // with their indices
+    Random random(0);
+    for (std::size_t v = 0; v < points.size(); ++v) {
+      double p[3];
+      for (int k = 0; k < 3; ++k)
+        p[k] =
+            (points[v][k] - points[0][k] + small * radii[v] * random.uniform_real(-1., 1.)) / unit;
+      vertices.emplace_back(Kernel::Point_3(p[0], p[1], p[2]), v);
     }
-    const double margin = away * (std::max)({box.x_span(), box.y_span(), box.z_span()});
-    for (double x : {box.xmin() - margin, box.xmax() + margin})
-      for (double y : {box.ymin() - margin, box.ymax() + margin})
-        for (double z : {box.zmin() - margin, box.zmax() + margin})
-          vertices.emplace_back(Kernel::Point_3(x, y, z), box_corner);
     spatial_sort(vertices.begin(), vertices.end(),
                  Spatial_sort_traits_adapter_3<Kernel, First_of_pair_property_map<Vertex>>());
     Delaunay::Vertex_handle last;

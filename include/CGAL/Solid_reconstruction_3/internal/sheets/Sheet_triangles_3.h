@@ -41,6 +41,30 @@ public:
     m_triangles.push_back(t);
   }
 
+  // Orients the triangles of each component like the first one, except where this is impossible.
+  void orient() {
+    std::vector<char> is_oriented(m_triangles.size(), 0);
+    std::vector<std::size_t> stack;
+    for (std::size_t first = 0; first < m_triangles.size(); ++first)
+      if (std::exchange(is_oriented[first], 1) == 0)
+        for (stack = {first}; !stack.empty();) {
+          Progress_scope::check();
+          const Triangle t = m_triangles[stack.back()];
+          stack.pop_back();
+          for (std::size_t k = 0; k < 3; ++k)
+            for (std::size_t i : m_stars[t[k]]) {
+              Triangle& other = m_triangles[i];
+              const auto v = std::find(other.begin(), other.end(), t[k]);
+              const auto w = std::find(other.begin(), other.end(), t[(k + 1) % 3]);
+              if (w == other.end() || std::exchange(is_oriented[i], 1) != 0)
+                continue;
+              if ((w - v + 3) % 3 == 1)
+                std::iter_swap(v, w);
+              stack.push_back(i);
+            }
+        }
+  }
+
   // Returns the vertices opposite to an edge in its triangles.
   std::vector<std::size_t> opposite(std::size_t v, std::size_t w) const {
     std::vector<std::size_t> result;

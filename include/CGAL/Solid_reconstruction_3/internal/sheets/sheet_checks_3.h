@@ -26,27 +26,6 @@
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
-// Returns whether a point lies on the boundary of the surface that a cloud samples: there is a wide
-// sector without neighbors.
-inline bool is_boundary_point(const Point_cloud_3& cloud, std::size_t i) {
-  static constexpr unsigned around = 16;            // neighbors: about two rings
-  static constexpr double widest = 2 * CGAL_PI / 3; // sector between random neighbors
-  std::vector<Point_cloud_3::Point> near;
-  for (std::size_t k : cloud.nearest(cloud.points()[i], around + 1)) // including the point itself
-    near.push_back(cloud.points()[k]);
-  const auto normal = fit_plane(near).normal;
-  const auto first = near[1] - near[0], u = first - (first * normal) * normal,
-             v = cross_product(normal, u);
-  std::vector<double> angles;
-  for (std::size_t k = 1; k < near.size(); ++k)
-    angles.push_back(std::atan2((near[k] - near[0]) * v, (near[k] - near[0]) * u));
-  std::sort(angles.begin(), angles.end());
-  double sector = angles.front() + 2 * CGAL_PI - angles.back();
-  for (std::size_t k = 1; k < angles.size(); ++k)
-    sector = (std::max)(sector, angles[k] - angles[k - 1]);
-  return sector > widest;
-}
-
 // Verifies a sheet by the points of a cloud, independently of its construction. The points of the
 // sheet have the order of the cloud.
 class Sheet_checks_3
@@ -56,7 +35,8 @@ public:
 
   Sheet_checks_3(const Point_cloud_3& cloud, const std::vector<Point>& points,
                  const Sheet_triangles_3& sheet, Sheet_report_3& report)
-      : m_cloud(cloud), m_points(points), m_sheet(sheet), m_report(report) {
+      : m_cloud(cloud), m_points(points), m_sheet(sheet), m_report(report),
+        m_components(points.size()) {
     find_unfit_points();
     find_topology();
     find_false_boundaries();
@@ -93,7 +73,6 @@ private:
   void find_topology() {
     std::set<std::pair<std::size_t, std::size_t>> edges;
     std::size_t vertices = 0;
-    Disjoint_sets components(m_points.size());
     m_report.is_orientable = true;
     for (const auto& t : m_sheet.all()) {
       Progress_scope::check();
@@ -101,7 +80,7 @@ private:
         const std::size_t v = t[k], w = t[(k + 1) % 3];
         if (!edges.emplace(v, w).second)
           m_report.is_orientable = false;
-        components.join(v, w);
+        m_components.join(v, w);
       }
     }
     std::size_t number_of_edges = 0;
@@ -110,7 +89,7 @@ private:
     for (std::size_t v = 0; v < m_points.size(); ++v)
       if (!m_sheet.star(v).empty()) {
         ++vertices;
-        m_report.number_of_components += components.find(v) == v;
+        m_report.number_of_components += m_components.find(v) == v;
       }
     m_report.euler_characteristic =
         int(vertices) - int(number_of_edges) + int(m_sheet.all().size());
@@ -141,17 +120,12 @@ private:
 
   // Finds clusters of the cloud whose points belong to several components.
   void find_separated_points() {
-    Disjoint_sets components(m_points.size());
-    for (const auto& t : m_sheet.all()) {
-      components.join(t[0], t[1]);
-      components.join(t[0], t[2]);
-    }
     const std::vector<std::size_t> clusters = clusters_of(m_cloud);
     std::map<std::size_t, std::size_t> component; // of a cluster
     std::set<std::size_t> told;
     for (std::size_t v = 0; v < m_points.size(); ++v)
       if (!m_sheet.star(v).empty()) {
-        const std::size_t own = components.find(v),
+        const std::size_t own = m_components.find(v),
                           expected = component.emplace(clusters[v], own).first->second;
         if (own != expected && told.insert(own).second)
           doubt(v);
@@ -162,6 +136,7 @@ private:
   const std::vector<Point>& m_points;
   const Sheet_triangles_3& m_sheet;
   Sheet_report_3& m_report;
+  Disjoint_sets m_components; // of the sheet
 };
 
 } // namespace CGAL::Deformable_simplicial_complexes::internal
