@@ -88,6 +88,7 @@ inline Reconstructed_sheet_3 reconstruct_sheet(const Collected_points& points,
                                "the points sample no surface: they lie on a line or a curve");
   Sheet_triangles_3 sheet(cloud.size(), front.triangles);
   close_seams(cloud, surface.points(), front.other_facets, sheet);
+  fill_small_holes(surface.points(), sheet);
   sheet.orient();
   Sheet_report_3 report;
   report.number_of_points = cloud.size();

@@ -243,6 +243,37 @@ TEST(Reconstruction_of_sheets, does_not_depend_on_memory_or_the_order_of_points)
   }
 }
 
+TEST(Reconstruction_of_sheets, fills_holes_with_three_or_four_edges) {
+  using Triangles = std::vector<std::array<std::size_t, 3>>;
+  static constexpr std::size_t n = 5;
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < n * n; ++i)
+    points.emplace_back(double(i % n), double(i / n), 0);
+  Triangles grid;
+  for (std::size_t j = 0; j + 1 < n; ++j)
+    for (std::size_t i = 0; i + 1 < n; ++i) {
+      const std::size_t v = i + n * j;
+      grid.push_back({v, v + 1, v + n + 1});
+      grid.push_back({v, v + n + 1, v + n});
+    }
+  const auto boundary_after = [&](std::size_t first, std::size_t number) {
+    Triangles triangles = grid;
+    const auto begin = triangles.begin() + std::ptrdiff_t(first);
+    triangles.erase(begin, begin + std::ptrdiff_t(number));
+    DSC::internal::Sheet_triangles_3 sheet(points.size(), triangles);
+    DSC::internal::fill_small_holes(points, sheet);
+    return sheet.boundary().size();
+  };
+  EXPECT_EQ(boundary_after(0, 0), 4 * (n - 1));
+  EXPECT_EQ(boundary_after(12, 1), 4 * (n - 1));
+  EXPECT_EQ(boundary_after(12, 2), 4 * (n - 1));
+  EXPECT_EQ(boundary_after(12, 3), 4 * (n - 1) + 5);
+  // Neither a triangle nor a square has holes.
+  DSC::internal::Sheet_triangles_3 square(points.size(), {grid[0], grid[1]});
+  DSC::internal::fill_small_holes(points, square);
+  EXPECT_EQ(square.all().size(), 2);
+}
+
 TEST(Reconstruction_of_sheets, stops_at_any_moment) {
   const std::vector<Point> points = hills(.3);
   std::size_t checks = 0;

@@ -13,7 +13,9 @@
 #include <CGAL/Solid_reconstruction_3/internal/clouds/cloud_properties_3.h>
 #include <CGAL/Solid_reconstruction_3/internal/sheets/Sheet_triangles_3.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -73,6 +75,43 @@ inline void close_seams(const Point_cloud_3& cloud,
         goes_on = true;
       }
     }
+}
+
+// Fills holes with three or four edges, which noise leaves. They are smaller than a hole that the
+// points can show.
+inline void fill_small_holes(const std::vector<Cloud_kernel::Point_3>& points,
+                             Sheet_triangles_3& sheet) {
+  static constexpr std::size_t fewest = 16; // triangles; a smaller sheet has no holes
+  if (sheet.all().size() < fewest)
+    return;
+  std::map<std::size_t, std::vector<std::size_t>> neighbors; // along the boundary
+  for (const auto& [v, w] : sheet.boundary()) {
+    neighbors[v].push_back(w);
+    neighbors[w].push_back(v);
+  }
+  std::vector<std::size_t> loop;
+  for (const auto& [first, around] : neighbors) {
+    loop = {first};
+    std::size_t last = first, v = around[0];
+    while (v != first && loop.size() <= 4 && neighbors[v].size() == 2) {
+      loop.push_back(v);
+      const auto& next = neighbors[v];
+      last = std::exchange(v, next[next[0] == last ? 1 : 0]);
+    }
+    if (v != first || around.size() != 2 || loop.size() > 4 ||
+        *std::min_element(loop.begin(), loop.end()) != first)
+      continue;
+    if (loop.size() == 3 && sheet.opposite(loop[0], loop[1])[0] != loop[2])
+      sheet.add({loop[0], loop[1], loop[2]});
+    if (loop.size() == 4 && sheet.opposite(loop[0], loop[2]).empty() &&
+        sheet.opposite(loop[1], loop[3]).empty()) {
+      if (squared_distance(points[loop[1]], points[loop[3]]) <
+          squared_distance(points[loop[0]], points[loop[2]]))
+        std::rotate(loop.begin(), loop.begin() + 1, loop.end());
+      sheet.add({loop[0], loop[1], loop[2]});
+      sheet.add({loop[0], loop[2], loop[3]});
+    }
+  }
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes::internal
