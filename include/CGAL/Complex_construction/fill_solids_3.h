@@ -51,13 +51,13 @@ double largest_weld_distance(const std::vector<Labeled_surface_3<Point>>& surfac
 \ingroup PkgComplexConstructionRef
 
 Makes a complex from solids bounded by any closed surfaces: they may share walls, be nested, touch
-and overlap. Where surfaces nearly meet or `make_deformable_simplicial_complex_3()` refuses them,
+and overlap. Where surfaces nearly meet or `make_deformable_simplicial_complex_3()` fails for them,
 `make_patches_3()` divides them first; otherwise, the result is that of
-`make_deformable_simplicial_complex_3()`. The same time, plus that of `make_patches_3()`.
+`make_deformable_simplicial_complex_3()`. Takes the time of both functions.
 
-Surfaces that cross at random have features of any size. If the tetrahedralizer fails for the
-patches, they are made again with a hundredfold weld distance, up to a millionth of the largest
-extent, unless the weld distance is given.
+Surfaces that cross at random have features of any size. If the tetrahedralizer fails, patches are
+made again with a hundredfold weld distance, up to a millionth of the largest extent, unless the weld
+distance is given.
 
 \tparam Complex an instance of `Deformable_simplicial_complex_3`
 \tparam Tetrahedralizer model of `ConstrainedTetrahedralizer_3`, such as `Tetgen_tetrahedralizer_3`
@@ -87,6 +87,9 @@ Complex fill_solids_3(const std::vector<Labeled_surface_3<typename Complex::Poin
       return make_deformable_simplicial_complex_3<Complex>(surfaces, tetrahedralizer, np);
     } catch (const Invalid_surface_error& error) {
       if (!internal::may_have_walls(error.reason()))
+        throw;
+    } catch (const Tetrahedralization_error&) {
+      if (patch_options.weld_distance)
         throw;
     }
   static constexpr double factor = 100;

@@ -3,6 +3,7 @@
 #include "small_surfaces.h"
 #include "test.h"
 
+#include <CGAL/Complex_construction/fill_solids_3.h>
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
@@ -400,7 +401,10 @@ TEST(Surface_repair, unites_parts_that_nearly_coincide) {
                 p.z() + angle * (.7 * p.x() - .3 * p.y()));
     append(surface, turned);
     EXPECT_FALSE(DSC::repair_surface_3(surface).is_wrapped) << angle;
-    EXPECT_NEAR(volume(surface), 1, 10 * angle + 1e-7) << angle;
+    std::optional<DSC::Patches_of_surfaces_3<Point>> patches;
+    const Complex dsc =
+        DSC::fill_solids_3<Complex>({surface}, CGAL::Tetgen_tetrahedralizer_3(), patches);
+    EXPECT_NEAR(dsc.volume(surface.label), 1, 10 * angle + 1e-7) << angle;
   }
 }
 
