@@ -255,6 +255,19 @@ TEST_F(Inputs, may_have_vertices_that_nearly_coincide) {
   EXPECT_NEAR(volumes(tips + " --repair").at(1), 8. / 3, 1e-9);
 }
 
+// With six digits, places at a distance of .006 are welded by default.
+TEST_F(Inputs, may_be_thin_although_coordinates_have_few_digits) {
+  write("plate.off", program::box(0, 0, 0, 100.123, 100.123, .005));
+  const auto file = [&](const char* name) { return path(name).string(); };
+  EXPECT_NEAR(volumes(file("plate.off")).at(1), 100.123 * 100.123 * .005, 1e-6);
+  write("left.off", program::box(0, 0, 0, 100, 100, 100));
+  write("right.off", program::box(100.005, 0, 0, 200.123, 100, 100));
+  const Outcome gap = run("rotate " + file("left.off") + ' ' + file("right.off") +
+                          " --axis 0,0,1 --angle 5 --steps 1");
+  EXPECT_EQ(gap.exit_code, 0);
+  EXPECT_PRED2(contains, gap.out, "nearer to each other than");
+}
+
 TEST_F(Inputs, may_overlap) {
   write("one.off", program::box(0, 0, 0, 2, 1, 1));
   write("two.off", program::box(1, .25, .25, 3, .75, .75));

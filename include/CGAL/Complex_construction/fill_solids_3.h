@@ -19,7 +19,9 @@
 #include <CGAL/Bbox_3.h>
 
 #include <algorithm>
+#include <exception>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
@@ -56,8 +58,8 @@ and overlap. Where surfaces nearly meet or `make_deformable_simplicial_complex_3
 `make_deformable_simplicial_complex_3()`. Takes the time of both functions.
 
 Surfaces that cross at random have features of any size. If the tetrahedralizer fails, patches are
-made again with a hundredfold weld distance, up to a millionth of the largest extent, unless the weld
-distance is given.
+made again with a hundredfold weld distance, up to a millionth of the largest extent, unless the
+weld distance is given.
 
 \tparam Complex an instance of `Deformable_simplicial_complex_3`
 \tparam Tetrahedralizer model of `ConstrainedTetrahedralizer_3`, such as `Tetgen_tetrahedralizer_3`
@@ -73,7 +75,8 @@ distance is given.
 \throws Invalid_surface_error if surfaces are not closed or intersect themselves, or reach the box. If
         `patches` has a value, numbers of surfaces in the error are those of patches.
 \throws Tetrahedralization_error if the tetrahedralizer fails
-\throws Error if the box is not finite, or an option is out of range
+\throws Error if the box is not finite, an option is out of range, or surfaces cannot be divided
+\throws Interrupted_error if the callback of a `Progress_scope` returns `false`
 */
 template <class Complex, class Tetrahedralizer, class NP = parameters::Default_named_parameters>
 Complex fill_solids_3(const std::vector<Labeled_surface_3<typename Complex::Point_3>>& surfaces,
@@ -82,26 +85,46 @@ Complex fill_solids_3(const std::vector<Labeled_surface_3<typename Complex::Poin
                       const NP& np = parameters::default_values(),
                       const Patch_options_3& patch_options = {}) {
   patches.reset();
+  std::exception_ptr failure; // the first one, which tells more than a failure of a division
   if (!have_contacts_3(surfaces, patch_options))
     try {
       return make_deformable_simplicial_complex_3<Complex>(surfaces, tetrahedralizer, np);
     } catch (const Invalid_surface_error& error) {
       if (!internal::may_have_walls(error.reason()))
         throw;
+      failure = std::current_exception();
     } catch (const Tetrahedralization_error&) {
       if (patch_options.weld_distance)
         throw;
+      failure = std::current_exception();
     }
   static constexpr double factor = 100;
   const double largest = internal::largest_weld_distance(surfaces);
   for (Patch_options_3 options = patch_options;;
        options.weld_distance = factor * patches->weld_distance) {
-    patches = make_patches_3(surfaces, options);
+    try {
+      patches = make_patches_3(surfaces, options);
+    } catch (const Invalid_surface_error&) {
+      if (patches)
+        std::rethrow_exception(failure);
+      throw;
+    } catch (const Error&) {
+      if (failure)
+        std::rethrow_exception(failure);
+      throw;
+    }
+    if (patches->patches.empty())
+      throw Error(
+          "nothing is left of the surfaces, because they are thinner than the weld distance "
+          "of " +
+          std::to_string(patches->weld_distance) +
+          ": give coordinates with more digits, or another weld distance");
     try {
       return make_deformable_simplicial_complex_3<Complex>(patches->patches, tetrahedralizer, np);
     } catch (const Tetrahedralization_error&) {
       if (patch_options.weld_distance || factor * patches->weld_distance > largest)
         throw;
+      failure = std::current_exception();
     }
   }
 }

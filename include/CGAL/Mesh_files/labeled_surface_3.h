@@ -68,12 +68,19 @@ template <class Surface> Triangles_of_labels triangles_of_labels(const Surface& 
   return result;
 }
 
-// Returns the name of a part in one line.
+// Returns the name of a part in one line, which the next line does not continue. A label without a
+// name gets one that no other label has.
 inline std::string part_name(int label, const Label_names& names) {
   const auto name = names.find(label);
   std::string result = name == names.end() ? "label " + std::to_string(label) : name->second;
+  while (name == names.end() && std::any_of(names.begin(), names.end(), [&](const auto& other) {
+           return other.second == result;
+         }))
+    result += '\'';
   std::replace_if(
       result.begin(), result.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  if (!result.empty() && result.back() == '\\')
+    result.back() = '/';
   return result;
 }
 

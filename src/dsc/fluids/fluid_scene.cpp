@@ -119,11 +119,33 @@ std::optional<Expression> read_velocity(const Json_fields& liquid) {
   return Expression(text, variables, "velocity of " + liquid.name(), form);
 }
 
+/// The labels of the liquids and gases of a scene.
+struct Filling_labels
+{
+  Label_names& names;
+  std::set<int> numbers; ///< labels that are not given by names
+
+  Filling_labels(const Json_fields& scene, Label_names& names) : names(names) {
+    int index = 0;
+    for (const char* const kind : {"liquids", "gases"})
+      for (const Json_fields& filling : scene.objects(kind)) {
+        ++index;
+        if (!filling.has("label"))
+          numbers.insert(index);
+        else if (const Json& label = filling.any("label"); label.is_number_integer())
+          numbers.insert(label.get<int>());
+      }
+  }
+};
+
 /// Returns the label of a name: that of an earlier liquid or gas with this name, or a new one.
-int label_of_name(const Json_fields& json, int new_label, Label_names& names) {
+int label_of_name(const Json_fields& json, int new_label, Filling_labels& labels) {
+  Label_names& names = labels.names;
   const std::string name = json.text("label");
   if (name.empty() || name.find_first_of("\n\r\t\x1b") != std::string::npos)
     json.refuse("label", "must be a number or a name in one line");
+  while (labels.numbers.count(new_label) > 0 || names.count(new_label) > 0)
+    ++new_label;
   const int label = label_with_name(name, names).value_or(new_label);
   names.emplace(label, name);
   return label;
@@ -131,7 +153,7 @@ int label_of_name(const Json_fields& json, int new_label, Label_names& names) {
 
 /// Reads the shape of a liquid or gas, and its label.
 template <class Filling>
-void read_filling(const Json_fields& json, std::size_t index, Label_names& names,
+void read_filling(const Json_fields& json, std::size_t index, Filling_labels& labels,
                   Filling& filling) {
   filling.shape = read_shape(json.object("shape"));
   const bool is_surroundings = std::holds_alternative<Surroundings>(filling.shape);
@@ -140,17 +162,17 @@ void read_filling(const Json_fields& json, std::size_t index, Label_names& names
     json.refuse("label", "the shape 'surroundings' has label 0; remove the field");
   filling.label = is_surroundings ? 0 : int(index + 1);
   if (has_name)
-    filling.label = label_of_name(json, filling.label, names);
+    filling.label = label_of_name(json, filling.label, labels);
   else if (!is_surroundings)
     filling.label = int(json.count("label", index + 1));
   if (is_surroundings != (filling.label == 0))
     json.refuse("label", "label 0 is reserved for the shape 'surroundings'; choose another label");
 }
 
-Scene_liquid read_liquid(const Json_fields& liquid, std::size_t index, Label_names& names) {
+Scene_liquid read_liquid(const Json_fields& liquid, std::size_t index, Filling_labels& labels) {
   liquid.require_known({"shape", "label", "density", "viscosity", "diffusivity", "velocity"});
   Scene_liquid result;
-  read_filling(liquid, index, names, result);
+  read_filling(liquid, index, labels, result);
   result.density = liquid.positive("density");
   result.viscosity = liquid.not_negative("viscosity", 0);
   if (liquid.has("diffusivity"))
@@ -159,10 +181,10 @@ Scene_liquid read_liquid(const Json_fields& liquid, std::size_t index, Label_nam
   return result;
 }
 
-Scene_gas read_gas(const Json_fields& gas, std::size_t index, Label_names& names) {
+Scene_gas read_gas(const Json_fields& gas, std::size_t index, Filling_labels& labels) {
   gas.require_known({"shape", "label", "pressure", "exponent"});
   Scene_gas result;
-  read_filling(gas, index, names, result);
+  read_filling(gas, index, labels, result);
   gas.any("pressure");
   result.pressure = gas.not_negative("pressure", 0);
   result.exponent = gas.not_negative("exponent", 1.4);
@@ -318,13 +340,14 @@ Fluid_scene read_scene(const Json& json) {
   scene.set_dimension(result.dimension);
   result.domain = scene.box("domain");
   result.edge = scene.positive("edge");
+  Filling_labels labels(scene, result.names);
   std::size_t index = 0;
   for (const Json_fields& liquid : scene.objects("liquids"))
-    result.liquids.push_back(read_liquid(liquid, index++, result.names));
+    result.liquids.push_back(read_liquid(liquid, index++, labels));
   if (result.liquids.empty())
     scene.refuse("liquids", "must contain at least one liquid");
   for (const Json_fields& gas : scene.objects("gases"))
-    result.gases.push_back(read_gas(gas, index++, result.names));
+    result.gases.push_back(read_gas(gas, index++, labels));
   for (const Json_fields& source : scene.objects("sources"))
     result.sources.push_back(read_source(source));
   result.tensions = read_tensions(scene, result.names);

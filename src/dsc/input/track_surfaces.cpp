@@ -21,12 +21,14 @@
 #include <CGAL/Bbox_3.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
 #include <iostream>
 #include <limits>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -74,7 +76,18 @@ std::vector<std::string> names_of(const Patches& patches, const std::vector<std:
   return result;
 }
 
-void tell_labels(const Patches& patches, const std::vector<std::string>& names) {
+/// Returns the largest coordinate of surfaces, without sign.
+double largest_coordinate(const std::vector<Surface>& surfaces) {
+  double result = 0;
+  for (const Surface& surface : surfaces)
+    for (const Surface_point& p : surface.points)
+      result = std::max({result, std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
+  return result;
+}
+
+/// \param extent the largest coordinate
+void tell_labels(const Patches& patches, const std::vector<std::string>& names, double extent) {
+  static constexpr double told_distance = 1e-8; // a larger part of the extent can be seen
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::vector<int>& labels = patches.labels[i];
     if (labels.size() < 2)
@@ -85,7 +98,11 @@ void tell_labels(const Patches& patches, const std::vector<std::string>& names) 
       std::cout << ", " << *label;
     std::cout << '\n';
   }
-  for (const auto& [earlier, later] : patches.overlaps)
+  if (patches.weld_distance > told_distance * extent)
+    std::cout << "dsc: places nearer to each other than " << patches.weld_distance
+              << " were merged, since coordinates have few digits\n";
+  for (const auto& [earlier, later] :
+       std::set<std::array<std::size_t, 2>>(patches.overlaps.begin(), patches.overlaps.end()))
     std::cout << "dsc: " << names[later] << " covers " << names[earlier] << " where they overlap\n";
   for (const std::size_t i : patches.covered)
     std::cout << "dsc: nothing is left of " << names[i] << '\n';
@@ -116,10 +133,15 @@ std::unique_ptr<Tracked_complex_3> fill(const std::vector<Surface>& surfaces,
         DSC::fill_solids_3<Complex>(surfaces, CGAL::Tetgen_tetrahedralizer_3(), patches,
                                     normalized(options.domain, options.start.thin_parts)));
     if (patches && !options.output.quiet)
-      tell_labels(*patches, names);
+      tell_labels(*patches, names, largest_coordinate(surfaces));
     return result;
   } catch (const Invalid_surface_error& error) {
-    refuse(error, patches ? names_of(*patches, names) : names);
+    const auto of_patches = patches ? names_of(*patches, names) : names;
+    refuse(error, error.surface() < of_patches.size() ? of_patches : names);
+  } catch (const DSC::Tetrahedralization_error&) {
+    throw;
+  } catch (const DSC::Error& error) {
+    throw Input_error(listed(names) + ": " + error.what() + "; or use --repair");
   }
 }
 

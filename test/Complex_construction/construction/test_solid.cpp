@@ -120,6 +120,18 @@ TEST(Solid, slides_in_the_sides_of_a_box) {
     EXPECT_EQ(v->boundary_class() & DSC::Boundary_class::fixed, 0);
 }
 
+TEST(Solid, refuses_cells_inside_others) {
+  Complex dsc;
+  Cubes cubes(1, [](int, int, int) { return 1; });
+  const std::size_t n = cubes.points.size();
+  cubes.points.insert(cubes.points.end(),
+                      {{.3, .2, .1}, {.31, .2, .1}, {.3, .21, .1}, {.3, .2, .11}});
+  cubes.tetrahedra.push_back({n, n + 1, n + 2, n + 3});
+  cubes.labels.push_back(2);
+  EXPECT_THROW(DSC::assign_solid_3(dsc, cubes.points, cubes.tetrahedra, cubes.labels),
+               Invalid_cells_error);
+}
+
 TEST(Solid, refuses_cells_that_overlap) {
   const auto assign = [](const Cubes& cubes) {
     Complex dsc;

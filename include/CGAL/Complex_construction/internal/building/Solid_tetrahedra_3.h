@@ -15,6 +15,7 @@
 #include <CGAL/Mesh_support/coordinates.h>
 #include <CGAL/Mesh_support/internal/sets/equal_points.h>
 #include <CGAL/Triangle_soup_repair/internal/checks/check_surfaces_3.h>
+#include <CGAL/Triangle_soup_repair/internal/soups/Soup_regions_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
 
 #include <CGAL/enum.h>
@@ -120,6 +121,7 @@ public:
           "tetrahedra overlap, or share only parts of facets: remesh near these tetrahedra",
           std::move(offenders));
     }
+    check_nesting(result, owners);
     return result;
   }
 
@@ -163,6 +165,26 @@ public:
   }
 
 private:
+  // Throws `Invalid_cells_error` if a region of the boundary contains tetrahedra several times: if
+  // a component is inside another one.
+  // \param owners tetrahedron of each triangle
+  void check_nesting(const Joined_soup_3& boundary, const std::vector<std::size_t>& owners) const {
+    std::vector<int> steps; // of the number of components, from the front to the back of triangles
+    for (std::size_t t = 0; t < owners.size(); ++t) {
+      const auto triangle = exact_triangle(boundary, t);
+      Orientation side = COPLANAR; // of the corner of the tetrahedron that is opposite
+      for (const std::size_t v : m_tetrahedra[owners[t]])
+        if (const Orientation o =
+                orientation(triangle[0], triangle[1], triangle[2], exact_point(m_points[v]));
+            o != COPLANAR)
+          side = o;
+      steps.push_back(side == POSITIVE ? -1 : 1);
+    }
+    const auto numbers = Soup_regions_3(boundary).winding_numbers(steps);
+    if (numbers && *std::max_element(numbers->begin(), numbers->end()) > 1)
+      throw Invalid_cells_error("tetrahedra overlap: some lie inside of others; remove them");
+  }
+
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
   std::vector<Coordinates_3> m_points;

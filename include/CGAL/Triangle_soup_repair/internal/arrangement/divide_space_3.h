@@ -55,6 +55,7 @@ struct Divided_space_3
   std::vector<std::array<std::size_t, 2>> overlaps; // pairs of surfaces
   std::vector<std::size_t> covered;                 // surfaces of which nothing is left
   double weld_distance;
+  bool all_enclose_regions; // whether each surface does, perhaps only regions that others cover
 };
 
 // Returns the triangles of surfaces, which may be open and intersect.
@@ -172,23 +173,6 @@ inline std::optional<Split_soup_3> split_surfaces(const Joined_soup_3& input, do
   return result;
 }
 
-// The same. If no distance is given, that of the rounding and, if this fails, others are tried.
-// \param distance receives the distance
-inline Split_soup_3 split_surfaces(const Joined_soup_3& input,
-                                   const std::optional<double>& weld_distance, double& distance) {
-  const double first = distance_of(weld_distance, input);
-  check_self_intersections(input, undivided(input).origins, input, first);
-  for (const double factor : {1., .25, 4., .0625, 16.}) {
-    distance = factor * first;
-    if (auto result = split_surfaces(input, distance))
-      return std::move(*result);
-    if (weld_distance)
-      break;
-  }
-  throw Error("the weld distance is too large beside the features of the surfaces, or less than "
-              "the rounding of their coordinates: give another weld distance");
-}
-
 // Returns the length of the shortest side of a triangle.
 inline double shortest_side(const Triangle_soup_3& soup, std::size_t t) {
   const auto triangle = exact_triangle(soup, t);
@@ -198,37 +182,67 @@ inline double shortest_side(const Triangle_soup_3& soup, std::size_t t) {
   return std::sqrt(result);
 }
 
-// Divides space by closed surfaces. Throws `Invalid_surface_error` if surfaces are open or
-// intersect themselves.
-inline Divided_space_3 divide_space(const std::vector<Triangle_soup_3>& surfaces,
-                                    const std::optional<double>& weld_distance) {
-  const Joined_soup_3 joined = join_surfaces(surfaces);
-  Divided_space_3 result;
-  const Split_soup_3 split = split_surfaces(joined, weld_distance, result.weld_distance);
+// Returns the space that split surfaces divide.
+// \param number number of surfaces
+inline Divided_space_3 space_of(const Joined_soup_3& input, const Split_soup_3& split,
+                                std::size_t number) {
   std::vector<std::size_t> surface_of;
   for (std::size_t origin : split.origins)
-    surface_of.push_back(joined.triangle_origins[origin].surface);
+    surface_of.push_back(input.triangle_origins[origin].surface);
   const Shared_soup_3 shared = share_triangles(split, surface_of);
-  const Solid_cells_3 cells(shared, surfaces.size());
+  const Solid_cells_3 cells(shared, number);
   const Covering_cells_3 covering(cells);
 
+  Divided_space_3 result;
   result.soup = shared;
   result.surfaces = cells.surfaces();
   for (std::size_t t : shared.first)
-    result.lengths.push_back(shortest_side(joined, split.origins[t]));
+    result.lengths.push_back(shortest_side(input, split.origins[t]));
   for (std::size_t t = 0; t < shared.triangles.size(); ++t)
     result.sides.push_back({covering.in_region(cells.regions().behind(t)),
                             covering.in_region(cells.regions().in_front_of(t))});
   for (const auto& [a, b] : covering.overlaps())
     result.overlaps.push_back({cells.surfaces()[a], cells.surfaces()[b]});
-  std::vector<char> is_left(surfaces.size(), 0);
-  for (std::size_t r = 0; r < cells.regions().size(); ++r)
+  std::vector<char> is_left(number, 0), is_somewhere(number, 0);
+  for (std::size_t r = 0; r < cells.regions().size(); ++r) {
+    for (std::size_t cell : cells.cells_of(r))
+      is_somewhere[cells.surfaces()[cell]] = 1;
     if (const std::size_t cell = covering.in_region(r); cell != Covering_cells_3::none)
       is_left[cells.surfaces()[cell]] = 1;
-  for (std::size_t s = 0; s < surfaces.size(); ++s)
+  }
+  for (std::size_t s = 0; s < number; ++s)
     if (!is_left[s])
       result.covered.push_back(s);
+  result.all_enclose_regions =
+      std::find(is_somewhere.begin(), is_somewhere.end(), 0) == is_somewhere.end();
   return result;
+}
+
+// Divides space by closed surfaces. If no distance is given, that of the rounding is tried, and
+// others if triangles cannot be welded at this distance, or if a surface is thinner. Throws
+// `Invalid_surface_error` if surfaces are open or intersect themselves.
+inline Divided_space_3 divide_space(const std::vector<Triangle_soup_3>& surfaces,
+                                    const std::optional<double>& weld_distance) {
+  const Joined_soup_3 joined = join_surfaces(surfaces);
+  const double first = distance_of(weld_distance, joined);
+  check_self_intersections(joined, undivided(joined).origins, joined, first);
+  std::optional<Divided_space_3> with_thin_surfaces;
+  for (const double factor : {1., .25, 4., .0625, 16.}) {
+    if (const auto split = split_surfaces(joined, factor * first)) {
+      Divided_space_3 result = space_of(joined, *split, surfaces.size());
+      result.weld_distance = factor * first;
+      if (weld_distance || result.all_enclose_regions)
+        return result;
+      if (!with_thin_surfaces)
+        with_thin_surfaces = std::move(result);
+    }
+    if (weld_distance)
+      break;
+  }
+  if (with_thin_surfaces)
+    return *with_thin_surfaces;
+  throw Error("the weld distance is too large beside the features of the surfaces, or less than "
+              "the rounding of their coordinates: give another weld distance");
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes::internal
