@@ -40,7 +40,7 @@ struct Patch_options_3
   /// vertices, edges and triangles; in the unit of the coordinates, at least 0. By default 1e-12 of
   /// the largest coordinate or, if all coordinates are numbers of type `float` or have 6 to 12
   /// decimal digits, 6 units in its last place. If triangles cannot be welded at this default
-  /// distance, or a surface is thinner, 1/16 to 16 times of it are tried.
+  /// distance, or nothing is left of a surface, 1/16 to 16 times of it are tried.
   std::optional<double> weld_distance;
 
   /// Whether surfaces may overlap. The later one covers the earlier one where they do.

@@ -55,7 +55,6 @@ struct Divided_space_3
   std::vector<std::array<std::size_t, 2>> overlaps; // pairs of surfaces
   std::vector<std::size_t> covered;                 // surfaces of which nothing is left
   double weld_distance;
-  bool all_enclose_regions; // whether each surface does, perhaps only regions that others cover
 };
 
 // Returns the triangles of surfaces, which may be open and intersect.
@@ -203,44 +202,41 @@ inline Divided_space_3 space_of(const Joined_soup_3& input, const Split_soup_3& 
                             covering.in_region(cells.regions().in_front_of(t))});
   for (const auto& [a, b] : covering.overlaps())
     result.overlaps.push_back({cells.surfaces()[a], cells.surfaces()[b]});
-  std::vector<char> is_left(number, 0), is_somewhere(number, 0);
-  for (std::size_t r = 0; r < cells.regions().size(); ++r) {
-    for (std::size_t cell : cells.cells_of(r))
-      is_somewhere[cells.surfaces()[cell]] = 1;
+  std::vector<char> is_left(number, 0);
+  for (std::size_t r = 0; r < cells.regions().size(); ++r)
     if (const std::size_t cell = covering.in_region(r); cell != Covering_cells_3::none)
       is_left[cells.surfaces()[cell]] = 1;
-  }
   for (std::size_t s = 0; s < number; ++s)
     if (!is_left[s])
       result.covered.push_back(s);
-  result.all_enclose_regions =
-      std::find(is_somewhere.begin(), is_somewhere.end(), 0) == is_somewhere.end();
   return result;
 }
 
 // Divides space by closed surfaces. If no distance is given, that of the rounding is tried, and
-// others if triangles cannot be welded at this distance, or if a surface is thinner. Throws
-// `Invalid_surface_error` if surfaces are open or intersect themselves.
+// others if triangles cannot be welded at this distance, or if nothing is left of a surface, which
+// may be thinner. Throws `Invalid_surface_error` if surfaces are open or intersect themselves.
 inline Divided_space_3 divide_space(const std::vector<Triangle_soup_3>& surfaces,
                                     const std::optional<double>& weld_distance) {
   const Joined_soup_3 joined = join_surfaces(surfaces);
   const double first = distance_of(weld_distance, joined);
   check_self_intersections(joined, undivided(joined).origins, joined, first);
-  std::optional<Divided_space_3> with_thin_surfaces;
+  std::optional<Divided_space_3> first_result;
   for (const double factor : {1., .25, 4., .0625, 16.}) {
+    if (first_result && factor > 1)
+      continue;
     if (const auto split = split_surfaces(joined, factor * first)) {
       Divided_space_3 result = space_of(joined, *split, surfaces.size());
       result.weld_distance = factor * first;
-      if (weld_distance || result.all_enclose_regions)
+      if (weld_distance || result.covered.empty())
         return result;
-      if (!with_thin_surfaces)
-        with_thin_surfaces = std::move(result);
+      if (!first_result)
+        first_result = std::move(result);
     }
     if (weld_distance)
       break;
   }
-  if (with_thin_surfaces)
-    return *with_thin_surfaces;
+  if (first_result)
+    return *first_result;
   throw Error("the weld distance is too large beside the features of the surfaces, or less than "
               "the rounding of their coordinates: give another weld distance");
 }
