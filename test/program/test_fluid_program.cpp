@@ -281,9 +281,11 @@ TEST_F(Fluids, have_labels_with_names) {
 
   // A name does not get the label of another liquid.
   json = Json::parse(R"json({
-    "domain": [0, 0, 1, 1], "edge": 0.25, "time_step": 0.01, "end": 0.01,
-    "liquids": [{"shape": {"type": "box", "from": [0, 0], "to": [0.25, 1]}, "label": 2, "density": 1},
-                {"shape": {"type": "box", "from": [0.5, 0], "to": [1, 1]}, "label": "b", "density": 1}]
+    "domain": [0, 0, 1, 1], "edge": 0.12, "time_step": 0.01, "end": 0.01,
+    "liquids": [{"shape": {"type": "ball", "center": [0.25, 0.5], "radius": 0.18}, "label": 2,
+                 "density": 1},
+                {"shape": {"type": "ball", "center": [0.75, 0.5], "radius": 0.18}, "label": "b",
+                 "density": 1}]
   })json");
   ASSERT_EQ(run("fluid " + write_scene(json) + " --report s.json --quiet").err, "");
   EXPECT_EQ(report("s.json").at("steps").back().at("parts").back().at("label"), 3);
