@@ -53,8 +53,8 @@ public:
 
   explicit Destinations(const Complex& complex) : m_complex(complex) {}
 
-  // Adds the destination of v, unless it is the point of v. Must be called by increasing time stamp,
-  // and before anything moves.
+  // Adds the destination of v, unless it is the point of v. Must be called by increasing time
+  // stamp, and before anything moves.
   void add(Vertex_handle v, const Point& destination) {
     if (v->point() == destination)
       return;
