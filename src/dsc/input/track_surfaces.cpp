@@ -21,14 +21,12 @@
 #include <CGAL/Bbox_3.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
 #include <iostream>
 #include <limits>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -101,8 +99,7 @@ void tell_labels(const Patches& patches, const std::vector<std::string>& names, 
   if (patches.weld_distance > told_distance * extent)
     std::cout << "dsc: places nearer to each other than " << patches.weld_distance
               << " were merged, since coordinates have few digits\n";
-  for (const auto& [earlier, later] :
-       std::set<std::array<std::size_t, 2>>(patches.overlaps.begin(), patches.overlaps.end()))
+  for (const auto& [earlier, later] : patches.overlaps)
     std::cout << "dsc: " << names[later] << " covers " << names[earlier] << " where they overlap\n";
   for (const std::size_t i : patches.covered)
     std::cout << "dsc: nothing is left of " << names[i] << '\n';

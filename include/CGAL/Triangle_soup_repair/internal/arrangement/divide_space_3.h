@@ -202,6 +202,9 @@ inline Divided_space_3 space_of(const Joined_soup_3& input, const Split_soup_3& 
                             covering.in_region(cells.regions().in_front_of(t))});
   for (const auto& [a, b] : covering.overlaps())
     result.overlaps.push_back({cells.surfaces()[a], cells.surfaces()[b]});
+  std::sort(result.overlaps.begin(), result.overlaps.end());
+  result.overlaps.erase(std::unique(result.overlaps.begin(), result.overlaps.end()),
+                        result.overlaps.end());
   std::vector<char> is_left(number, 0);
   for (std::size_t r = 0; r < cells.regions().size(); ++r)
     if (const std::size_t cell = covering.in_region(r); cell != Covering_cells_3::none)
