@@ -64,7 +64,8 @@ std::uintmax_t bytes_of(const std::filesystem::path& input) {
 void limit_resources(const std::string& input) {
   static constexpr rlim_t least_seconds = 10, bytes_per_second = 1 << 18; // of processor time
   static constexpr rlim_t least_memory = rlim_t(4) << 30, memory_of_byte = 2000;
-  if (std::filesystem::is_regular_file(input)) {
+  std::error_code error;
+  if (std::filesystem::is_regular_file(input, error)) {
     const std::uintmax_t bytes = bytes_of(input);
     limit(RLIMIT_CPU, least_seconds + rlim_t(bytes) / bytes_per_second);
     limit(RLIMIT_AS, least_memory + rlim_t(bytes) * memory_of_byte);

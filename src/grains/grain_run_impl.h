@@ -60,13 +60,15 @@ public:
       arrays.cells.back().values.push_back(
           std::min(a, b) == particle_label ? none : orientations.misorientation(a, b) / degree);
     }
-    m_folder->write(complex, state.step, state.time, arrays);
+    m_folder->require();
+    // The most precious file comes first, because the disk may be full.
     CGAL::IO::write_checkpoint(m_folder->file("checkpoint.dsc"), complex.state(),
                                Json{{"grains", to_json(m_run)},
                                     {"time", state.time},
                                     {"step", state.step},
                                     {"energy_before", state.energy_before}}
                                    .dump());
+    m_folder->write(complex, state.step, state.time, arrays);
   }
 
 private:

@@ -14,6 +14,12 @@ namespace program {
 
 using Json = nlohmann::json;
 
+#ifdef DSC_PROGRAM
+inline const std::string executable = DSC_PROGRAM;
+#else
+inline const std::string executable = "false";
+#endif
+
 struct Outcome
 {
   int exit_code;
@@ -68,12 +74,7 @@ protected:
   }
 
   Outcome run(const std::string& arguments, const std::string& prefix = "") const {
-#ifdef DSC_PROGRAM
-    const std::string program = DSC_PROGRAM;
-#else
-    const std::string program = "false";
-#endif
-    const std::string command = "cd '" + m_folder.string() + "' && " + prefix + " '" + program +
+    const std::string command = "cd '" + m_folder.string() + "' && " + prefix + " '" + executable +
                                 "' " + arguments + " 2>stderr.txt </dev/null";
     Outcome outcome;
     FILE* pipe = popen(command.c_str(), "r");

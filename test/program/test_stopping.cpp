@@ -106,6 +106,55 @@ TEST_F(Stopping, a_reconstruction_keeps_the_previous_result) {
   EXPECT_EQ(contents(path("out.off")), "precious");
 }
 
+const std::string long_run = "enright --period 50 --dt .01 --steps 100000 --output out";
+
+// A run in the background, until its first checkpoint; its number is in the file pid.
+std::string in_background(const std::string& arguments) {
+  return "(exec '" + executable + "' " + arguments +
+         " >/dev/null 2>&1 & echo $! >pid); while ! [ -e out/checkpoint.dsc ]; do sleep .05; "
+         "done; ";
+}
+
+TEST_F(Stopping, a_folder_belongs_to_one_run) {
+  const Outcome second = run("grains --number 9 --output out", in_background(long_run));
+  EXPECT_EQ(second.exit_code, 1);
+  EXPECT_EQ(second.err.rfind("dsc: another run writes in the folder 'out' (process ", 0), 0u)
+      << second.err;
+  EXPECT_PRED2(contains, second.err, "enright --period 50");
+  const std::string resume = "enright --resume out/checkpoint.dsc --steps 1 --quiet --output out";
+  EXPECT_EQ(run(resume).exit_code, 1);
+  run("--help", "kill -KILL $(cat pid); ");
+  write("out/.partial-0123456789abcdef", "left by the killed run");
+  expect_success(resume);
+  for (const auto& entry : directory_iterator(path("out")))
+    EXPECT_NE(entry.path().filename().string().front(), '.') << entry.path();
+}
+
+TEST_F(Stopping, a_run_outlives_its_folder) {
+  const Outcome outcome = run(
+      long_run, "(while ! [ -e out/checkpoint.dsc ]; do sleep .05; done; rm -r out; mkdir out) & ");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.err.rfind("dsc: ", 0), 0u) << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  EXPECT_PRED2(contains, outcome.err, "is in dsc_failed.dsc");
+  expect_success("enright --resume dsc_failed.dsc --steps 1 --quiet");
+}
+
+// A link at the name of a result is replaced, and what it names stays.
+TEST_F(Stopping, links_are_not_followed) {
+  write("sphere.off", sphere(10));
+  write("victim", "precious");
+  for (const char* name : {"r.json", "dsc_failed.dsc", "p.png"})
+    fs::create_symlink("victim", path(name));
+  expect_success(
+      "offset sphere.off --distance .01 --steps 1 --report r.json --picture p.png --quiet");
+  EXPECT_EQ(contents(path("victim")), "precious");
+  fs::create_directory(path("out"));
+  fs::create_symlink("../victim", path("out/.dsc-lock"));
+  EXPECT_EQ(run("offset sphere.off --distance .01 --steps 1 --output out").exit_code, 1);
+  EXPECT_EQ(contents(path("victim")), "precious");
+}
+
 // A file size limit of some blocks: writing fails as on a full disk.
 TEST_F(Stopping, what_cannot_be_written_leaves_what_was_there) {
   write("sphere.off", sphere(40));

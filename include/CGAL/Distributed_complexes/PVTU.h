@@ -37,14 +37,14 @@ inline std::string piece_path(const std::string& path, int rank) {
 inline void write_pieces(const std::string& path, Communicator& communicator,
                          const Vtu_document& document, const std::string& cell_arrays) {
   communicator.call_together([&] {
-    replace_file_by_stream(piece_path(path, communicator.rank()),
-                           [&](std::ostream& out) { document.write(out); });
+    replace_file(piece_path(path, communicator.rank()),
+                 [&](std::ostream& out) { document.write(out); });
   });
   // All pieces are complete.
   communicator.call_together([&] {
     if (communicator.rank() != 0)
       return;
-    replace_file_by_stream(path, [&](std::ostream& out) {
+    replace_file(path, [&](std::ostream& out) {
       out << "<?xml version=\"1.0\"?>\n"
              "<VTKFile type=\"PUnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
              "header_type=\"UInt64\">\n"

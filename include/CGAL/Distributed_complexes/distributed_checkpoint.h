@@ -111,7 +111,7 @@ void write_checkpoint_blocks(const std::string& path, const Distributed_mesh<Com
   communicator.call_together([&] {
     try {
       if (mesh.rank() == 0)
-        replace_file_by_stream(path, [&](std::ostream& out) {
+        replace_file(path, [&](std::ostream& out) {
           out << checkpoint_magic(Checkpoint_kind::ranks, Complex::dimension);
           write_block(out, encoded_head(mesh, metadata));
           while (sent < communicator.size()) {

@@ -122,7 +122,7 @@ void write_MEDIT(const std::string& path,
                  const Deformable_simplicial_complex_3<Traits, Tds, QualityMeasure, Domain>& dsc,
                  const Deformable_simplicial_complexes::Mesh_entities& entities =
                      Deformable_simplicial_complexes::Mesh_entities()) {
-  Deformable_simplicial_complexes::replace_file_by_stream(
+  Deformable_simplicial_complexes::replace_file(
       path, [&](std::ostream& out) { write_MEDIT(out, dsc, entities); });
 }
 

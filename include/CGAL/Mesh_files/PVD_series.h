@@ -19,6 +19,7 @@
 #include <limits>
 #include <ostream>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -65,8 +66,8 @@ public:
             m_path);
       entries.push_back({time, relative_to_collection(file)});
     }
-    Deformable_simplicial_complexes::replace_file_by_stream(
-        m_path, [&](std::ostream& out) { write(out, entries); });
+    Deformable_simplicial_complexes::replace_file(m_path,
+                                                  [&](std::ostream& out) { write(out, entries); });
     m_entries.swap(entries);
   }
 
@@ -83,7 +84,9 @@ private:
   std::string relative_to_collection(const std::string& file) const {
     namespace fs = std::filesystem;
     const auto normal = [](const std::string& path) {
-      return fs::absolute(path).lexically_normal();
+      std::error_code error; // without a working directory
+      const fs::path absolute = fs::absolute(path, error);
+      return (error ? fs::path(path) : absolute).lexically_normal();
     };
     return normal(file).lexically_proximate(normal(m_path).parent_path()).generic_string();
   }

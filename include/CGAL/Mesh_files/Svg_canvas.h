@@ -115,7 +115,7 @@ public:
   /// \throws File_error if the file cannot be written; an older file of that name is then unchanged
   void write(const std::string& path, const std::vector<Svg_layer>& layers) const {
     const double height = m_scale * (m_window.ymax() - m_window.ymin());
-    replace_file_by_stream(path, [&](std::ostream& out) {
+    replace_file(path, [&](std::ostream& out) {
       out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << m_width << "\" height=\""
           << height << "\" viewBox=\"0 0 " << m_width << ' ' << height
           << "\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n"

@@ -57,7 +57,7 @@ template <int d>
 void write_checkpoint(const std::string& path,
                       const Deformable_simplicial_complexes::State<d>& state,
                       const std::string& metadata = std::string()) {
-  Deformable_simplicial_complexes::replace_file_by_stream(path, [&](std::ostream& out) {
+  Deformable_simplicial_complexes::replace_file(path, [&](std::ostream& out) {
     Deformable_simplicial_complexes::internal::write_whole(out, state, metadata);
   });
 }

@@ -96,7 +96,7 @@ number of triangles.
 */
 template <class Traits, class Tds>
 void write_WKT(const std::string& path, const Deformable_simplicial_complex_2<Traits, Tds>& dsc) {
-  Deformable_simplicial_complexes::replace_file_by_stream(path, [&](std::ostream& out) {
+  Deformable_simplicial_complexes::replace_file(path, [&](std::ostream& out) {
     out.precision(std::numeric_limits<double>::max_digits10);
     const auto write_ring = [&](const auto& ring) {
       out << '(';
@@ -158,7 +158,7 @@ void write_poly(const std::string& path, const Deformable_simplicial_complex_2<T
       if (dsc.measure(c) > dsc.measure(largest.back()))
         largest.back() = c;
   }
-  Deformable_simplicial_complexes::replace_file_by_stream(path, [&](std::ostream& out) {
+  Deformable_simplicial_complexes::replace_file(path, [&](std::ostream& out) {
     out.precision(std::numeric_limits<double>::max_digits10);
     out << extracted.points.size() << " 2 0 0\n";
     for (std::size_t i = 0; i < extracted.points.size(); ++i)

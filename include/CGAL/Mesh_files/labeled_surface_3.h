@@ -269,7 +269,7 @@ void write_interface(const std::string& path,
     throw Deformable_simplicial_complexes::File_error(
         path + " does not have the extension of a surface format: choose .off, .obj, .ply or .stl",
         path);
-  Deformable_simplicial_complexes::replace_file_by_stream(path, [&](std::ostream& out) {
+  Deformable_simplicial_complexes::replace_file(path, [&](std::ostream& out) {
     out.precision(std::numeric_limits<double>::max_digits10);
     if (!internal::write_soup(out, format, surface.points, surface.triangles))
       out.setstate(std::ios::failbit);
@@ -302,7 +302,7 @@ void write_named_interface(
   const bool has_solids = format == internal::Surface_format::stl;
   if (names.empty() || (!has_solids && format != internal::Surface_format::obj))
     return write_interface(path, surface);
-  Deformable_simplicial_complexes::replace_file_by_stream(path, [&](std::ostream& out) {
+  Deformable_simplicial_complexes::replace_file(path, [&](std::ostream& out) {
     out.precision(std::numeric_limits<double>::max_digits10);
     has_solids ? internal::write_solids(out, surface, names)
                : internal::write_objects(out, surface, names);
@@ -334,7 +334,7 @@ void write_interface(const std::string& path,
   if (internal::surface_format(path) != internal::Surface_format::ply)
     throw Deformable_simplicial_complexes::File_error(
         path + " cannot contain values at points: choose the extension .ply", path);
-  Deformable_simplicial_complexes::replace_file_by_stream(path, [&](std::ostream& out) {
+  Deformable_simplicial_complexes::replace_file(path, [&](std::ostream& out) {
     out.precision(std::numeric_limits<double>::max_digits10);
     internal::write_ply_with_properties(out, surface, arrays);
   });

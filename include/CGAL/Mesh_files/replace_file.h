@@ -13,121 +13,185 @@
 #include <CGAL/Mesh_files/File_error.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
+#include <cstddef>
+#include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <ios>
 #include <locale>
 #include <ostream>
+#include <random>
+#include <streambuf>
 #include <string>
+#include <string_view>
 #include <system_error>
+#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 
-// Removes a file at the end of the scope, unless the file was renamed before.
-struct Temporary_file
-{
-  std::filesystem::path path;
+// The names of files that are not complete: a prefix and hexadecimal digits.
+inline constexpr std::string_view partial_prefix = ".partial-";
+inline constexpr std::size_t partial_digits = 16;
 
-  ~Temporary_file() {
-    std::error_code nothing_to_remove;
-    std::filesystem::remove(path, nothing_to_remove);
-  }
-};
-
-// Returns the path of a file that does not exist, in the folder of `path` and with its extension.
-inline std::filesystem::path unused_name(const std::filesystem::path& path) {
-  std::string stem = path.stem().string() + ".partial";
-  std::filesystem::path result;
-  std::error_code error;
-  do {
-    result = path.parent_path() / (stem + path.extension().string());
-    stem += '~';
-  } while (std::filesystem::exists(result, error));
-  return result;
+inline bool is_partial_name(std::string_view name) {
+  return name.size() == partial_prefix.size() + partial_digits &&
+         name.substr(0, partial_prefix.size()) == partial_prefix &&
+         name.find_first_not_of("0123456789abcdef", partial_prefix.size()) == name.npos;
 }
 
-// A file buffer that makes writing interruptible.
-class Stoppable_filebuf : public std::filebuf
+inline std::filesystem::path folder_of(const std::string& path) {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  return folder.empty() ? "." : folder;
+}
+
+// A file that is written beside a target, and then replaces it. Otherwise it is removed at the end
+// of the scope. Its name is not predictable, and links are not followed. The file is locked, so
+// that others can tell whether its writer is alive.
+class New_file : public std::streambuf
 {
+public:
+  explicit New_file(const std::string& target) : m_target(target), m_buffer(std::size_t(1) << 16) {
+    while (!create())
+      ;
+    setp(m_buffer.data(), m_buffer.data() + m_buffer.size());
+  }
+
+  New_file(const New_file&) = delete;
+  New_file& operator=(const New_file&) = delete;
+
+  ~New_file() override {
+    if (!m_path.empty())
+      ::unlink(m_path.c_str());
+    ::close(m_file);
+  }
+
+  // Replaces the target. After a loss of power, there is either the old or the new file, and the
+  // new one if there was an old one.
+  void replace_target() {
+    write_buffer();
+    const bool is_new = ::access(m_target.c_str(), F_OK) != 0;
+    if (::fsync(m_file) != 0 || ::rename(m_path.c_str(), m_target.c_str()) != 0)
+      fail();
+    m_path.clear();
+    if (is_new)
+      return;
+    const int folder = ::open(folder_of(m_target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (folder >= 0) {
+      ::fsync(folder); // some file systems cannot; the file is complete anyway
+      ::close(folder);
+    }
+  }
+
 protected:
   int_type overflow(int_type c) override {
-    Progress_scope::check();
-    return std::filebuf::overflow(c);
+    write_buffer();
+    if (!traits_type::eq_int_type(c, traits_type::eof()))
+      sputc(traits_type::to_char_type(c));
+    return traits_type::not_eof(c);
   }
-  std::streamsize xsputn(const char* text, std::streamsize size) override {
-    static constexpr std::streamsize most = 1 << 20; // bytes at once, written within milliseconds
-    std::streamsize done = 0;
-    while (done < size) {
-      Progress_scope::check();
-      const std::streamsize part = (std::min)(most, size - done),
-                            written = std::filebuf::xsputn(text + done, part);
-      done += written;
-      if (written < part)
-        break;
+
+  int sync() override {
+    write_buffer();
+    return 0;
+  }
+
+private:
+  // Creates the file. Returns false if its name exists, or if another process took the file for an
+  // abandoned one before it was locked.
+  bool create() {
+    std::random_device random;
+    char digits[partial_digits + 1];
+    std::snprintf(digits, sizeof digits, "%08x%08x", random(), random());
+    m_path = (folder_of(m_target) / partial_prefix).string() + digits;
+    m_file = ::open(m_path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (m_file < 0 && errno != EEXIST)
+      fail();
+    struct stat status;
+    if (m_file >= 0 && (flock(m_file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) &&
+        fstat(m_file, &status) == 0 && status.st_nlink > 0)
+      return true;
+    ::close(m_file);
+    return false;
+  }
+
+  void write_buffer() {
+    Progress_scope::check(); // writing is interruptible
+    for (const char* text = pbase(); text != pptr();) {
+      const ssize_t written = ::write(m_file, text, static_cast<std::size_t>(pptr() - text));
+      if (written >= 0)
+        text += written;
+      else if (errno != EINTR)
+        fail();
     }
-    return done;
+    setp(m_buffer.data(), m_buffer.data() + m_buffer.size());
   }
+
+  [[noreturn]] void fail() const {
+    const std::string cause = std::generic_category().message(errno);
+    throw File_error("cannot write " + m_target + " (" + cause +
+                         "): check that the folder exists, is writable and has free space",
+                     m_target);
+  }
+
+  std::string m_target, m_path; // no path after the target was replaced
+  std::vector<char> m_buffer;
+  int m_file = -1;
 };
+
+// Removes what processes that were killed while writing have left in a folder.
+inline void remove_partial_files(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::directory_iterator entry(folder, error);
+  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+    const std::filesystem::path& path = entry->path();
+    if (!is_partial_name(path.filename().string()))
+      continue;
+    const int file = ::open(path.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (file < 0)
+      continue;
+    if (flock(file, LOCK_EX | LOCK_NB) == 0)
+      ::unlink(path.c_str());
+    ::close(file);
+  }
+}
 
 } // namespace internal
 
 /*!
 \ingroup PkgMeshFilesRef
 
-Writes a file and then replaces an older file of the same name. The older file thus stays complete
-until the new one is complete.
-
-\param path the path of the file
-\param write `write(temporary_path)` writes a file beside `path` and returns whether it is complete.
-       The temporary file has the same extension, because formats depend on it.
-\throws File_error if the file cannot be written. The older file is then unchanged, as after an
-        exception of `write`.
-*/
-template <class Write> void replace_file(const std::string& path, Write write) {
-  const std::filesystem::path target(path);
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(target, error);
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
-    throw File_error(path + " is not a regular file: choose another name", path);
-  const internal::Temporary_file temporary{internal::unused_name(target)};
-  if (!write(temporary.path.string()))
-    throw File_error("cannot write " + path +
-                         ": check that the folder exists, is writable and has free space",
-                     path);
-  std::filesystem::rename(temporary.path, target, error);
-  if (error)
-    throw File_error("cannot replace " + path + " by the file just written: " + error.message(),
-                     path);
-}
-
-/*!
-\ingroup PkgMeshFilesRef
-
-Writes a file by a stream, as `replace_file()` does.
+Writes a file by a stream, and then replaces an older file of the same name. The older file thus
+stays complete until the new one is, also if the process is killed or the machine loses power: the
+new file has a name that cannot be predicted, in the same folder, and is on the disk before it is
+renamed. A link with the name of the file is replaced, not followed.
 
 \param path the path of the file
 \param write `write(stream)` takes a binary `std::ostream` in the classic locale. Writing stops if
        the callback of a `Progress_scope` returns `false`.
-\throws File_error as `replace_file()` does
+\throws File_error if the file cannot be written, or `path` is no regular file. The older file is
+        then unchanged, as after an exception of `write`.
 \throws Interrupted_error if the callback returns `false`; the older file is then unchanged
 */
-template <class Write> void replace_file_by_stream(const std::string& path, Write write) {
-  replace_file(path, [&](const std::string& temporary) {
-    internal::Stoppable_filebuf file;
-    if (!file.open(temporary, std::ios::out | std::ios::binary))
-      return false;
-    std::ostream out(&file);
-    out.imbue(std::locale::classic());
-    out.exceptions(std::ios::badbit); // otherwise the stream would swallow exceptions of the file
-    try {
-      write(out);
-    } catch (const std::ios_base::failure&) {
-      return false;
-    }
-    return file.close() != nullptr && out.good();
-  });
+template <class Write> void replace_file(const std::string& path, const Write& write) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    throw File_error(path + " is not a regular file: choose another name", path);
+  internal::New_file file(path);
+  std::ostream out(&file);
+  out.imbue(std::locale::classic());
+  out.exceptions(std::ios::badbit); // otherwise the stream would swallow exceptions of the file
+  write(out);
+  if (!out)
+    throw File_error("cannot write all of " + path + ": check its content", path);
+  file.replace_target();
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes

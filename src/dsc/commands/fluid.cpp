@@ -88,12 +88,6 @@ void require_contents(const Fluid_picture& picture, const Fluid_scene& scene) {
         "--color field applies only to a scene with a field; choose another quantity");
 }
 
-/// The error of a step that cannot be completed. The fluid is in its state before the step.
-struct Failed_step : std::runtime_error
-{
-  using std::runtime_error::runtime_error;
-};
-
 /// A run with its output files and messages.
 template <int dimension> class Reported_run
 {
@@ -122,8 +116,9 @@ private:
   bool is_over() const;
   unsigned step() const { return m_first + m_done; }
   void write_files();
+  std::string save_after(const std::exception& error);
   void write_report() const;
-  std::string checkpoint(const char* name);
+  std::string save(const char* name);
 
   const Fluid_options& m_options;
   std::optional<Fluid_scene> m_scene; // empty if the run is resumed
@@ -148,7 +143,7 @@ template <int dimension> void Reported_run<dimension>::check_places() {
   if (m_scene)
     require_contents(m_options.picture, *m_scene);
   if (!m_options.output.empty())
-    m_folder.emplace(m_options.output, m_options.resume, m_options.subdivisions);
+    m_folder.emplace(m_options.output, m_options.subdivisions).claim(m_options.resume);
   require_place("--report", m_options.report, {m_options.resume, m_options.scene});
   require_place("--picture", m_options.picture.path,
                 {m_options.resume, m_options.scene, m_options.report});
@@ -177,20 +172,19 @@ template <int dimension> void Reported_run<dimension>::begin() {
 }
 
 template <int dimension> void Reported_run<dimension>::write_files() {
-  if (m_folder)
-    m_folder->write(*m_run.complex, {step(), m_run.fluid->time(), {}}, m_run.metadata());
+  if (!m_folder)
+    return;
+  const Run_position position = {step(), m_run.fluid->time(), {}};
+  m_folder->save(*m_run.complex, position, m_run.metadata());
+  m_folder->write(*m_run.complex, position);
 }
 
-/// Returns the name of the last checkpoint in the output folder. Without such a folder, writes a
-/// checkpoint first, in the first of several processes.
-template <int dimension> std::string Reported_run<dimension>::checkpoint(const char* name) {
+/// Saves the run in the first of several processes, see save_run().
+template <int dimension> std::string Reported_run<dimension>::save(const char* name) {
   if (!is_first_process())
     return name;
-  if (m_folder)
-    return m_folder->checkpoint();
-  const std::string result = unused_name(name, ".dsc");
-  m_run.complex->write_checkpoint(result, m_run.metadata());
-  return result;
+  return save_run(m_folder, name, *m_run.complex, {step(), m_run.fluid->time(), {}},
+                  m_run.metadata());
 }
 
 template <int dimension> void Reported_run<dimension>::write_report() const {
@@ -219,11 +213,11 @@ template <int dimension> void Reported_run<dimension>::advance() {
       return fluid.advance(dt, options); // all or nothing
     } catch (const DSC::Interrupted_error&) {
       throw;
-    } catch (const DSC::Fluid_step_error& error) {
-      throw Failed_step(error.what());
+    } catch (const DSC::Fluid_step_error&) {
+      throw;
     } catch (const std::exception& error) {
-      throw Failed_step("step " + std::to_string(step() + 1) + " of the fluid at time " +
-                        Json(fluid.time()).dump() + " failed: " + error.what());
+      throw std::runtime_error("step " + std::to_string(step() + 1) + " of the fluid at time " +
+                               Json(fluid.time()).dump() + " failed: " + error_message(error));
     }
   }();
   set_time(m_run.scene, fluid.time(), fluid);
@@ -240,11 +234,6 @@ template <int dimension> void Reported_run<dimension>::do_steps() {
   Progress_line progress(parts, m_options.quiet, "progress");
   const Fluid<Complex>& fluid = *m_run.fluid;
   const double start_time = fluid.time();
-  const auto write_all = [&] {
-    progress.clear();
-    write_files();
-    write_report();
-  };
   try {
     const Interruptible scope(true);
     while (!is_over()) {
@@ -253,25 +242,38 @@ template <int dimension> void Reported_run<dimension>::do_steps() {
       if (step() % m_options.every == 0)
         write_files();
     }
+    progress.clear();
+    if (!interrupted())
+      write_files();
   } catch (const DSC::Interrupted_error&) {
-  } catch (const Failed_step& error) {
-    write_all();
-    throw std::runtime_error(std::string(error.what()) + "; the state before this step is in " +
-                             checkpoint("dsc_failed"));
-  } catch (...) {
-    write_all();
-    throw;
+    progress.clear();
+  } catch (const std::exception& error) {
+    progress.clear();
+    throw std::runtime_error(save_after(error));
   }
-  write_all();
+}
+
+/// After an error of any kind in a step, keeps the previous steps. Returns the message.
+template <int dimension>
+std::string Reported_run<dimension>::save_after(const std::exception& error) {
+  std::string message = error_message(error);
+  try {
+    message += "; the state after step " + std::to_string(step()) + " is in " + save("dsc_failed");
+    write_report();
+  } catch (const std::exception& second) {
+    message += "; " + error_message(second);
+  }
+  return message;
 }
 
 template <int dimension> int Reported_run<dimension>::finish() {
-  std::string range; // of the colors
-  if (!m_options.picture.path.empty())
-    range = draw_fluid<dimension>(m_options.picture, *m_run.complex, *m_run.fluid);
   if (interrupted())
     std::cerr << "dsc: interrupted after step " << step() << "; continue with dsc fluid --resume "
-              << checkpoint("dsc_interrupted") << '\n';
+              << save("dsc_interrupted") << '\n';
+  write_report();
+  std::string range; // of the colors
+  if (!interrupted() && !m_options.picture.path.empty())
+    range = draw_fluid<dimension>(m_options.picture, *m_run.complex, *m_run.fluid);
   if (!m_options.quiet)
     print_summary(m_run, m_done, m_repetitions, range, seconds_since(m_begin));
   return interrupted() ? exit_code_of_interrupt : 0;

@@ -210,7 +210,7 @@ int execute(const View_options& options) {
   require_place("--output", options.output, {options.run, options.report});
   const Interruptible interruptible(options.quiet);
   const std::string html = film_of_run(options);
-  DSC::replace_file_by_stream(options.output, [&](std::ostream& out) { out << html; });
+  DSC::replace_file(options.output, [&](std::ostream& out) { out << html; });
   if (!options.quiet)
     std::cout << "dsc: wrote " << options.output << " (" << (html.size() + 999) / 1000
               << " kB); open it in a browser\n";

@@ -8,6 +8,7 @@
 #include "input/surface.h"
 #include "motions/tracked_complex.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -23,6 +24,9 @@ class Inputs
 {
 public:
   virtual ~Inputs() = default;
+
+  /// Calls a function in the first of all processes. An error is thrown in all of them.
+  virtual void run_once(const std::function<void()>& function) const { function(); }
 
   /// Throws Other_program unless this program reads the files of all formats.
   virtual void require_all() const = 0;

@@ -6,9 +6,15 @@
 
 #include "programs/errors.h"
 
+#include <CGAL/Mesh_files/replace_file.h>
+
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
-#include <fstream>
+#include <system_error>
 
 namespace dsc {
 namespace fs = std::filesystem;
@@ -43,14 +49,8 @@ void require_writable(const std::string& path) {
   const fs::file_status status = fs::status(path, error);
   if (fs::exists(status) && !fs::is_regular_file(status))
     throw Input_error("'" + path + "' is not a regular file; choose another name");
-  // Tests whether a file can be created in the folder, because results are written to a new file
-  // that is then renamed.
-  std::string probe = path + ".probe";
-  while (fs::exists(probe, error))
-    probe += '~';
-  if (!std::ofstream(probe))
-    throw Input_error("cannot write '" + path + "'; check that its folder exists and is writable");
-  fs::remove(probe, error);
+  const DSC::internal::New_file probe(path); // results are written to a new file beside it
+  DSC::internal::remove_partial_files(DSC::internal::folder_of(path));
 }
 
 void create_folder(const std::string& path) {
@@ -76,11 +76,24 @@ void require_place(const std::string& option, const std::string& path,
   require_writable(path);
 }
 
-std::string unused_name(const std::string& stem, const std::string& extension) {
+std::string new_file(const std::string& stem, const std::string& extension) {
   std::string name = stem + extension;
-  for (int number = 2; exists(name); ++number)
+  for (int number = 2;; ++number) {
+    const int file = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (file >= 0) {
+      close(file);
+      return name;
+    }
+    if (errno != EEXIST)
+      throw Input_error("cannot create '" + name + "' in the working directory (" +
+                        std::generic_category().message(errno) + "); check its permissions");
     name = stem + '_' + std::to_string(number) + extension;
-  return name;
+  }
+}
+
+void remove_file(const std::string& path) {
+  std::error_code error;
+  fs::remove(path, error);
 }
 
 } // namespace dsc

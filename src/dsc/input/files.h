@@ -37,8 +37,13 @@ bool is_same_file(const std::string& a, const std::string& b);
 void require_place(const std::string& option, const std::string& path,
                    const std::vector<std::string>& others);
 
-/// Returns `stem` + `extension`, with a number inserted if a file of this name exists.
-std::string unused_name(const std::string& stem, const std::string& extension);
+/// Creates an empty file in the working directory. Returns its name: `stem` + `extension`, with a
+/// number inserted if a file of this name exists.
+/// \throws Input_error if no file can be created
+std::string new_file(const std::string& stem, const std::string& extension);
+
+/// Removes a file if there is one.
+void remove_file(const std::string& path);
 
 } // namespace dsc
 

@@ -4,6 +4,7 @@
 
 #include "input/translations.h"
 
+#include "input/claimed_folder.h"
 #include "input/files.h"
 #include "programs/interrupt.h"
 
@@ -12,6 +13,7 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -22,10 +24,12 @@
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -42,7 +46,8 @@ namespace {
 /// The temporary files of this process.
 struct Temporary_files
 {
-  std::string folder; ///< empty before the first file
+  std::string folder;                  ///< empty before the first file
+  std::optional<Claimed_folder> claim; ///< of the folder
   int number = 0;
   std::map<std::string, std::string> translations; ///< by the name of the user
 };
@@ -52,11 +57,30 @@ Temporary_files& temporary_files() {
   return files;
 }
 
+constexpr char temporary_lock[] = ".dsc-temporary";
+
+/// Removes the temporary folders of this user that killed processes have left. Locks of other
+/// processes are older than the shortest age, so that a new folder that is not yet locked stays.
+void remove_abandoned_folders(const fs::path& parent) {
+  static constexpr std::time_t shortest_age = 60; // seconds
+  std::error_code error;
+  fs::directory_iterator entry(parent, error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+    const std::string path = entry->path().string();
+    struct stat status;
+    if (lstat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode) && status.st_uid == getuid() &&
+        status.st_mtime + shortest_age < std::time(nullptr) && is_abandoned(path, temporary_lock)) {
+      std::error_code is_left;
+      fs::remove_all(path, is_left);
+    }
+  }
+}
+
 /// Returns a new, empty folder.
 std::string new_folder() {
   Temporary_files& files = temporary_files();
+  std::error_code error;
   if (files.folder.empty()) {
-    std::error_code error;
     const fs::path parent = fs::temp_directory_path(error);
     if (error)
       throw Input_error("there is no folder for temporary files; set TMPDIR to a folder");
@@ -65,9 +89,14 @@ std::string new_folder() {
       throw Input_error("cannot create a temporary folder in " + parent.string() + ": " +
                         std::strerror(errno));
     files.folder = name;
+    files.claim.emplace(name, temporary_lock);
+    remove_abandoned_folders(parent);
   }
   const fs::path result = fs::path(files.folder) / std::to_string(files.number++);
-  fs::create_directory(result);
+  fs::create_directory(result, error);
+  if (error)
+    throw Input_error("cannot create a temporary folder in " + files.folder + ": " +
+                      error.message());
   return result.string();
 }
 
@@ -213,7 +242,7 @@ void write_foreign(const std::string& input, const std::string& output, const st
   if (!like.empty())
     arguments.push_back(like);
   run_dsc_files(output, arguments);
-  DSC::replace_file_by_stream(
+  DSC::replace_file(
       output, [&](std::ostream& out) { out << std::ifstream(written, std::ios::binary).rdbuf(); });
 }
 
@@ -243,7 +272,9 @@ void remove_temporary_files() {
   std::error_code error;
   if (!files.folder.empty())
     fs::remove_all(files.folder, error);
-  files = Temporary_files();
+  files.folder.clear();
+  files.claim.reset();
+  files.translations.clear();
 }
 
 void print_note(const std::string& path, const std::string& text) {

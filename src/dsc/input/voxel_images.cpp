@@ -7,11 +7,13 @@
 #include "input/files.h"
 #include "input/translations.h"
 
+#include <CGAL/Mesh_files/replace_file.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
 #include <limits>
+#include <ostream>
 #include <utility>
 
 namespace dsc {
@@ -42,8 +44,7 @@ std::vector<float> values_of(const CGAL::Image_3& image, std::size_t channels) {
 using Grid = DSC::Sampling_grid<3>;
 
 /// Writes labels of voxels for VTK, as an image with raw data.
-void write_vti(const std::string& path, const Grid& grid, const std::vector<int>& labels) {
-  std::ofstream out(path, std::ios::binary);
+void write_vti(std::ostream& out, const Grid& grid, const std::vector<int>& labels) {
   out.precision(std::numeric_limits<double>::max_digits10);
   out << "<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" "
          "header_type=\"UInt64\">\n<ImageData WholeExtent=\"";
@@ -127,7 +128,7 @@ DSC::Gray_image<2> layer_of(Read_image image) {
 void write_label_image(const std::string& path, const Grid& grid, const std::vector<int>& labels,
                        const std::string& like) {
   const std::string image = temporary_file("image.vti");
-  write_vti(image, grid, labels);
+  DSC::replace_file(image, [&](std::ostream& out) { write_vti(out, grid, labels); });
   write_foreign(image, path, like);
 }
 

@@ -240,9 +240,9 @@ public:
 
 private:
   void advance();
-  void write_files();
-  void save_after_error();
-  void report_interruption();
+  void write_files(bool writes_state);
+  std::string save_after(const std::exception& error);
+  void write_report();
   std::string metadata() const {
     return to_metadata(m_position, m_options.step, m_complex->label_names);
   }
@@ -266,16 +266,20 @@ private:
 void Run::check_places() {
   const Output_options& output = m_options.output;
   if (!output.folder.empty())
-    m_folder.emplace(output.folder, m_options.resume, output.subdivisions);
-  std::vector<std::string> precious = with_user_names(m_options.start.inputs);
-  precious.push_back(m_options.resume);
-  if (m_folder)
-    precious.push_back(m_folder->checkpoint());
-  require_place("--report", output.report, precious);
-  precious.push_back(output.report);
+    m_folder.emplace(output.folder, output.subdivisions);
   if (!output.picture.empty())
     require_extension(output.picture, {"png"});
-  require_place("--picture", output.picture, precious);
+  m_options.inputs->run_once([&] {
+    std::vector<std::string> precious = with_user_names(m_options.start.inputs);
+    precious.push_back(m_options.resume);
+    if (m_folder) {
+      m_folder->claim(m_options.resume);
+      precious.push_back(m_folder->checkpoint());
+    }
+    require_place("--report", output.report, precious);
+    precious.push_back(output.report);
+    require_place("--picture", output.picture, precious);
+  });
 }
 
 void Run::start() {
@@ -313,14 +317,18 @@ void Run::start() {
     m_report.emplace(m_options, m_position.start, repairs, m_complex->sweep_seconds(),
                      m_complex->label_names);
     m_report->add(m_position, Step_outcome(), m_complex->statistics());
-    m_complex->run_once([&] { m_report->write_now_and_then(); });
   }
-  write_files();
+  write_files(true);
 }
 
-void Run::write_files() {
-  if (m_folder)
-    m_folder->write(*m_complex, m_position, metadata());
+// The most precious files come first, because the disk may be full.
+void Run::write_files(bool writes_state) {
+  if (m_folder && writes_state)
+    m_folder->save(*m_complex, m_position, metadata());
+  if (m_report)
+    m_complex->run_once([&] { m_report->write_now_and_then(); });
+  if (m_folder && writes_state)
+    m_folder->write(*m_complex, m_position);
 }
 
 void Run::advance() {
@@ -341,12 +349,9 @@ void Run::advance() {
   m_flat_cells.add(outcome, *m_complex);
   m_balance.add(m_position.step, outcome.balances);
   m_seconds += outcome.seconds;
-  if (m_report) { // statistics take long
+  if (m_report) // statistics take long
     m_report->add(m_position, outcome, m_complex->statistics());
-    m_complex->run_once([&] { m_report->write_now_and_then(); });
-  }
-  if (m_position.step % m_options.output.every == 0)
-    write_files();
+  write_files(m_position.step % m_options.output.every == 0);
 }
 
 void Run::do_steps() {
@@ -360,51 +365,52 @@ void Run::do_steps() {
       progress.show(m_done);
       agree_on_interrupts();
     }
+    progress.clear();
+    if (!interrupted())
+      write_files(true);
   } catch (const DSC::Interrupted_error&) {
     m_complex->go_back();
+    progress.clear();
     agree_on_interrupts();
-  } catch (const std::bad_alloc&) {
+  } catch (const std::exception& error) {
+    progress.clear();
     // Other processes wait in the step, so this one cannot write with them.
-    progress.clear();
-    if (!m_complex->is_whole())
+    if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr && !m_complex->is_whole())
       throw;
-    save_after_error();
-    throw;
-  } catch (...) {
-    // After an error of any kind in a step, the previous steps are kept.
-    progress.clear();
-    save_after_error();
-    throw;
+    throw std::runtime_error(save_after(error));
   }
-  progress.clear();
-  write_files();
 }
 
-void Run::save_after_error() {
-  m_complex->go_back();
-  write_files();
-  if (m_report)
-    m_complex->run_once([&] { m_report->write(); });
+/// After an error of any kind in a step, keeps the previous steps. Returns the message.
+std::string Run::save_after(const std::exception& error) {
+  std::string message = error_message(error);
+  try {
+    m_complex->go_back();
+    if (m_folder || m_done > 0)
+      message += "; the state after step " + std::to_string(m_position.step) + " is in " +
+                 save_run(m_folder, "dsc_failed", *m_complex, m_position, metadata());
+    write_report();
+  } catch (const std::exception& second) {
+    message += "; " + error_message(second);
+  }
+  return message;
 }
 
-void Run::report_interruption() {
-  std::string checkpoint = unused_name("dsc_interrupted", ".dsc");
-  if (m_folder)
-    checkpoint = m_folder->checkpoint();
-  else
-    m_complex->write_checkpoint(checkpoint, metadata());
-  print_interruption(m_position, checkpoint, m_options.steps - m_done);
+void Run::write_report() {
+  if (!m_report)
+    return;
+  m_report->set_balance(m_balance);
+  m_complex->run_once([&] { m_report->write(); });
 }
 
 int Run::finish() {
   const bool stopped = interrupted();
   if (stopped)
-    report_interruption();
-  if (m_report) {
-    m_report->set_balance(m_balance);
-    m_complex->run_once([&] { m_report->write(); });
-  }
-  if (!m_options.output.picture.empty())
+    print_interruption(m_position,
+                       save_run(m_folder, "dsc_interrupted", *m_complex, m_position, metadata()),
+                       m_options.steps - m_done);
+  write_report();
+  if (!stopped && !m_options.output.picture.empty())
     m_complex->write(m_options.output.picture);
   if (!m_options.output.quiet) {
     print_divided(m_divided_steps);

@@ -50,13 +50,15 @@ std::string unescaped(std::string text) {
 
 } // namespace
 
-Output_folder::Output_folder(const std::string& path, const std::string& resume, int subdivisions)
+Output_folder::Output_folder(const std::string& path, int subdivisions)
     : m_path(path), m_subdivisions(subdivisions), m_volume(file("volume.pvd")),
-      m_interface(file("interface.pvd")) {
-  create_folder(path);
+      m_interface(file("interface.pvd")) {}
+
+void Output_folder::claim(const std::string& resume) {
+  m_claim.emplace(m_path);
   require_writable(checkpoint());
   if (exists(checkpoint()) && !is_same_file(checkpoint(), resume))
-    throw Input_error("the folder '" + path +
+    throw Input_error("the folder '" + m_path +
                       "' contains the results of another run; choose another "
                       "folder, or continue that run with --resume " +
                       checkpoint());
@@ -72,33 +74,62 @@ void Output_folder::keep_until(double time) {
   }
 }
 
-void Output_folder::write(const Tracked_complex& complex, const Run_position& position,
-                          const std::string& metadata) {
-  if (complex.agreed(position.time > m_last_time) > 0) {
-    const std::string extension = complex.grid_extension();
-    const std::string volume = file(numbered("volume_%06u", position.step) + extension);
-    const std::string interface = file(numbered("interface_%06u", position.step) + extension);
-    complex.write_volume_vtu(volume);
-    complex.write_interface_vtu(interface);
-    complex.write_picture(file(numbered("picture_%06u", position.step)));
-    if (m_subdivisions > 0)
-      complex.write_subdivided(file(numbered("smooth_%06u.ply", position.step)), m_subdivisions);
-    complex.run_once([&] {
-      m_volume.append(position.time, volume);
-      m_interface.append(position.time, interface);
-    });
-    m_last_time = position.time;
-  }
-  if (complex.agreed(!holds(position)) > 0) {
-    complex.write_checkpoint(checkpoint(), metadata);
-    m_checkpoint_time = position.time;
-  }
+void Output_folder::save(const Tracked_complex& complex, const Run_position& position,
+                         const std::string& metadata) {
+  if (complex.agreed(position.time > m_checkpoint_time) == 0)
+    return;
+  require_claim(complex);
+  complex.write_checkpoint(checkpoint(), metadata);
+  m_checkpoint_time = position.time;
+}
+
+void Output_folder::write(const Tracked_complex& complex, const Run_position& position) {
+  if (complex.agreed(position.time > m_last_time) == 0)
+    return;
+  require_claim(complex);
+  const std::string extension = complex.grid_extension();
+  const std::string volume = file(numbered("volume_%06u", position.step) + extension);
+  const std::string interface = file(numbered("interface_%06u", position.step) + extension);
+  complex.write_volume_vtu(volume);
+  complex.write_interface_vtu(interface);
+  complex.write_picture(file(numbered("picture_%06u", position.step)));
+  if (m_subdivisions > 0)
+    complex.write_subdivided(file(numbered("smooth_%06u.ply", position.step)), m_subdivisions);
+  complex.run_once([&] {
+    m_volume.append(position.time, volume);
+    m_interface.append(position.time, interface);
+  });
+  m_last_time = position.time;
+}
+
+void Output_folder::require_claim(const Tracked_complex& complex) const {
+  complex.run_once([&] { m_claim->require(); });
 }
 
 std::string Output_folder::checkpoint() const { return file("checkpoint.dsc"); }
 
 std::string Output_folder::file(const std::string& name) const {
   return (fs::path(m_path) / name).string();
+}
+
+std::string save_run(std::optional<Output_folder>& folder, const std::string& stem,
+                     const Tracked_complex& complex, const Run_position& position,
+                     const std::string& metadata) {
+  if (folder)
+    try {
+      folder->save(complex, position, metadata);
+      return folder->checkpoint();
+    } catch (const std::runtime_error&) { // the other place may do
+    }
+  std::string result;
+  complex.run_once([&] { result = new_file(stem, ".dsc"); });
+  try {
+    complex.write_checkpoint(result, metadata);
+  } catch (...) {
+    complex.run_once([&] { remove_file(result); });
+    throw;
+  }
+  return result;
 }
 
 std::vector<Moment> moments_of_collection(const std::string& collection) {

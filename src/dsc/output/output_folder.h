@@ -5,12 +5,14 @@
 #ifndef DSC_OUTPUT_FOLDER_H
 #define DSC_OUTPUT_FOLDER_H
 
+#include "input/claimed_folder.h"
 #include "motions/run_position.h"
 #include "motions/tracked_complex.h"
 
 #include <CGAL/Mesh_files/PVD_series.h>
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,35 +25,48 @@ namespace dsc {
 class Output_folder
 {
 public:
-  /// Creates the folder if necessary.
   /// \param subdivisions of the interface, for a smooth surface; none if 0
+  Output_folder(const std::string& path, int subdivisions);
+
+  /// Claims the folder for this process, the first one of the run.
   /// \throws Input_error if nothing can be written there, or if the folder contains another run
   /// than the run of the checkpoint `resume`
-  Output_folder(const std::string& path, const std::string& resume, int subdivisions);
+  void claim(const std::string& resume);
 
   /// Continues the collections of an earlier run in this folder, up to a time.
   void keep_until(double time);
 
-  /// Returns whether the checkpoint is from this position or a later one.
-  bool holds(const Run_position& position) const { return position.time <= m_checkpoint_time; }
+  /// Writes the checkpoint unless it is from this position or a later one.
+  /// \throws std::runtime_error if it cannot be written
+  void save(const Tracked_complex& complex, const Run_position& position,
+            const std::string& metadata);
 
-  /// Writes a state, except files that already exist. The checkpoint is written last, when all
-  /// other files are complete.
+  /// Writes the other files of a state unless they exist.
   /// \throws std::runtime_error if a file cannot be written
-  void write(const Tracked_complex& complex, const Run_position& position,
-             const std::string& metadata);
+  void write(const Tracked_complex& complex, const Run_position& position);
 
   std::string checkpoint() const;
 
 private:
   std::string file(const std::string& name) const;
+  void require_claim(const Tracked_complex& complex) const;
 
   std::string m_path;
+  std::optional<Claimed_folder> m_claim; // of the first process
   int m_subdivisions;
   CGAL::IO::PVD_series m_volume, m_interface;
   double m_last_time = -std::numeric_limits<double>::infinity(); // last time in the collections
   double m_checkpoint_time = m_last_time;
 };
+
+/// Saves a run that cannot go on: writes the checkpoint of its last state in the folder or, if
+/// there is none or it can no longer be written, under a new name in the working directory.
+/// \param stem of the new name
+/// \return the name of the checkpoint, in the first process
+/// \throws std::runtime_error if neither can be written
+std::string save_run(std::optional<Output_folder>& folder, const std::string& stem,
+                     const Tracked_complex& complex, const Run_position& position,
+                     const std::string& metadata);
 
 /// Time, and file of the state.
 using Moment = std::pair<double, std::string>;

@@ -16,6 +16,9 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <new>
+#include <ostream>
+#include <string>
 
 namespace dsc {
 namespace {
@@ -123,9 +126,12 @@ void write_png(const std::string& path, const Canvas& canvas) {
   image.version = PNG_IMAGE_VERSION;
   image.width = image.height = side;
   image.format = PNG_FORMAT_RGB;
-  DSC::replace_file(path, [&](const std::string& name) {
-    return png_image_write_to_file(&image, name.c_str(), 0, pixels.data(), 0, nullptr) != 0;
-  });
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
+  std::string bytes(size, '\0');
+  if (png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels.data(), 0, nullptr) == 0)
+    throw std::bad_alloc();
+  bytes.resize(size);
+  DSC::replace_file(path, [&](std::ostream& out) { out << bytes; });
 }
 
 /// Draws a line in front of the plane with depth 0. The ends have sample coordinates.

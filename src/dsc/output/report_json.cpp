@@ -76,7 +76,7 @@ Json statistics_json(const Statistics& statistics) {
 }
 
 void write_json(const std::string& path, const Json& json) {
-  DSC::replace_file_by_stream(path, [&](std::ostream& out) {
+  DSC::replace_file(path, [&](std::ostream& out) {
     out << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
   });
 }

@@ -5,6 +5,7 @@
 #ifndef DSC_STEP_FOLDER_H
 #define DSC_STEP_FOLDER_H
 
+#include "input/claimed_folder.h"
 #include "input/files.h"
 #include "programs/errors.h"
 
@@ -15,7 +16,6 @@
 
 #include <cstddef>
 #include <cstdio>
-#include <filesystem>
 #include <string>
 
 namespace dsc {
@@ -25,21 +25,24 @@ namespace dsc {
 class Step_folder
 {
 public:
-  /// Creates the folder if necessary.
-  /// \throws Input_error if the folder cannot be created, or contains other steps
+  /// Claims the folder.
+  /// \throws Input_error if the folder cannot be claimed, or contains other steps
   explicit Step_folder(const std::string& path)
-      : m_path(path), m_volume(file("volume.pvd")), m_interface(file("interface.pvd")) {
-    create_folder(path);
+      : m_claim(path), m_volume(file("volume.pvd")), m_interface(file("interface.pvd")) {
     if (exists(m_volume.path()))
       throw Input_error("the folder '" + path +
                         "' contains the steps of another run; choose another folder");
     require_writable(m_volume.path());
   }
 
+  /// \throws Input_error if the folder no longer belongs to this run
+  void require() const { m_claim.require(); }
+
   /// \param arrays of the interface
   template <class Complex>
   void write(const Complex& complex, std::size_t step, double time,
              const DSC::Mesh_arrays& arrays = {}) {
+    require();
     char name[40];
     std::snprintf(name, sizeof name, "_%06zu.vtu", step);
     const std::string volume = file(std::string("volume") + name),
@@ -51,12 +54,10 @@ public:
   }
 
   /// Returns the path of a file in the folder.
-  std::string file(const std::string& name) const {
-    return (std::filesystem::path(m_path) / name).string();
-  }
+  std::string file(const std::string& name) const { return m_claim.file(name); }
 
 private:
-  std::string m_path;
+  Claimed_folder m_claim;
   CGAL::IO::PVD_series m_volume, m_interface;
 };
 

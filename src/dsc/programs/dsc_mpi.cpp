@@ -28,6 +28,7 @@
 
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <system_error>
@@ -72,19 +73,12 @@ public:
     return result;
   }
 
-private:
-  /// Distributes a complex that `build()` returns on the first process. An error of the first
-  /// process is thrown there, and another one on the other processes.
-  template <class Build>
-  std::unique_ptr<dsc::Tracked_complex> distributed(const Build& build) const {
-    std::unique_ptr<dsc::Tracked_complex> built;
+  /// Throws the error of the first process there, and another one on the other processes.
+  void run_once(const std::function<void()>& function) const override {
     std::exception_ptr failure;
     if (m_processes.rank() == 0) {
       try {
-        built = build();
-        if (built->dimension() == 2)
-          throw dsc::Usage_error("complexes in the plane are not available on several processes; "
-                                 "run dsc without mpirun");
+        function();
       } catch (...) {
         failure = std::current_exception();
       }
@@ -94,7 +88,20 @@ private:
     if (failure)
       std::rethrow_exception(failure);
     if (has_failed)
-      throw dsc::Input_error("the first process could not build the complex");
+      throw dsc::Input_error("the first process could not start the run");
+  }
+
+private:
+  /// Distributes a complex that `build()` returns on the first process.
+  template <class Build>
+  std::unique_ptr<dsc::Tracked_complex> distributed(const Build& build) const {
+    std::unique_ptr<dsc::Tracked_complex> built;
+    run_once([&] {
+      built = build();
+      if (built->dimension() == 2)
+        throw dsc::Usage_error("complexes in the plane are not available on several processes; "
+                               "run dsc without mpirun");
+    });
     auto result = std::make_unique<dsc::Tracked_distributed>(m_processes, divide);
     if (built) // the first process writes reports and whole files
       result->label_names = built->label_names;

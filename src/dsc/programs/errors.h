@@ -6,7 +6,9 @@
 #define DSC_ERRORS_H
 
 #include <cstddef>
+#include <new>
 #include <stdexcept>
+#include <string>
 
 namespace CGAL::Deformable_simplicial_complexes {}
 namespace DSC = CGAL::Deformable_simplicial_complexes;
@@ -26,6 +28,13 @@ class Input_error : public std::runtime_error
 public:
   using std::runtime_error::runtime_error;
 };
+
+/// Returns the text of an error for a message.
+inline std::string error_message(const std::exception& error) {
+  return dynamic_cast<const std::bad_alloc*>(&error) != nullptr
+             ? "not enough memory; choose fewer --triangles or a smaller mesh"
+             : error.what();
+}
 
 /// Returns the form of a noun for a number of items in a message: `singular` for one item.
 inline const char* noun(std::size_t number, const char* singular, const char* plural) {

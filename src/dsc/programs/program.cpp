@@ -168,10 +168,8 @@ int dsc::run_program(int argc, char** argv,
     return fail(error.what(), bad_usage);
   } catch (const DSC::Interrupted_error&) {
     return fail("interrupted; no result was written", stopped);
-  } catch (const std::bad_alloc&) {
-    return fail("not enough memory; choose fewer --triangles or a smaller mesh", bad_input);
   } catch (const std::exception& error) {
-    return fail(error.what(), bad_input);
+    return fail(error_message(error), bad_input);
   } catch (...) {
     return fail("unknown error; check the input", bad_input);
   }

@@ -15,6 +15,9 @@
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 
+#include <sys/resource.h>
+
+#include <csignal>
 #include <iomanip>
 
 namespace test_io {
@@ -349,18 +352,15 @@ TEST(Replace_file, keeps_the_older_file_on_failure) {
   const Temporary_folder folder;
   const std::string path = folder / "a.txt";
   write_bytes(path, "old");
-  const auto fail = [](const std::string& temporary) {
-    write_bytes(temporary, "half of the new");
-    return false;
+  const auto fail = [](std::ostream& out) {
+    out << "half of the new";
+    out.setstate(std::ios::failbit);
   };
-  const auto interrupt = [](const std::string& temporary) -> bool {
-    write_bytes(temporary, "half of the new");
+  const auto interrupt = [](std::ostream& out) {
+    out << "half of the new" << std::flush;
     throw std::runtime_error("interrupted");
   };
-  const auto succeed = [](const std::string& temporary) {
-    write_bytes(temporary, "new");
-    return true;
-  };
+  const auto succeed = [](std::ostream& out) { out << "new"; };
   EXPECT_THROW(DSC::replace_file(path, fail), File_error);
   EXPECT_THROW(DSC::replace_file(path, interrupt), std::runtime_error);
   EXPECT_EQ(file_bytes(path), "old");
@@ -368,6 +368,49 @@ TEST(Replace_file, keeps_the_older_file_on_failure) {
   DSC::replace_file(path, succeed);
   EXPECT_EQ(file_bytes(path), "new");
   EXPECT_EQ(folder.number_of_files(), 1);
+}
+
+// A full disk, simulated by a limit on the size of files.
+TEST(Replace_file, keeps_the_older_file_on_a_full_disk) {
+  const Temporary_folder folder;
+  const std::string path = folder / "a.txt";
+  write_bytes(path, "old");
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit before;
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const rlimit small = {1000, before.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+  const auto write = [](std::ostream& out) { out << std::string(200000, 'x'); };
+  EXPECT_THROW(DSC::replace_file(path, write), File_error);
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_EQ(file_bytes(path), "old");
+  EXPECT_EQ(folder.number_of_files(), 1);
+}
+
+// A link with the name of the result is replaced, and what it names stays.
+TEST(Replace_file, does_not_follow_links) {
+  const Temporary_folder folder;
+  write_bytes(folder / "victim.txt", "precious");
+  std::filesystem::create_symlink("victim.txt", folder / "a.txt");
+  DSC::replace_file(folder / "a.txt", [](std::ostream& out) { out << "new"; });
+  EXPECT_EQ(file_bytes(folder / "a.txt"), "new");
+  EXPECT_EQ(file_bytes(folder / "victim.txt"), "precious");
+}
+
+// What a killed process left is removed, and nothing else.
+TEST(Replace_file, leftovers_are_removed) {
+  const Temporary_folder folder;
+  write_bytes(folder / ".partial-0123456789abcdef", "left");
+  write_bytes(folder / ".partial-own", "precious");
+  std::filesystem::create_symlink("none", folder / ".partial-fedcba9876543210");
+  DSC::replace_file(folder / "a.txt", [&](std::ostream& out) {
+    out << "new" << std::flush;
+    DSC::internal::remove_partial_files(folder / ""); // not the file of a living process
+  });
+  EXPECT_EQ(file_bytes(folder / "a.txt"), "new");
+  EXPECT_EQ(folder.number_of_files(), 3);
+  EXPECT_FALSE(std::filesystem::exists(folder / ".partial-0123456789abcdef"));
 }
 
 TEST(Replace_file, refuses_what_is_no_file) {

@@ -109,7 +109,7 @@ void write_cells_vtu(const std::string& path, const Complex& dsc, const Mesh_arr
   document.label_names(arrays.label_names);
   document.points(points);
   document.cells(connectivity, vtu_simplex(Complex::dimension));
-  replace_file_by_stream(path, [&](std::ostream& out) { document.write(out); });
+  replace_file(path, [&](std::ostream& out) { document.write(out); });
 }
 
 // Writes all interface facets and given arrays. The arrays have a row for each vertex in the order
@@ -144,7 +144,7 @@ void write_facets_vtu(const std::string& path, const Complex& dsc, const Mesh_ar
   document.label_names(arrays.label_names);
   document.points(interface_.points);
   document.cells(connectivity, vtu_simplex(Complex::dimension - 1));
-  replace_file_by_stream(path, [&](std::ostream& out) { document.write(out); });
+  replace_file(path, [&](std::ostream& out) { document.write(out); });
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes::internal
