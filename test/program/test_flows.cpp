@@ -120,8 +120,7 @@ TEST_F(Flows, keep_the_steps_before_one_that_is_refused) {
   expect_error(flow + "--steps 5 --output out --report report.json", 1);
   EXPECT_EQ(report("report.json").at("steps").size(), 3u);
   expect_success(flow + "--steps 2 --output two");
-  for (const char* name : {"checkpoint.dsc", "volume.pvd", "volume_000002.vtu"})
-    EXPECT_TRUE(contents(path("out") / name) == contents(path("two") / name)) << name;
+  EXPECT_TRUE(contents(path("out/checkpoint.dsc")) == contents(path("two/checkpoint.dsc")));
 }
 
 // The time step is in the units of the input, for any enclosing box.

@@ -315,7 +315,7 @@ TEST_F(Fluid_solids, steps_that_fail_leave_a_checkpoint) {
   const Outcome outcome = run("fluid " + write_scene(json));
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_PRED2(contains, outcome.err, "step 3 of the fluid at time 0.04 failed: ");
-  EXPECT_PRED2(contains, outcome.err, "the state after step 0 is in ");
+  EXPECT_PRED2(contains, outcome.err, "the state after step 2 is in ");
   EXPECT_TRUE(std::filesystem::exists(path("dsc_failed.dsc")));
 }
 

@@ -131,8 +131,10 @@ TEST_F(Stopping, a_folder_belongs_to_one_run) {
 }
 
 TEST_F(Stopping, a_run_outlives_its_folder) {
-  const Outcome outcome = run(
-      long_run, "(while ! [ -e out/checkpoint.dsc ]; do sleep .05; done; rm -r out; mkdir out) & ");
+  const std::string remover = "{ (while ! [ -e out/checkpoint.dsc ]; do sleep .05; done; rm -rf "
+                              "out; mkdir out) >/dev/null & "
+                              "}; ";
+  const Outcome outcome = run(long_run, remover);
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_EQ(outcome.err.rfind("dsc: ", 0), 0u) << outcome.err;
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
@@ -143,16 +145,18 @@ TEST_F(Stopping, a_run_outlives_its_folder) {
 // A link at the name of a result is replaced, and what it names stays.
 TEST_F(Stopping, links_are_not_followed) {
   write("sphere.off", sphere(10));
-  write("victim", "precious");
-  for (const char* name : {"r.json", "dsc_failed.dsc", "p.png"})
-    fs::create_symlink("victim", path(name));
-  expect_success(
-      "offset sphere.off --distance .01 --steps 1 --report r.json --picture p.png --quiet");
-  EXPECT_EQ(contents(path("victim")), "precious");
+  const std::string offset = "offset sphere.off --distance .01 --steps 1 --quiet ";
+  for (const char* name : {"r.json", "p.png"}) {
+    write(std::string("victim_") + name, "precious");
+    fs::create_symlink(std::string("victim_") + name, path(name));
+  }
+  expect_success(offset + "--report r.json --picture p.png");
+  EXPECT_EQ(contents(path("victim_r.json")), "precious");
+  EXPECT_EQ(contents(path("victim_p.png")), "precious");
   fs::create_directory(path("out"));
-  fs::create_symlink("../victim", path("out/.dsc-lock"));
-  EXPECT_EQ(run("offset sphere.off --distance .01 --steps 1 --output out").exit_code, 1);
-  EXPECT_EQ(contents(path("victim")), "precious");
+  fs::create_symlink("../victim_r.json", path("out/.dsc-lock"));
+  EXPECT_EQ(run(offset + "--output out").exit_code, 1);
+  EXPECT_EQ(contents(path("victim_r.json")), "precious");
 }
 
 // A file size limit of some blocks: writing fails as on a full disk.
