@@ -51,6 +51,15 @@ inline std::filesystem::path folder_of(const std::string& path) {
   return folder.empty() ? "." : folder;
 }
 
+// Writes the names in a folder to the disk, if the file system can.
+inline void flush_folder(const std::filesystem::path& path) {
+  const int folder = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder < 0)
+    return;
+  ::fsync(folder);
+  ::close(folder);
+}
+
 // A file that is written beside a target, and then replaces it. Otherwise it is removed at the end
 // of the scope. Its name is not predictable, and links are not followed. The file is locked, so
 // that others can tell whether its writer is alive.
@@ -80,13 +89,8 @@ public:
     if (::fsync(m_file) != 0 || ::rename(m_path.c_str(), m_target.c_str()) != 0)
       fail();
     m_path.clear();
-    if (is_new)
-      return;
-    const int folder = ::open(folder_of(m_target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (folder >= 0) {
-      ::fsync(folder); // some file systems cannot; the file is complete anyway
-      ::close(folder);
-    }
+    if (!is_new)
+      flush_folder(folder_of(m_target));
   }
 
 protected:

@@ -26,6 +26,11 @@
 namespace dsc {
 namespace {
 
+/// Returns the path of the locked file of a folder.
+std::string lock_of(const std::string& folder, Folder_kind kind) {
+  return folder + (kind == Folder_kind::results ? "/.dsc-lock" : "/.dsc-temporary");
+}
+
 /// Returns a text of this process for others that find its lock.
 std::string name_of_process() {
   std::ifstream file("/proc/self/cmdline", std::ios::binary);
@@ -52,8 +57,8 @@ bool has_name(int file, const std::string& path) {
 }
 
 /// Opens and locks a file.
-int locked_file(const std::string& folder, const std::string& path) {
-  for (;;) {
+int locked_file(const std::string& folder, Folder_kind kind) {
+  for (const std::string path = lock_of(folder, kind);;) {
     const int file = open(path.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (file < 0)
       throw Input_error("cannot write in the folder '" + folder + "' (" +
@@ -66,7 +71,9 @@ int locked_file(const std::string& folder, const std::string& path) {
         throw Input_error("another run writes in the folder '" + folder + "' (" + owner +
                           "); choose another folder, or wait until it ends");
       }
-      print_note(folder, "its file system has no locks; make sure that no other run writes there");
+      if (kind == Folder_kind::results)
+        print_note(folder,
+                   "its file system has no locks; make sure that no other run writes there");
       return file;
     }
     if (has_name(file, path)) // its last owner may have removed it meanwhile
@@ -77,10 +84,10 @@ int locked_file(const std::string& folder, const std::string& path) {
 
 } // namespace
 
-Claimed_folder::Claimed_folder(const std::string& path, const std::string& lock)
-    : m_path(path), m_lock_path(file(lock)) {
+Claimed_folder::Claimed_folder(const std::string& path, Folder_kind kind)
+    : m_path(path), m_lock_path(lock_of(path, kind)) {
   create_folder(path);
-  m_lock = locked_file(path, m_lock_path);
+  m_lock = locked_file(path, kind);
   const std::string owner = name_of_process() + '\n';
   // On a full disk, the lock holds without the text, and the first result complains.
   [[maybe_unused]] const bool has_text =
@@ -104,9 +111,9 @@ std::string Claimed_folder::file(const std::string& name) const {
   return (std::filesystem::path(m_path) / name).string();
 }
 
-bool is_abandoned(const std::string& path, const std::string& lock) {
+bool is_abandoned(const std::string& path) {
   const int file =
-      open((std::filesystem::path(path) / lock).c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC);
+      open(lock_of(path, Folder_kind::temporary).c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC);
   if (file < 0)
     return false;
   const bool result = flock(file, LOCK_EX | LOCK_NB) == 0;

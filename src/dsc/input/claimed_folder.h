@@ -9,6 +9,9 @@
 
 namespace dsc {
 
+/// Folders of results, which other runs must not use, and of files that nobody else knows.
+enum class Folder_kind { results, temporary };
+
 /// A folder that belongs to this process until the end of the scope. It contains a locked
 /// file with the command of the process. The system releases the lock when the process ends,
 /// however it ends.
@@ -16,11 +19,10 @@ class Claimed_folder
 {
 public:
   /// Creates the folder if necessary, and removes what a killed process has left half written. If
-  /// the file system has no locks, a note says so.
-  /// \param lock name of the locked file
+  /// the file system of results has no locks, a note says so.
   /// \throws Input_error if nothing can be written there, or if another process has claimed the
   /// folder
-  explicit Claimed_folder(const std::string& path, const std::string& lock = ".dsc-lock");
+  explicit Claimed_folder(const std::string& path, Folder_kind kind = Folder_kind::results);
   ~Claimed_folder();
   Claimed_folder(const Claimed_folder&) = delete;
   Claimed_folder& operator=(const Claimed_folder&) = delete;
@@ -37,8 +39,8 @@ private:
   int m_lock; ///< file descriptor
 };
 
-/// Returns whether a folder was claimed with this name of a lock by a process that was killed.
-bool is_abandoned(const std::string& path, const std::string& lock);
+/// Returns whether a temporary folder was claimed by a process that was killed.
+bool is_abandoned(const std::string& path);
 
 } // namespace dsc
 

@@ -55,7 +55,13 @@ void require_writable(const std::string& path) {
 
 void create_folder(const std::string& path) {
   std::error_code error;
+  std::vector<fs::path> parents; // of new folders
+  for (fs::path folder = path; !folder.empty() && !fs::exists(folder, error);
+       folder = folder.parent_path())
+    parents.push_back(DSC::internal::folder_of(folder.string()));
   fs::create_directories(path, error);
+  for (const fs::path& parent : parents)
+    DSC::internal::flush_folder(parent);
   if (error || !fs::is_directory(path, error))
     throw Input_error("cannot create the folder '" + path +
                       "'; check that no file has this name and that the parent folder is writable");

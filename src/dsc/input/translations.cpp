@@ -57,8 +57,6 @@ Temporary_files& temporary_files() {
   return files;
 }
 
-constexpr char temporary_lock[] = ".dsc-temporary";
-
 /// Removes the temporary folders of this user that killed processes have left. Locks of other
 /// processes are older than the shortest age, so that a new folder that is not yet locked stays.
 void remove_abandoned_folders(const fs::path& parent) {
@@ -69,7 +67,7 @@ void remove_abandoned_folders(const fs::path& parent) {
     const std::string path = entry->path().string();
     struct stat status;
     if (lstat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode) && status.st_uid == getuid() &&
-        status.st_mtime + shortest_age < std::time(nullptr) && is_abandoned(path, temporary_lock)) {
+        status.st_mtime + shortest_age < std::time(nullptr) && is_abandoned(path)) {
       std::error_code is_left;
       fs::remove_all(path, is_left);
     }
@@ -89,7 +87,7 @@ std::string new_folder() {
       throw Input_error("cannot create a temporary folder in " + parent.string() + ": " +
                         std::strerror(errno));
     files.folder = name;
-    files.claim.emplace(name, temporary_lock);
+    files.claim.emplace(name, Folder_kind::temporary);
     remove_abandoned_folders(parent);
   }
   const fs::path result = fs::path(files.folder) / std::to_string(files.number++);
@@ -167,6 +165,10 @@ std::string run_dsc_files(const std::string& path, std::vector<std::string> argu
   const int code = run_program_with(arguments, output, messages);
   if (code == 0)
     return content_of(output);
+  static constexpr int cannot_start = 127; // exit code of the loader
+  if (code == cannot_start)
+    throw Input_error("cannot start the program dsc-files for " + path +
+                      "; check that it is whole and that there is enough memory");
   const std::string message = content_of(messages);
   throw Input_error(path + ' ' +
                     (code < 0 || message.empty()
@@ -265,7 +267,12 @@ void name_in_messages(const std::string& path, const std::string& name) {
   temporary_files().translations[name] = path;
 }
 
-std::string temporary_file(const std::string& name) { return new_folder() + '/' + name; }
+std::string temporary_file(const std::string& name) {
+  const std::string result = new_folder() + '/' + name;
+  name_in_messages(result, "the temporary file " + name + " in " +
+                               fs::path(temporary_files().folder).parent_path().string());
+  return result;
+}
 
 void remove_temporary_files() {
   Temporary_files& files = temporary_files();
