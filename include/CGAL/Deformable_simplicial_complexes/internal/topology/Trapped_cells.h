@@ -24,7 +24,6 @@
 #include <boost/container/flat_map.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <unordered_set>
