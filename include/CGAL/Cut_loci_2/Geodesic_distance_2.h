@@ -11,7 +11,7 @@
 #include <CGAL/license/Cut_loci_2.h>
 
 #include <CGAL/Cut_loci_2/Geodesic_front_2.h>
-#include <CGAL/Cut_loci_2/internal/geodesics/directions.h>
+#include <CGAL/Cut_loci_2/internal/geodesics/Geodesics_2.h>
 
 #include <Eigen/Dense>
 

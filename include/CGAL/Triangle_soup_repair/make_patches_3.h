@@ -74,18 +74,6 @@ template <class Point> struct Patches_of_surfaces_3
 
 namespace internal {
 
-template <class Point>
-std::vector<Triangle_soup_3> soups_of(const std::vector<Labeled_surface_3<Point>>& surfaces) {
-  std::vector<Triangle_soup_3> result;
-  for (const auto& surface : surfaces) {
-    auto& soup = result.emplace_back();
-    for (const Point& p : surface.points)
-      soup.points.push_back(coordinates(p));
-    soup.triangles = surface.triangles;
-  }
-  return result;
-}
-
 // Returns the labels of the cells of surfaces. The first cell of a surface has the label of the
 // surface, each of the others the next label that is not taken.
 template <class Point>

@@ -10,7 +10,6 @@
 
 #include <CGAL/Cut_loci_2/internal/geodesics/Cut_circle_2.h>
 #include <CGAL/Cut_loci_2/internal/geodesics/Geodesics_2.h>
-#include <CGAL/Cut_loci_2/internal/geodesics/directions.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Mesh_support/internal/sets/Disjoint_sets.h>
 

@@ -10,7 +10,7 @@
 
 #include <CGAL/Cut_loci_2/internal/geodesics/Geodesic_equations_2.h>
 #include <CGAL/Cut_loci_2/internal/geodesics/Geodesic_fan_2.h>
-#include <CGAL/Cut_loci_2/internal/geodesics/directions.h>
+#include <CGAL/Cut_loci_2/internal/geodesics/Geodesics_2.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 #define CGAL_CUT_LOCI_2_INTERNAL_GEODESICS_GEODESIC_FAN_2_H
 
 #include <CGAL/Cut_loci_2/internal/geodesics/Geodesic_equations_2.h>
-#include <CGAL/Cut_loci_2/internal/geodesics/directions.h>
+#include <CGAL/Cut_loci_2/internal/geodesics/Geodesics_2.h>
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 

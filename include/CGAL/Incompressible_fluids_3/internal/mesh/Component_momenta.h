@@ -13,7 +13,6 @@
 
 #include <Eigen/Dense>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <utility>

@@ -24,7 +24,6 @@
 #include <iterator>
 #include <map>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {

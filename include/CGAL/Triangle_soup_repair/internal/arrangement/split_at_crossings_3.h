@@ -225,9 +225,8 @@ Split_soup_3 split_pairs(const Split_soup_3& soup,
     const auto found = splits.find(t);
     if (found != splits.end())
       return found->second;
-    const Triangle_indices& v = soup.triangles[t];
-    const std::array<Coordinates_3, 3> corners = {soup.points[v[0]], soup.points[v[1]],
-                                                  soup.points[v[2]]};
+    const auto& [a, b, c] = soup.triangles[t];
+    const std::array<Coordinates_3, 3> corners = {soup.points[a], soup.points[b], soup.points[c]};
     return splits.emplace(t, corners).first->second;
   };
   for (const auto& [s, t] : pairs) {
