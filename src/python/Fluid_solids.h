@@ -20,15 +20,6 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/number_utils.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <memory>
-#include <optional>
-#include <string>
-#include <utility>
-
 namespace dsc_python {
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;

@@ -11,9 +11,7 @@
 #include <CGAL/Origin.h>
 
 #include <cmath>
-#include <string>
 #include <tuple>
-#include <vector>
 
 namespace dsc_python {
 

@@ -10,13 +10,6 @@
 #include "module.h"
 #include "programs/errors.h"
 
-#include <algorithm>
-#include <array>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace dsc_python {
 namespace {
 

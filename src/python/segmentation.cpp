@@ -12,15 +12,6 @@
 
 #include <pybind11/stl.h>
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <memory>
-#include <optional>
-#include <tuple>
-#include <utility>
-#include <vector>
-
 namespace dsc_python {
 namespace {
 

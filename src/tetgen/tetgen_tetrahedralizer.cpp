@@ -20,8 +20,6 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <cstddef>
-#include <limits>
 #include <new>
 #include <numeric>
 #include <optional>
@@ -29,7 +27,6 @@
 #include <string>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace {

@@ -15,15 +15,6 @@
 
 #include <CGAL/number_utils.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <map>
-#include <type_traits>
-#include <unordered_map>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 

@@ -18,12 +18,6 @@
 
 #include <CGAL/Bbox_3.h>
 
-#include <algorithm>
-#include <exception>
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 

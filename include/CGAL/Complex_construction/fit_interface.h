@@ -19,9 +19,6 @@
 
 #include <CGAL/Origin.h>
 
-#include <cstddef>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 

@@ -29,16 +29,6 @@
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <locale>
-#include <optional>
-#include <sstream>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 

@@ -36,14 +36,6 @@
 
 #include <boost/property_map/property_map.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <optional>
-#include <type_traits>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 

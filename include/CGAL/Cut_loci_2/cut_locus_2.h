@@ -22,12 +22,6 @@
 #include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Simple_cartesian.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 
 /*!

@@ -14,8 +14,6 @@
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Component_event.h>
 
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 
 /*!

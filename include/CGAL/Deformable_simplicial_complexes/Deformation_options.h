@@ -18,10 +18,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-#include <functional>
 #include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
 

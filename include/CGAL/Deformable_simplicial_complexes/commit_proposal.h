@@ -18,9 +18,6 @@
 
 #include <CGAL/assertions.h>
 
-#include <algorithm>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 
 // Mesh optimization changes a complex only by the functions of this header, so its visitor receives

@@ -17,9 +17,6 @@
 
 #include <boost/container/small_vector.hpp>
 
-#include <algorithm>
-#include <cstddef>
-
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 

@@ -16,11 +16,6 @@
 
 #include <boost/container/small_vector.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <limits>
-
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 

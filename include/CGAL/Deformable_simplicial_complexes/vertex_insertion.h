@@ -19,12 +19,6 @@
 
 #include <boost/container/small_vector.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <limits>
-#include <utility>
-
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 

@@ -18,7 +18,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {

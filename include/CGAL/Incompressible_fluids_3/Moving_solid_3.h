@@ -15,13 +15,7 @@
 
 #include <Eigen/Geometry>
 
-#include <cmath>
-#include <functional>
-#include <memory>
 #include <mutex>
-#include <optional>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
 

@@ -26,14 +26,6 @@
 
 #include <CGAL/Origin.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <map>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 
 /*!

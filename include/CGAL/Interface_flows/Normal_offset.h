@@ -22,12 +22,7 @@
 #include <Eigen/Core>
 #include <Eigen/QR>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 #include <type_traits>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {

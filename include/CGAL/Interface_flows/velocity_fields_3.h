@@ -14,7 +14,6 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/number_utils.h>
 
-#include <cmath>
 #include <cstdint>
 #include <random>
 #include <utility>

@@ -18,8 +18,6 @@
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/property_map.h>
 
-#include <algorithm>
-#include <cstddef>
 #include <utility>
 #include <vector>
 

@@ -16,10 +16,7 @@
 
 #include <CGAL/property_map.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <functional>
 #include <utility>
 #include <vector>

@@ -17,13 +17,8 @@
 #include <CGAL/Polygon_2.h>
 #include <CGAL/Polygon_with_holes_2.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
 #include <map>
 #include <set>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
 

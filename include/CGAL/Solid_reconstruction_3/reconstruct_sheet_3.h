@@ -25,10 +25,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 
-#include <array>
-#include <cstddef>
 #include <type_traits>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
 

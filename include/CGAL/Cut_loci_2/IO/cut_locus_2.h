@@ -18,12 +18,6 @@
 
 #include <CGAL/Bbox_2.h>
 
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <string>
-#include <vector>
-
 namespace CGAL::IO {
 
 /*!

@@ -26,15 +26,6 @@
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Named_function_parameters.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <map>
-#include <optional>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 inline Bbox_3 cube(const Coordinates_3& center, double half_side) {

@@ -20,13 +20,6 @@
 
 #include <CGAL/enum.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <limits>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Orients tetrahedra positively by swapping two vertices of the negative ones. Throws

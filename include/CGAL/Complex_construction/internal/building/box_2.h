@@ -18,13 +18,6 @@
 
 #include <CGAL/Bbox_2.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <map>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the default enclosing box: a square centered at the barycenter of the points. Its half

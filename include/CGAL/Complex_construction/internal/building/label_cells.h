@@ -13,13 +13,10 @@
 #include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
 #include <limits>
 #include <optional>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

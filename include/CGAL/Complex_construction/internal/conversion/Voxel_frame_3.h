@@ -15,11 +15,6 @@
 
 #include <CGAL/Bbox_3.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <optional>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {

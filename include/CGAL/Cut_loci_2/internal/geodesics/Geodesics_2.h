@@ -18,11 +18,6 @@
 
 #include <boost/numeric/odeint.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Directions at a point are angles in radians. Angles increase to the left.

@@ -34,13 +34,6 @@
 
 #include <boost/container/flat_map.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A motion must reduce a small angle to less than this part before the interface changes to remove

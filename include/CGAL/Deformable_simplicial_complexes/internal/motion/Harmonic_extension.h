@@ -24,13 +24,6 @@
 
 #include <boost/container/flat_map.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // For each phase, the affine motion that fits the motion of the surrounding interface best. A phase

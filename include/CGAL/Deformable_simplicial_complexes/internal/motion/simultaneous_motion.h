@@ -14,12 +14,7 @@
 
 #include <CGAL/Origin.h>
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <limits>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

@@ -23,12 +23,7 @@
 
 #include <boost/container/flat_map.hpp>
 
-#include <algorithm>
-#include <cstddef>
-#include <limits>
 #include <unordered_set>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

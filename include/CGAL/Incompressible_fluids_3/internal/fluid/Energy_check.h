@@ -14,13 +14,7 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <optional>
 #include <sstream>
-#include <string>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

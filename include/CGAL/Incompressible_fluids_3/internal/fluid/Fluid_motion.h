@@ -13,12 +13,7 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
-#include <cstddef>
-#include <optional>
 #include <unordered_map>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

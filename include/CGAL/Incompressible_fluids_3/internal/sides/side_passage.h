@@ -18,13 +18,6 @@
 #include <Eigen/Core>
 #include <Eigen/Dense>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A change of a velocity of a mesh, interpolated linearly in one of the simplices at the vertex:

@@ -15,13 +15,6 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <optional>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the distance that a vertex keeps from a line or plane that it must not pass. Without the

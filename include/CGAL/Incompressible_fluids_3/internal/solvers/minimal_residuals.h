@@ -15,10 +15,6 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The method of minimal residuals, see `minimal_residuals()`.

@@ -15,12 +15,6 @@
 
 #include <Eigen/SparseCore>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the closed sets of a system whose other members are complete. The weight of a closed set

@@ -13,11 +13,6 @@
 
 #include <Eigen/Core>
 
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The sources of a fluid.

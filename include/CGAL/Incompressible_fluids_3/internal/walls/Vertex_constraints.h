@@ -14,10 +14,6 @@
 
 #include <Eigen/Dense>
 
-#include <cstddef>
-#include <optional>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The constraints on the velocities of vertices. A velocity is the sum of a prescribed vector, of

@@ -15,10 +15,6 @@
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
 
-#include <cstddef>
-#include <optional>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 /*

@@ -26,12 +26,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <memory>
 #include <numeric>
-#include <string>
 #include <tuple>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

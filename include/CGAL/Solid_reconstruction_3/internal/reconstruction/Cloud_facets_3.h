@@ -16,12 +16,6 @@
 #include <CGAL/Kernel/global_functions.h>
 #include <CGAL/number_utils.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 template <class Points> std::vector<Sampled_surface_3::Point> cloud_points(const Points& points) {

@@ -17,14 +17,7 @@
 
 #include <Eigen/Dense>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <iterator>
-#include <map>
 #include <optional>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

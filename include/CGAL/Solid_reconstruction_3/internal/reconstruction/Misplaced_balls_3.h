@@ -15,11 +15,6 @@
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Bbox_3.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The inside of closed triangles, by the number of triangles that rays intersect.

@@ -15,14 +15,8 @@
 #include <CGAL/Triangle_soup_repair/internal/arrangement/Triangle_division_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
 
-#include <algorithm>
-#include <cstddef>
 #include <iterator>
-#include <map>
-#include <numeric>
 #include <set>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

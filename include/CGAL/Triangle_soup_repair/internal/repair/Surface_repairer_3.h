@@ -37,18 +37,7 @@
 #include <CGAL/iterator.h>
 #include <CGAL/version.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <cstdio>
-#include <functional>
-#include <iterator>
-#include <optional>
-#include <set>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

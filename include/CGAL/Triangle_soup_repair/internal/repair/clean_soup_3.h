@@ -11,11 +11,6 @@
 #include <CGAL/Mesh_support/internal/sets/Disjoint_sets.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
 
-#include <algorithm>
-#include <cstddef>
-#include <map>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the triangles of a soup without its fins. A fin is a sheet of triangles connected through

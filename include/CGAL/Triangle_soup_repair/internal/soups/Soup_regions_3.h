@@ -16,11 +16,8 @@
 
 #include <CGAL/enum.h>
 
-#include <algorithm>
-#include <cstddef>
 #include <optional>
 #include <queue>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
