@@ -9,9 +9,6 @@
 #include <CGAL/Mesh_files/SVG_2.h>
 #include <CGAL/Mesh_files/VTU_2.h>
 
-#include <filesystem>
-#include <sstream>
-
 namespace dsc {
 namespace {
 

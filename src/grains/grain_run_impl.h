@@ -21,8 +21,6 @@
 #include <CGAL/Mesh_files/checkpoint.h>
 #include <CGAL/Mesh_support/coordinates.h>
 
-#include <limits>
-
 namespace dsc {
 
 /// Writes the states of a run, with the misorientations of the facets of the interface, and a

@@ -13,7 +13,6 @@
 #include <CGAL/Interface_remeshing/Carried_vertex_values.h>
 #include <CGAL/Interface_remeshing/Number_rows.h>
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 

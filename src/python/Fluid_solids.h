@@ -17,8 +17,6 @@
 
 #include <CGAL/Incompressible_fluids_3/Rigid_body_3.h>
 #include <CGAL/Mesh_support/coordinates.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/number_utils.h>
 
 namespace dsc_python {
 

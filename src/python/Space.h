@@ -10,7 +10,6 @@
 #include <CGAL/Mesh_support/coordinates.h>
 #include <CGAL/Origin.h>
 
-#include <cmath>
 #include <tuple>
 
 namespace dsc_python {

@@ -10,8 +10,6 @@
 #include <CGAL/Image_segmentation/compiled_2.h>
 #include <CGAL/Image_segmentation/compiled_3.h>
 
-#include <pybind11/stl.h>
-
 namespace dsc_python {
 namespace {
 

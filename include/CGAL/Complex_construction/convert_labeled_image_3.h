@@ -29,9 +29,6 @@
 #include <CGAL/Mesh_support/named_parameters.h>
 #include <CGAL/Mesh_support/parameter_values.h>
 
-#include <CGAL/Image_3.h>
-#include <CGAL/Origin.h>
-
 #include <set>
 
 namespace CGAL::Deformable_simplicial_complexes {

@@ -17,8 +17,6 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/cell_corners.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
-#include <CGAL/Origin.h>
-
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 

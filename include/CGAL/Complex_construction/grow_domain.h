@@ -19,8 +19,6 @@
 #include <CGAL/Mesh_support/internal/numbers/Extent.h>
 #include <CGAL/Mesh_support/named_parameters.h>
 
-#include <CGAL/enum.h>
-
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 

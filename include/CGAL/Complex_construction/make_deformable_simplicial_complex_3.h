@@ -28,11 +28,9 @@
 #include <CGAL/Triangle_soup_repair/Labeled_surface_3.h>
 #include <CGAL/Triangle_soup_repair/internal/checks/check_surfaces_3.h>
 
-#include <CGAL/Bbox_3.h>
 #include <CGAL/Polygon_mesh_processing/polygon_mesh_to_polygon_soup.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/enum.h>
 
 #include <boost/property_map/property_map.hpp>
 

@@ -20,8 +20,6 @@
 #include <CGAL/Deformable_simplicial_complexes/edge_split.h>
 #include <CGAL/Interface_remeshing/control_detail.h>
 
-#include <map>
-
 namespace CGAL::Deformable_simplicial_complexes {
 
 /*!

@@ -15,8 +15,6 @@
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Simple_cartesian.h>
 
-#include <cstddef>
-
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 

@@ -16,10 +16,6 @@
 #include <CGAL/Mesh_support/named_parameters.h>
 #include <CGAL/Mesh_support/parameter_values.h>
 
-#include <CGAL/Named_function_parameters.h>
-
-#include <type_traits>
-
 namespace CGAL::Deformable_simplicial_complexes {
 
 /*!

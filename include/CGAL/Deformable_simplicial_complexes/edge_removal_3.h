@@ -15,8 +15,6 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Polygon_triangulation_3.h>
 #include <CGAL/Deformable_simplicial_complexes/relabeling.h>
 
-#include <boost/container/small_vector.hpp>
-
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 

@@ -15,9 +15,6 @@
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Star_optimizer.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/cell_corners.h>
-#include <CGAL/enum.h>
-
-#include <boost/container/small_vector.hpp>
 
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {

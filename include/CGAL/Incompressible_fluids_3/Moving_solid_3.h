@@ -13,8 +13,6 @@
 #include <CGAL/Incompressible_fluids_3/Solids_3.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
 
-#include <Eigen/Geometry>
-
 #include <mutex>
 
 namespace CGAL::Deformable_simplicial_complexes {

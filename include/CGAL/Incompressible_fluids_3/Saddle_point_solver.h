@@ -19,9 +19,6 @@
 #include <CGAL/Incompressible_fluids_3/internal/solvers/relative_residual.h>
 #include <CGAL/Mesh_support/For_each_index.h>
 
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
-
 #include <memory>
 #include <optional>
 

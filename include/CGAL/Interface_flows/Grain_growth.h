@@ -24,8 +24,6 @@
 #include <CGAL/Interface_remeshing/shared_measures.h>
 #include <CGAL/Mesh_support/Error.h>
 
-#include <CGAL/Origin.h>
-
 namespace CGAL::Deformable_simplicial_complexes {
 
 /*!

@@ -17,10 +17,6 @@
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
-#include <CGAL/Origin.h>
-
-#include <Eigen/Dense>
-
 namespace CGAL::Deformable_simplicial_complexes {
 
 /*!

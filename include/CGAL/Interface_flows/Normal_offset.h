@@ -16,9 +16,6 @@
 #include <CGAL/Interface_flows/internal/corners/Opened_corners_2.h>
 #include <CGAL/Interface_flows/internal/corners/Opened_corners_3.h>
 
-#include <CGAL/Origin.h>
-#include <CGAL/number_utils.h>
-
 #include <Eigen/Core>
 #include <Eigen/QR>
 

@@ -11,8 +11,6 @@
 #include <CGAL/license/Interface_flows.h>
 
 #include <CGAL/Interface_flows/velocity_fields_2.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/number_utils.h>
 
 #include <cstdint>
 #include <random>

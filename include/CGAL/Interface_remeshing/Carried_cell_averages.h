@@ -18,9 +18,6 @@
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/property_map.h>
 
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 

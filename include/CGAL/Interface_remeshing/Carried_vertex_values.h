@@ -18,8 +18,6 @@
 
 #include <cmath>
 #include <functional>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
 

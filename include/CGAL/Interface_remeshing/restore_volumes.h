@@ -17,8 +17,6 @@
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/named_parameters.h>
 
-#include <string>
-
 namespace CGAL::Deformable_simplicial_complexes {
 
 /*!

@@ -17,8 +17,6 @@
 #include <CGAL/Mesh_support/internal/sets/Signed_union_find.h>
 #include <CGAL/Mesh_support/internal/threads/stoppable_sort.h>
 
-#include <CGAL/number_utils.h>
-
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 

@@ -23,10 +23,6 @@
 #include <CGAL/Solid_reconstruction_3/internal/sheets/sheet_checks_3.h>
 #include <CGAL/Solid_reconstruction_3/internal/sheets/sheet_seams_3.h>
 
-#include <CGAL/Simple_cartesian.h>
-
-#include <type_traits>
-
 namespace CGAL::Deformable_simplicial_complexes {
 
 /*!

@@ -23,9 +23,6 @@
 #include <CGAL/Triangle_soup_repair/internal/soups/Soup_bisector_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
 
-#include <CGAL/Bbox_3.h>
-#include <CGAL/Named_function_parameters.h>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 inline Bbox_3 cube(const Coordinates_3& center, double half_side) {

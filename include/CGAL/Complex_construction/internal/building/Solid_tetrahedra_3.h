@@ -18,8 +18,6 @@
 #include <CGAL/Triangle_soup_repair/internal/soups/Soup_regions_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
 
-#include <CGAL/enum.h>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Orients tetrahedra positively by swapping two vertices of the negative ones. Throws

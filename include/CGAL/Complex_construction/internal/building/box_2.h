@@ -16,8 +16,6 @@
 #include <CGAL/Mesh_support/internal/numbers/Extent.h>
 #include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
 
-#include <CGAL/Bbox_2.h>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the default enclosing box: a square centered at the barycenter of the points. Its half

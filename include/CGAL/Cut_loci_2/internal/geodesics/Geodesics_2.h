@@ -14,8 +14,6 @@
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
-#include <CGAL/Simple_cartesian.h>
-
 #include <boost/numeric/odeint.hpp>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {

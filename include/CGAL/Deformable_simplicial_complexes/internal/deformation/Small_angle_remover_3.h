@@ -30,9 +30,6 @@
 #include <CGAL/Deformable_simplicial_complexes/vertex_insertion.h>
 #include <CGAL/Deformable_simplicial_complexes/vertex_smoothing.h>
 #include <CGAL/Mesh_support/For_each_index.h>
-#include <CGAL/number_utils.h>
-
-#include <boost/container/flat_map.hpp>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

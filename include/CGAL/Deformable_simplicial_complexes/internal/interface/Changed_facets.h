@@ -14,8 +14,6 @@
 
 #include <CGAL/number_utils.h>
 
-#include <boost/container/small_vector.hpp>
-
 #include <limits>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {

@@ -19,7 +19,6 @@
 #include <CGAL/Mesh_support/coordinates.h>
 #include <CGAL/Mesh_support/internal/numbers/Conjugate_gradients.h>
 
-#include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 
 #include <boost/container/flat_map.hpp>

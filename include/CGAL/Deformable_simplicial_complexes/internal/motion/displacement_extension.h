@@ -20,7 +20,6 @@
 
 #include <CGAL/Origin.h>
 
-#include <limits>
 #include <optional>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {

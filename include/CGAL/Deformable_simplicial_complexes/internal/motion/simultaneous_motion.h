@@ -14,8 +14,6 @@
 
 #include <CGAL/Origin.h>
 
-#include <cmath>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Proposes other points for a free vertex, and keeps the point with the best star quality. The

@@ -15,9 +15,6 @@
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <limits>
 #include <type_traits>
 #include <vector>

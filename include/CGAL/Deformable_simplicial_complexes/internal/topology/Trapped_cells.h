@@ -21,8 +21,6 @@
 #include <CGAL/Deformable_simplicial_complexes/relabeling.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
-#include <boost/container/flat_map.hpp>
-
 #include <unordered_set>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {

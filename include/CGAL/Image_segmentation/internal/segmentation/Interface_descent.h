@@ -17,8 +17,6 @@
 #include <CGAL/Mesh_support/For_each_index.h>
 #include <CGAL/Mesh_support/internal/numbers/Facet_tension.h>
 
-#include <CGAL/Origin.h>
-
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 

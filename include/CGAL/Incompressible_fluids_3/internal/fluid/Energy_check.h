@@ -12,8 +12,6 @@
 #include <CGAL/Incompressible_fluids_3/fluid_errors.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
 
-#include <Eigen/Core>
-
 #include <sstream>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {

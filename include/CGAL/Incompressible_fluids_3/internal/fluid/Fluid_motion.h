@@ -11,8 +11,6 @@
 #include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
 #include <CGAL/property_map.h>
 
-#include <Eigen/Core>
-
 #include <unordered_map>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {

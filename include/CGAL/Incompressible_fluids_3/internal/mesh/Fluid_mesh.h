@@ -15,8 +15,6 @@
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Slip_transform.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
 
-#include <Eigen/Core>
-
 #include <limits>
 #include <numeric>
 #include <set>

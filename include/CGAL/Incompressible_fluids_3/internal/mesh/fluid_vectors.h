@@ -11,7 +11,6 @@
 #include <CGAL/Deformable_simplicial_complexes/Linear_element.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
 
-#include <Eigen/Core>
 #include <Eigen/Geometry>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {

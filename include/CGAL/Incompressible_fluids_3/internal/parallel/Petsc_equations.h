@@ -14,11 +14,6 @@
 #include <CGAL/Incompressible_fluids_3/internal/solvers/pressure_matrix.h>
 #include <CGAL/Incompressible_fluids_3/internal/solvers/relative_residual.h>
 
-#include <Eigen/Core>
-#include <Eigen/SparseCore>
-
-#include <petscksp.h>
-
 #include <type_traits>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {

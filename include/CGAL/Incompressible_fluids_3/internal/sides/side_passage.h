@@ -15,7 +15,6 @@
 #include <CGAL/Incompressible_fluids_3/internal/sides/Open_sides.h>
 #include <CGAL/Incompressible_fluids_3/internal/sides/side_velocities.h>
 
-#include <Eigen/Core>
 #include <Eigen/Dense>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {

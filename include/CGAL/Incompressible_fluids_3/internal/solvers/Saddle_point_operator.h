@@ -12,9 +12,6 @@
 #include <CGAL/Incompressible_fluids_3/internal/solvers/blocks_of_vectors.h>
 #include <CGAL/Mesh_support/For_each_index.h>
 
-#include <Eigen/Core>
-#include <Eigen/SparseCore>
-
 #include <array>
 #include <utility>
 

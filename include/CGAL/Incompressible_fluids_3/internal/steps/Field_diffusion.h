@@ -13,7 +13,6 @@
 #include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
 
 #include <Eigen/IterativeLinearSolvers>
-#include <Eigen/SparseCore>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

@@ -19,8 +19,6 @@
 #include <CGAL/Mesh_support/For_each_index.h>
 #include <CGAL/Mesh_support/internal/numbers/Facet_tension.h>
 
-#include <Eigen/SparseCore>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 /*

@@ -27,8 +27,6 @@
 #include <CGAL/Incompressible_fluids_3/internal/walls/slip_flux.h>
 #include <CGAL/Mesh_support/Error.h>
 
-#include <Eigen/Core>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The solution of one time step. The velocities and pressures are solved with the vertices at

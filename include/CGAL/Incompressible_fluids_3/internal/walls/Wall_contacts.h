@@ -16,8 +16,6 @@
 #include <CGAL/Incompressible_fluids_3/internal/walls/Body_motion.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Vertex_constraints.h>
 
-#include <Eigen/Dense>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A solid and its boundary conditions.

@@ -20,12 +20,7 @@
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <map>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

@@ -11,11 +11,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/sort_by_time_stamp.h>
 
-#include <algorithm>
 #include <array>
-#include <cstddef>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

@@ -30,8 +30,6 @@
 #include <CGAL/Interface_remeshing/null_space_smoothing_3.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
-#include <CGAL/number_utils.h>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The passes of improve_interface().

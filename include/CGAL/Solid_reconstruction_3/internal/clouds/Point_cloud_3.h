@@ -24,7 +24,6 @@
 
 #include <Eigen/Dense>
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numeric>

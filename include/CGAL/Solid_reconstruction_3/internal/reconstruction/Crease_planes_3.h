@@ -13,9 +13,6 @@
 #include <CGAL/Solid_reconstruction_3/internal/clouds/Sampled_surface_3.h>
 
 #include <CGAL/Kernel/global_functions.h>
-#include <CGAL/Origin.h>
-
-#include <Eigen/Dense>
 
 #include <optional>
 

@@ -16,8 +16,6 @@
 #include <CGAL/Solid_reconstruction_3/internal/reconstruction/Reconstructor_3.h>
 #include <CGAL/Solid_reconstruction_3/reconstruct_point_set_3.h>
 
-#include <CGAL/Bbox_3.h>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The initial interface of a reconstruction, around the solid and all points. It consists of faces

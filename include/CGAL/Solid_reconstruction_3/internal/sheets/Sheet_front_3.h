@@ -16,7 +16,6 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Random.h>
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
-#include <CGAL/property_map.h>
 #include <CGAL/spatial_sort.h>
 
 #include <array>

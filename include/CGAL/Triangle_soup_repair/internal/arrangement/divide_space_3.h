@@ -21,8 +21,6 @@
 #include <CGAL/Triangle_soup_repair/internal/soups/soup_intersections_3.h>
 
 #include <CGAL/Cartesian_converter.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/intersections.h>
 
 #include <charconv>
 

@@ -14,10 +14,8 @@
 #include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/soup_intersections_3.h>
 
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_plus_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/enum.h>
 #include <CGAL/intersections.h>
 
 #include <optional>

@@ -20,7 +20,6 @@
 #include <CGAL/Triangle_soup_repair/internal/repair/unite_components_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
 
-#include <CGAL/Bbox_3.h>
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
@@ -35,7 +34,6 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/iterator.h>
-#include <CGAL/version.h>
 
 #include <cstdio>
 

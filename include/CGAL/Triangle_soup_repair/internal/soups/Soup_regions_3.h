@@ -14,8 +14,6 @@
 #include <CGAL/Triangle_soup_repair/internal/soups/soup_intersections_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/soup_rays_3.h>
 
-#include <CGAL/enum.h>
-
 #include <optional>
 #include <queue>
 

@@ -19,7 +19,6 @@
 #include <cstddef>
 #include <map>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
