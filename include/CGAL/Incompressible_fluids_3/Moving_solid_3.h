@@ -13,7 +13,9 @@
 #include <CGAL/Incompressible_fluids_3/Solids_3.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
 
+#include <functional>
 #include <mutex>
+#include <optional>
 
 namespace CGAL::Deformable_simplicial_complexes {
 

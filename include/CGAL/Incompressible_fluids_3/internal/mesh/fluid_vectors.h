@@ -9,9 +9,12 @@
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_MESH_FLUID_VECTORS_H
 
 #include <CGAL/Deformable_simplicial_complexes/Linear_element.h>
-#include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
 
 #include <Eigen/Geometry>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
@@ -55,8 +58,7 @@ inline Eigen::Vector3d area_vector(const Corners_3<2>& p) {
 
 // Returns the linear element of a cell with given positions of its corners.
 template <class Complex>
-Linear_element<Complex>
-cell_element(const Corners_3<std::size_t(Fluid_mesh<Complex>::corners)>& positions) {
+Linear_element<Complex> cell_element(const Corners_3<std::size_t(Complex::corners)>& positions) {
   typename Linear_element<Complex>::Corners corners;
   for (std::size_t i = 0; i < corners.size(); ++i)
     corners[i] = from_eigen<typename Complex::Approximate_point>(positions[i]);
@@ -67,7 +69,7 @@ cell_element(const Corners_3<std::size_t(Fluid_mesh<Complex>::corners)>& positio
 // not depend on the unit of length.
 template <class Complex>
 bool has_gradients(const Linear_element<Complex>& e,
-                   const Corners_3<std::size_t(Fluid_mesh<Complex>::corners)>& positions) {
+                   const Corners_3<std::size_t(Complex::corners)>& positions) {
   // The least volume, relative to the cube of the longest edge. A regular tetrahedron has 0.12.
   // In the plane, it is the least area, relative to the square, and a regular triangle has 0.43.
   // Gradients of basis functions are then at most about 1e5 times as steep as in a regular

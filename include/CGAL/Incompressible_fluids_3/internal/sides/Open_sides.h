@@ -13,6 +13,9 @@
 #include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
 #include <CGAL/Mesh_support/Error.h>
 
+#include <limits>
+#include <string>
+
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the outward normal of a side of the domain.

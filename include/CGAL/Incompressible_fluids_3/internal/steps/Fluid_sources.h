@@ -11,6 +11,8 @@
 #include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
 #include <CGAL/Mesh_support/Error.h>
 
+#include <functional>
+
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The sources of a fluid.

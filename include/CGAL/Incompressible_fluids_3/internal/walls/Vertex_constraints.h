@@ -12,6 +12,8 @@
 #include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Body_motion.h>
 
+#include <optional>
+
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The constraints on the velocities of vertices. A velocity is the sum of a prescribed vector, of
