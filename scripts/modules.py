@@ -149,7 +149,7 @@ SEAM = {
         extraction/Extracted_facets interface/Curvature_lengths
         remeshing/Detail_controller values/overlap_measure""",
     "Triangle_soup_repair": """
-        checks/check_surfaces_3 checks/refuse_surface soups/Soup_bisector_3 soups/Soup_regions_3 soups/Triangle_soup_3
+        checks/check_surfaces_3 soups/Soup_bisector_3 soups/Soup_regions_3 soups/Triangle_soup_3
         soups/soup_intersections_3""",
     "Mesh_files": """
         checkpoints/checkpoint_file grids/Vtu_document grids/Written_vertices grids/read_vtu_tetrahedra grids/write_vtu pictures/colors text/Xml_element

@@ -17,13 +17,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Space_2.h>
 #include <CGAL/Deformable_simplicial_complexes/quality_measures.h>
 
-#include <CGAL/Default.h>
-
-#include <algorithm>
-#include <cstddef>
 #include <set>
-#include <utility>
-#include <vector>
 
 namespace CGAL {
 

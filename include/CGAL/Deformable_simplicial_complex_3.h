@@ -17,14 +17,6 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Space_3.h>
 #include <CGAL/Deformable_simplicial_complexes/quality_measures.h>
 
-#include <CGAL/Default.h>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <utility>
-#include <vector>
-
 namespace CGAL {
 
 /*!

@@ -12,10 +12,7 @@
 
 #include <CGAL/Complex_construction/Tetrahedralization_3.h>
 
-#include <array>
-#include <cstddef>
 #include <limits>
-#include <vector>
 
 namespace CGAL {
 

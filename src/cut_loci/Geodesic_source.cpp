@@ -9,12 +9,6 @@
 #include <CGAL/Mesh_files/SVG_2.h>
 #include <CGAL/Mesh_files/VTU_2.h>
 
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
-#include <sstream>
-#include <stdexcept>
-
 namespace dsc {
 namespace {
 

@@ -10,12 +10,7 @@
 #include <CGAL/Cut_loci_2/cut_locus_2.h>
 #include <CGAL/number_utils.h>
 
-#include <array>
-#include <cstddef>
-#include <functional>
 #include <memory>
-#include <string>
-#include <utility>
 
 namespace dsc {
 

@@ -8,11 +8,7 @@
 
 #include <CGAL/Mesh_files/internal/text/number_of_word.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <fstream>
-#include <sstream>
 
 namespace dsc {
 

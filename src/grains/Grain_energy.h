@@ -10,11 +10,6 @@
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Interface_flows/Grain_orientations.h>
 
-#include <CGAL/number_utils.h>
-
-#include <string>
-#include <vector>
-
 namespace dsc {
 
 /// The tension and the mobility of grain boundaries at some misorientations.

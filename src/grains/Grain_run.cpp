@@ -8,8 +8,6 @@
 
 #include <CGAL/Mesh_files/checkpoint.h>
 
-#include <limits>
-
 namespace dsc {
 
 namespace {

@@ -9,13 +9,6 @@
 
 #include <CGAL/Interface_flows/grain_statistics.h>
 
-#include <cstddef>
-#include <cstdint>
-#include <functional>
-#include <map>
-#include <string>
-#include <vector>
-
 namespace dsc {
 
 /// The growth of grains on a torus with periods of 1, or in a box with sides of 1.

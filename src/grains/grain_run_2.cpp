@@ -4,7 +4,6 @@
 
 #include "grain_run_impl.h"
 
-#include <CGAL/Bbox_2.h>
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Interface_flows/compiled_torus_2.h>
 

@@ -4,7 +4,6 @@
 
 #include "grain_run_impl.h"
 
-#include <CGAL/Bbox_3.h>
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Interface_flows/compiled_torus_3.h>
 

@@ -21,17 +21,6 @@
 #include <CGAL/Mesh_files/checkpoint.h>
 #include <CGAL/Mesh_support/coordinates.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <limits>
-#include <map>
-#include <optional>
-#include <random>
-#include <vector>
-
 namespace dsc {
 
 /// Writes the states of a run, with the misorientations of the facets of the interface, and a

@@ -13,12 +13,8 @@
 #include <CGAL/Interface_remeshing/Carried_vertex_values.h>
 #include <CGAL/Interface_remeshing/Number_rows.h>
 
-#include <algorithm>
-#include <cstddef>
 #include <memory>
 #include <optional>
-#include <string>
-#include <vector>
 
 namespace dsc_python {
 

@@ -17,17 +17,6 @@
 
 #include <CGAL/Incompressible_fluids_3/Rigid_body_3.h>
 #include <CGAL/Mesh_support/coordinates.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/number_utils.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <memory>
-#include <optional>
-#include <string>
-#include <utility>
 
 namespace dsc_python {
 

@@ -13,9 +13,6 @@
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Interface_flows/Grain_growth.h>
 
-#include <optional>
-#include <string>
-
 namespace dsc_python {
 
 /// \throws py::type_error if an option is no number

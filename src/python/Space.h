@@ -10,10 +10,7 @@
 #include <CGAL/Mesh_support/coordinates.h>
 #include <CGAL/Origin.h>
 
-#include <cmath>
-#include <string>
 #include <tuple>
-#include <vector>
 
 namespace dsc_python {
 

@@ -7,12 +7,7 @@
 
 #include "Space.h"
 
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <map>
-#include <utility>
-#include <vector>
 
 namespace dsc_python {
 

@@ -33,14 +33,6 @@
 #include <CGAL/Interface_remeshing/restore_volumes.h>
 #include <CGAL/Mesh_files/checkpoint.h>
 
-#include <array>
-#include <cmath>
-#include <map>
-#include <memory>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace dsc_python {
 
 template <> struct Names_of<DSC::Domain_rule>

@@ -7,19 +7,14 @@
 
 #include "Space.h"
 
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/cell_corners.h>
+
 #include <pybind11/stl.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <map>
 #include <memory>
 #include <optional>
-#include <string>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 namespace dsc_python {
 
@@ -230,10 +225,8 @@ public:
       : m_function(std::move(function)), m_space(space) {}
 
   bool operator()(const Complex& complex, typename Complex::Cell_handle cell, int label) const {
-    typename Complex::Approximate_vector sum(CGAL::NULL_VECTOR);
-    for (int i = 0; i < Complex::corners; ++i)
-      sum = sum + (complex.corner(cell, i) - CGAL::ORIGIN);
-    const auto center = m_space.to_user(CGAL::ORIGIN + sum / Complex::corners);
+    const auto center =
+        m_space.to_user(CGAL::Deformable_simplicial_complexes::internal::barycenter(complex, cell));
     const py::gil_scoped_acquire lock;
     const py::array_t<double> point = array_of<double>(
         std::size_t(Complex::dimension), [&](std::size_t i) { return center[int(i)]; });

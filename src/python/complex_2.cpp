@@ -9,9 +9,6 @@
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Interface_flows/compiled_2.h>
 
-#include <algorithm>
-#include <cmath>
-
 namespace dsc_python {
 namespace {
 

@@ -11,10 +11,6 @@
 #include <CGAL/Interface_flows/compiled_3.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-
 namespace dsc_python {
 namespace {
 

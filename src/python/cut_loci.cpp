@@ -10,15 +10,6 @@
 #include "module.h"
 #include "programs/errors.h"
 
-#include <algorithm>
-#include <array>
-#include <memory>
-#include <optional>
-#include <string>
-#include <tuple>
-#include <utility>
-#include <vector>
-
 namespace dsc_python {
 namespace {
 

@@ -13,11 +13,6 @@
 
 #include <CGAL/Mesh_support/coordinates.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <optional>
-
 namespace dsc_python {
 namespace {
 

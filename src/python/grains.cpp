@@ -12,11 +12,6 @@
 
 #include <pybind11/stl.h>
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <string>
-
 namespace dsc_python {
 namespace {
 

@@ -8,19 +8,12 @@
 #include <CGAL/Complex_construction/Construction_options.h>
 #include <CGAL/Mesh_support/parameter_values.h>
 
-#include <CGAL/Bbox_2.h>
-#include <CGAL/Bbox_3.h>
-
 #include <pybind11/functional.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
 #include <array>
 #include <map>
-#include <optional>
-#include <string>
-#include <type_traits>
-#include <utility>
 
 namespace dsc_python {
 

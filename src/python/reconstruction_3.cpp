@@ -10,10 +10,6 @@
 #include <CGAL/Solid_reconstruction_3/compiled_3.h>
 #include <CGAL/Solid_reconstruction_3/reconstruct_sheet_3.h>
 
-#include <memory>
-#include <utility>
-#include <vector>
-
 namespace dsc_python {
 namespace {
 

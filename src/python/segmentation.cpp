@@ -10,17 +10,6 @@
 #include <CGAL/Image_segmentation/compiled_2.h>
 #include <CGAL/Image_segmentation/compiled_3.h>
 
-#include <pybind11/stl.h>
-
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <memory>
-#include <optional>
-#include <tuple>
-#include <utility>
-#include <vector>
-
 namespace dsc_python {
 namespace {
 

@@ -16,20 +16,10 @@
 
 #include <tetgen.h>
 
-#include <algorithm>
-#include <array>
-#include <chrono>
-#include <cmath>
-#include <cstddef>
-#include <limits>
 #include <new>
-#include <numeric>
 #include <optional>
 #include <random>
-#include <string>
 #include <system_error>
-#include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace {

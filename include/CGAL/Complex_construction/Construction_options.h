@@ -18,7 +18,6 @@
 #include <CGAL/Bbox_3.h>
 
 #include <optional>
-#include <type_traits>
 
 namespace CGAL::Deformable_simplicial_complexes {
 

@@ -14,11 +14,7 @@
 #include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Mesh_support/internal/threads/stoppable_sort.h>
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
-#include <cstdint>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
 

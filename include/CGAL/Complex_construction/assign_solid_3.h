@@ -20,46 +20,28 @@
 #include <CGAL/Mesh_support/coordinates.h>
 #include <CGAL/Mesh_support/internal/numbers/Extent.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 
-// Returns the facets with one cell. A state of finite cells only is given, where `i + 1` is the
-// vertex `i`.
-inline std::vector<std::array<std::size_t, 3>> boundary_facets(const State<3>& state) {
+// Sets the boundary classes of a state of finite cells: the sides of the box if they fill a box;
+// otherwise, the boundary is fixed. The cells refer to vertex `i` by `i + 1`.
+inline void classify_boundary(State<3>& state) {
   std::vector<std::array<std::size_t, 4>> cells(state.cells.size());
   for (std::size_t c = 0; c < cells.size(); ++c)
     for (std::size_t i = 0; i < 4; ++i)
       cells[c][i] = state.cells[c][i] - 1;
-  const auto facets = sorted_facets(cells);
-  std::vector<std::array<std::size_t, 3>> result;
-  for (std::size_t i = 0; i < facets.size(); ++i)
-    if ((i == 0 || facets[i - 1].vertices != facets[i].vertices) &&
-        (i + 1 == facets.size() || facets[i + 1].vertices != facets[i].vertices))
-      result.push_back(facets[i].vertices);
-  return result;
-}
-
-// Sets the boundary classes of a state of finite cells: the sides of the box if they fill a box;
-// otherwise, the boundary is fixed.
-inline void classify_boundary(State<3>& state) {
-  const auto facets = boundary_facets(state);
+  const auto facets = boundary_facets(cells);
   Extent<3> box;
   for (const auto& facet : facets)
-    for (const std::size_t v : facet)
+    for (const std::size_t v : facet.vertices)
       box.add(state.points[v]);
   const auto sides = [&](std::size_t v) { return box.sides(state.points[v]); };
   const bool is_box = std::all_of(facets.begin(), facets.end(), [&](const auto& f) {
-    return (sides(f[0]) & sides(f[1]) & sides(f[2])) != 0;
+    return (sides(f.vertices[0]) & sides(f.vertices[1]) & sides(f.vertices[2])) != 0;
   });
   state.boundary_classes.assign(state.points.size(), Boundary_class::inside);
   for (const auto& facet : facets)
-    for (const std::size_t v : facet)
+    for (const std::size_t v : facet.vertices)
       state.boundary_classes[v] = is_box ? sides(v) : Boundary_class::fixed;
 }
 

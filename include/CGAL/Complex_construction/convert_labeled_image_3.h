@@ -29,19 +29,7 @@
 #include <CGAL/Mesh_support/named_parameters.h>
 #include <CGAL/Mesh_support/parameter_values.h>
 
-#include <CGAL/Image_3.h>
-#include <CGAL/Origin.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <map>
 #include <set>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
@@ -89,19 +77,11 @@ public:
       m_reach[a] = (std::min)(m_reach[a], half);
       m_reach[b] = (std::min)(m_reach[b], half);
     }
-    for (const auto& [a, b] : all)
-      if (!is_on_line(a) || !is_on_line(b)) {
-        if (!is_on_line(a))
-          m_ties.push_back({a, b});
-        if (!is_on_line(b))
-          m_ties.push_back({b, a});
-      }
-    for (const auto& [a, b] : lines) {
-      if (is_on_line(a))
-        m_ties.push_back({a, b});
-      if (is_on_line(b))
-        m_ties.push_back({b, a});
-    }
+    for (const bool on_lines : {false, true})
+      for (const auto& [a, b] : on_lines ? lines : all)
+        for (const Edge& tie : {Edge(a, b), Edge(b, a)})
+          if (is_on_line(tie.first) == on_lines)
+            m_ties.push_back(tie);
   }
 
   // Moves all vertices by one step.

@@ -13,17 +13,6 @@
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Mesh_support/named_parameters.h>
 
-#include <CGAL/number_utils.h>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <map>
-#include <type_traits>
-#include <unordered_map>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 

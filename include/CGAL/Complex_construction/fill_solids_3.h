@@ -16,14 +16,6 @@
 #include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
 #include <CGAL/Triangle_soup_repair/make_patches_3.h>
 
-#include <CGAL/Bbox_3.h>
-
-#include <algorithm>
-#include <exception>
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 

@@ -18,10 +18,6 @@
 #include <CGAL/Mesh_support/coordinates.h>
 #include <CGAL/Mesh_support/named_parameters.h>
 
-#include <cstddef>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 

@@ -14,25 +14,11 @@
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/cell_corners.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
-
-#include <CGAL/Origin.h>
-
-#include <cstddef>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
-
-// Returns the barycenter of a cell, as seen from its vertex 0.
-template <class Complex>
-typename Complex::Approximate_point barycenter(const Complex& complex,
-                                               typename Complex::Cell_handle c) {
-  typename Complex::Approximate_vector sum(NULL_VECTOR);
-  for (int i = 0; i < Complex::corners; ++i)
-    sum = sum + (complex.corner(c, i) - ORIGIN);
-  return ORIGIN + sum / Complex::corners;
-}
 
 // Facets of the interface whose cells have their labels at their barycenters. Each facet has a
 // point where the label changes.

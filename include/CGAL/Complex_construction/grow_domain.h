@@ -19,16 +19,6 @@
 #include <CGAL/Mesh_support/internal/numbers/Extent.h>
 #include <CGAL/Mesh_support/named_parameters.h>
 
-#include <CGAL/enum.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 

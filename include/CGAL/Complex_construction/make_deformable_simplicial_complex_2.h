@@ -24,20 +24,7 @@
 #include <CGAL/Mesh_support/internal/sets/equal_points.h>
 #include <CGAL/Mesh_support/named_parameters.h>
 
-#include <CGAL/Bbox_2.h>
 #include <CGAL/Deformable_simplicial_complex_2.h>
-#include <CGAL/enum.h>
-#include <CGAL/number_utils.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <locale>
-#include <optional>
-#include <sstream>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {

@@ -27,23 +27,12 @@
 #include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
 #include <CGAL/Triangle_soup_repair/Labeled_surface_3.h>
 #include <CGAL/Triangle_soup_repair/internal/checks/check_surfaces_3.h>
-#include <CGAL/Triangle_soup_repair/internal/checks/refuse_surface.h>
 
-#include <CGAL/Bbox_3.h>
 #include <CGAL/Polygon_mesh_processing/polygon_mesh_to_polygon_soup.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/enum.h>
 
 #include <boost/property_map/property_map.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <optional>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
@@ -118,13 +107,6 @@ Complex make_from_soups(const std::vector<Triangle_soup_3>& surfaces,
       });
 }
 
-template <class Points> std::vector<Coordinates_3> all_coordinates(const Points& points) {
-  std::vector<Coordinates_3> result;
-  for (const auto& p : points)
-    result.push_back(coordinates(p));
-  return result;
-}
-
 } // namespace internal
 
 /*!
@@ -167,13 +149,10 @@ template <class Complex, class Tetrahedralizer, class NP = parameters::Default_n
 Complex make_deformable_simplicial_complex_3(
     const std::vector<Labeled_surface_3<typename Complex::Point_3>>& surfaces,
     const Tetrahedralizer& tetrahedralizer, const NP& np = parameters::default_values()) {
-  std::vector<internal::Triangle_soup_3> soups;
   std::vector<typename Complex::Label> labels;
-  for (const auto& surface : surfaces) {
-    soups.push_back({internal::all_coordinates(surface.points), surface.triangles});
+  for (const auto& surface : surfaces)
     labels.push_back(surface.label);
-  }
-  return internal::make_from_soups<Complex>(soups, labels, tetrahedralizer,
+  return internal::make_from_soups<Complex>(internal::soups_of(surfaces), labels, tetrahedralizer,
                                             construction_options<3>(np));
 }
 
@@ -247,15 +226,13 @@ template <class Complex, class Tetrahedralizer, class NP = parameters::Default_n
 Complex make_deformable_simplicial_complex_3(
     const std::vector<Labeled_patch_3<typename Complex::Point_3>>& patches,
     const Tetrahedralizer& tetrahedralizer, const NP& np = parameters::default_values()) {
-  std::vector<internal::Triangle_soup_3> soups;
   std::vector<internal::Labels_of_sides> sides;
-  for (const auto& patch : patches) {
-    soups.push_back({internal::all_coordinates(patch.points), patch.triangles});
+  for (const auto& patch : patches)
     sides.push_back({patch.label_behind, patch.label_in_front});
-  }
   const auto options = construction_options<3>(np);
   return internal::make_resolved<Complex>(
-      internal::put_into_box(internal::check_patches(soups), options), tetrahedralizer, options,
+      internal::put_into_box(internal::check_patches(internal::soups_of(patches)), options),
+      tetrahedralizer, options,
       [&](const Tetrahedralization_3& mesh, const internal::Boxed_soup_3& boxed) {
         return internal::label_by_sides(mesh, boxed, sides);
       });

@@ -19,10 +19,6 @@
 #include <CGAL/Mesh_support/For_each_index.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
-#include <algorithm>
-#include <cstddef>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 
 /*!

@@ -16,12 +16,8 @@
 #include <CGAL/enum.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <limits>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {

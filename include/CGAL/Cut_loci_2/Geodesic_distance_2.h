@@ -11,20 +11,11 @@
 #include <CGAL/license/Cut_loci_2.h>
 
 #include <CGAL/Cut_loci_2/Geodesic_front_2.h>
-#include <CGAL/Cut_loci_2/internal/geodesics/directions.h>
+#include <CGAL/Cut_loci_2/internal/geodesics/Geodesics_2.h>
 
 #include <Eigen/Dense>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <map>
 #include <memory>
-#include <optional>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {

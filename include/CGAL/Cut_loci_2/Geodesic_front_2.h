@@ -20,13 +20,6 @@
 #include <CGAL/Deformable_simplicial_complexes/edge_split.h>
 #include <CGAL/Interface_remeshing/control_detail.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <map>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 
 /*!

@@ -15,10 +15,6 @@
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Simple_cartesian.h>
 
-#include <array>
-#include <cmath>
-#include <cstddef>
-
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 

@@ -20,13 +20,6 @@
 #include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
 

@@ -13,11 +13,6 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Component_event.h>
-#include <CGAL/Mesh_support/parameter_values.h>
-
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
 
@@ -182,47 +177,6 @@ struct Deformation_visitor
   /// deformation ends and is incomplete.
   bool go_further(unsigned /*pass*/) { return true; }
 };
-
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-A visitor of a named parameter, stored by value or by `std::reference_wrapper`, with an
-`Any_visitor` that calls it. An object cannot be copied, because the `Any_visitor` refers to its
-visitor.
-
-\tparam Complex a deformable simplicial complex
-\tparam Given a model of `DeformationVisitor`, or a `std::reference_wrapper` of one
-*/
-template <class Complex, class Given> class Given_visitor
-{
-public:
-  /// Stores the visitor.
-  explicit Given_visitor(Given given)
-      : m_given(std::move(given)), m_any(internal::unwrap(m_given)) {}
-
-  /// Returns the object that passes calls to the visitor.
-  Any_visitor<Complex>& any() { return m_any; }
-
-private:
-  using Visitor = std::remove_reference_t<decltype(internal::unwrap(std::declval<Given&>()))>;
-
-  Given m_given;
-  Visitor_adaptor<Complex, Visitor> m_any;
-};
-
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Returns the named parameter `visitor`, or a `Deformation_visitor`, which does nothing.
-*/
-template <class Complex, class NamedParameters> auto visitor_parameter(const NamedParameters& np) {
-  using CGAL::internal_np::visitor_t;
-  if constexpr (is_given<NamedParameters, visitor_t>) {
-    using Given = std::decay_t<decltype(parameter(np, CGAL::internal_np::visitor))>;
-    return Given_visitor<Complex, Given>(parameter(np, CGAL::internal_np::visitor));
-  } else
-    return Given_visitor<Complex, Deformation_visitor>(Deformation_visitor());
-}
 
 } // namespace CGAL::Deformable_simplicial_complexes
 

@@ -20,10 +20,6 @@
 
 #include <CGAL/enum.h>
 
-#include <algorithm>
-#include <array>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 
 /*!

@@ -15,11 +15,8 @@
 
 #include <CGAL/enum.h>
 
-#include <algorithm>
 #include <array>
-#include <cstdint>
 #include <limits>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
 

@@ -16,13 +16,6 @@
 #include <CGAL/Mesh_support/named_parameters.h>
 #include <CGAL/Mesh_support/parameter_values.h>
 
-#include <CGAL/Named_function_parameters.h>
-
-#include <functional>
-#include <type_traits>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
@@ -166,8 +159,7 @@ auto flow_of_vertices(const Complex& complex, const Flow& flow) {
 \ingroup PkgDeformableSimplicialComplexesRef
 
 Replaces the options that are given as named parameters, as `read_parameters()` without a complex
-does, and the flow. The visitor is not replaced, because an object must own it, see
-`visitor_parameter()`.
+does, and the flow. The visitor is not replaced, because an object must own it.
 
 \param complex the complex, which must outlive the options
 \param np the named parameters
@@ -196,11 +188,16 @@ auto call_with_parameters(const Complex& complex, const NamedParameters& np, Opt
   if constexpr (std::is_same<NamedParameters, Options>::value)
     return call(np);
   else {
-    auto visitor = visitor_parameter<Complex>(np);
-    visit_option<internal_np::visitor_t>(
-        defaults, [&](const char*, auto& pointer) { pointer = &visitor.any(); });
+    using internal_np::visitor_t;
     read_parameters(complex, np, defaults);
-    return call(std::as_const(defaults));
+    if constexpr (is_given<NamedParameters, visitor_t>) {
+      auto given = parameter(np, visitor_t());
+      auto& visitor = unwrap(given);
+      Visitor_adaptor<Complex, std::remove_reference_t<decltype(visitor)>> adaptor(visitor);
+      visit_option<visitor_t>(defaults, [&](const char*, auto& pointer) { pointer = &adaptor; });
+      return call(std::as_const(defaults));
+    } else
+      return call(std::as_const(defaults));
   }
 }
 

@@ -15,11 +15,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Component_event.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {

@@ -15,8 +15,6 @@
 #include <CGAL/Mesh_support/For_each_index.h>
 
 #include <array>
-#include <cstddef>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
 

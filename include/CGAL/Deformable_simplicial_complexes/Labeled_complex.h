@@ -25,12 +25,6 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/components/kept_components.h>
 #include <CGAL/Mesh_support/For_each_index.h>
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 
 namespace internal {

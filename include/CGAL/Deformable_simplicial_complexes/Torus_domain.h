@@ -19,10 +19,6 @@
 
 #include <CGAL/enum.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 namespace CGAL::Deformable_simplicial_complexes {
 
 /*!

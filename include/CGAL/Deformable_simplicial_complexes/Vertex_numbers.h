@@ -13,9 +13,6 @@
 
 #include <CGAL/Mesh_support/internal/threads/Borrowed_table.h>
 
-#include <cstdint>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 
 /// \ingroup PkgDeformableSimplicialComplexesRef

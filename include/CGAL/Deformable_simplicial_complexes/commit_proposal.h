@@ -16,11 +16,6 @@
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/destinations/Interface_tolerance.h>
 
-#include <CGAL/assertions.h>
-
-#include <algorithm>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 
 // Mesh optimization changes a complex only by the functions of this header, so its visitor receives

@@ -22,8 +22,6 @@
 #include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Mesh_support/named_parameters.h>
 
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 

@@ -18,11 +18,6 @@
 #include <CGAL/Deformable_simplicial_complexes/multi_face_removal_3.h>
 #include <CGAL/Deformable_simplicial_complexes/relabeling.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <utility>
-
 namespace CGAL::Deformable_simplicial_complexes {
 
 /*!

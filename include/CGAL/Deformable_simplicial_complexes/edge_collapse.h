@@ -17,13 +17,8 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Marks.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/cell_corners.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <iterator>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {

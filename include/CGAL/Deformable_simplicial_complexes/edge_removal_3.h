@@ -15,11 +15,6 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Polygon_triangulation_3.h>
 #include <CGAL/Deformable_simplicial_complexes/relabeling.h>
 
-#include <boost/container/small_vector.hpp>
-
-#include <algorithm>
-#include <cstddef>
-
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 

@@ -14,10 +14,6 @@
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 
-#include <array>
-#include <cstddef>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 
 /*!

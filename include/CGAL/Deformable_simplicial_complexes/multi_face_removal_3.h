@@ -14,13 +14,6 @@
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Polygon_triangulation_3.h>
 
-#include <boost/container/small_vector.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <limits>
-
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 

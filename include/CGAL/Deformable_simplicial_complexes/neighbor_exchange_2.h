@@ -16,15 +16,6 @@
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <optional>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 

@@ -13,10 +13,6 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {

@@ -15,10 +15,6 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/sort_by_time_stamp.h>
 #include <CGAL/Mesh_support/For_each_index.h>
 
-#include <algorithm>
-#include <cstddef>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 
 /*!

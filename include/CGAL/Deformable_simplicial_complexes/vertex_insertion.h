@@ -14,16 +14,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Star_optimizer.h>
-#include <CGAL/Origin.h>
-#include <CGAL/enum.h>
-
-#include <boost/container/small_vector.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <limits>
-#include <utility>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/cell_corners.h>
 
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
@@ -228,10 +219,7 @@ bool propose_vertex_insertion(const Complex& complex, typename Complex::Cell_han
   static constexpr int maximum_number_of_rounds = 3;
   if (complex.is_infinite(cell))
     return false;
-  typename Complex::Approximate_vector sum = CGAL::NULL_VECTOR;
-  for (int i = 0; i < Complex::corners; ++i)
-    sum = sum + (complex.corner(cell, i) - CGAL::ORIGIN);
-  typename Complex::Approximate_point p = CGAL::ORIGIN + sum / Complex::corners;
+  auto p = internal::barycenter(complex, cell);
 
   double best = -std::numeric_limits<double>::infinity();
   Deformable_simplicial_complexes::Cavity<Complex> trial(complex);

@@ -16,12 +16,6 @@
 
 #include <CGAL/Origin.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Computes orthogonal directions in which a vertex must not move, so that the interface does not

@@ -14,11 +14,8 @@
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
-#include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <string>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
 

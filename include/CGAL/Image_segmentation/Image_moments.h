@@ -14,12 +14,7 @@
 #include <CGAL/Image_segmentation/internal/moments/Pixel_sums_2.h>
 #include <CGAL/Image_segmentation/internal/moments/Voxel_lines_3.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <type_traits>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
 

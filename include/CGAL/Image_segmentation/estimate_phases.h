@@ -16,15 +16,6 @@
 
 #include <Eigen/Dense>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 
 /// \ingroup PkgImageSegmentationRef

@@ -21,17 +21,6 @@
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
-#include <CGAL/Bbox_2.h>
-#include <CGAL/Bbox_3.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 
 namespace internal {

@@ -14,13 +14,6 @@
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Incompressible_fluids_3/fluid_errors.h>
 
-#include <CGAL/Simple_cartesian.h>
-
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 
 /// \ingroup PkgIncompressibleFluids3Ref

@@ -13,15 +13,9 @@
 #include <CGAL/Incompressible_fluids_3/Solids_3.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
 
-#include <Eigen/Geometry>
-
-#include <cmath>
 #include <functional>
-#include <memory>
 #include <mutex>
 #include <optional>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
 

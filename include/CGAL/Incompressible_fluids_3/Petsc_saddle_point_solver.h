@@ -14,7 +14,6 @@
 #include <CGAL/Incompressible_fluids_3/internal/parallel/Petsc_equations.h>
 
 #include <memory>
-#include <utility>
 
 namespace CGAL::Deformable_simplicial_complexes {
 

@@ -19,16 +19,8 @@
 #include <CGAL/Incompressible_fluids_3/internal/solvers/relative_residual.h>
 #include <CGAL/Mesh_support/For_each_index.h>
 
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
 #include <memory>
 #include <optional>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
 /*!

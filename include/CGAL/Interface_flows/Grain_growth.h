@@ -24,16 +24,6 @@
 #include <CGAL/Interface_remeshing/shared_measures.h>
 #include <CGAL/Mesh_support/Error.h>
 
-#include <CGAL/Origin.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <map>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 
 /*!

@@ -12,20 +12,10 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
-#include <CGAL/Interface_flows/internal/curvature/Curvature_system.h>
 #include <CGAL/Interface_flows/internal/curvature/Interface_forces.h>
 #include <CGAL/Interface_remeshing/Volume_changer.h>
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
-
-#include <CGAL/Origin.h>
-
-#include <Eigen/Dense>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
 

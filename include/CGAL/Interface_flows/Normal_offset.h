@@ -16,18 +16,10 @@
 #include <CGAL/Interface_flows/internal/corners/Opened_corners_2.h>
 #include <CGAL/Interface_flows/internal/corners/Opened_corners_3.h>
 
-#include <CGAL/Origin.h>
-#include <CGAL/number_utils.h>
-
 #include <Eigen/Core>
 #include <Eigen/QR>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 #include <type_traits>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {

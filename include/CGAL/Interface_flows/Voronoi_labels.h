@@ -14,13 +14,9 @@
 #include <CGAL/Mesh_support/coordinates.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <random>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {

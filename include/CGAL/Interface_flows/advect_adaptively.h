@@ -24,9 +24,6 @@
 #include <CGAL/Mesh_support/named_parameters.h>
 #include <CGAL/Mesh_support/parameter_values.h>
 
-#include <cmath>
-#include <map>
-
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 

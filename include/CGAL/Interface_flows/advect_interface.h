@@ -24,12 +24,6 @@
 #include <CGAL/Mesh_support/For_each_index.h>
 #include <CGAL/Mesh_support/named_parameters.h>
 
-#include <cmath>
-#include <cstddef>
-#include <memory>
-#include <optional>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 /*!
 \ingroup PkgInterfaceFlowsRef

@@ -17,11 +17,6 @@
 #include <CGAL/Interface_remeshing/Vertex_quadric_3.h>
 #include <CGAL/Interface_remeshing/interface_triangles_3.h>
 
-#include <cmath>
-#include <cstddef>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 

@@ -15,8 +15,6 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/tags.h>
 
-#include <cmath>
-
 namespace CGAL::Deformable_simplicial_complexes {
 
 /*!

@@ -14,8 +14,6 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/tags.h>
 
-#include <cmath>
-
 namespace CGAL::Deformable_simplicial_complexes {
 
 /*!

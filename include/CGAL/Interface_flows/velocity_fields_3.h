@@ -11,10 +11,7 @@
 #include <CGAL/license/Interface_flows.h>
 
 #include <CGAL/Interface_flows/velocity_fields_2.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/number_utils.h>
 
-#include <cmath>
 #include <cstdint>
 #include <random>
 #include <utility>

@@ -14,13 +14,9 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/cell_corners.h>
 #include <CGAL/Interface_remeshing/internal/values/overlap_measure.h>
 
+#include <CGAL/Box_intersection_d/Box_with_info_d.h>
+#include <CGAL/box_intersection_d.h>
 #include <CGAL/property_map.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
@@ -43,41 +39,21 @@ template <class Space, class Value> struct Filled_simplex
 };
 
 // Returns the pairs of indices of a source and a target whose bounding boxes intersect, sorted.
-// Computed by a sweep along the x-axis.
-template <class Simplex>
+template <class Space, class Simplex>
 std::vector<std::pair<std::size_t, std::size_t>>
 pairs_that_may_overlap(const std::vector<const Simplex*>& sources,
                        const std::vector<Simplex*>& targets) {
-  using Box = std::decay_t<decltype(sources.front()->simplex.bbox())>;
-  struct Start
-  {
-    double x;
-    bool is_target;
-    std::size_t index;
-    const Box* box;
+  using Box = Box_intersection_d::Box_with_info_d<double, Space::dimension, std::size_t>;
+  const auto boxes_of = [](const auto& simplices) {
+    std::vector<Box> result;
+    for (std::size_t i = 0; i < simplices.size(); ++i)
+      result.emplace_back(simplices[i]->simplex.bbox(), i);
+    return result;
   };
-  std::vector<Start> starts, open_sources, open_targets;
-  const auto add = [&](const auto& simplices, bool are_targets) {
-    for (std::size_t i = 0; i < simplices.size(); ++i) {
-      const Box& box = simplices[i]->simplex.bbox();
-      starts.push_back({box.xmin(), are_targets, i, &box});
-    }
-  };
-  add(sources, false);
-  add(targets, true);
-  std::sort(starts.begin(), starts.end(), [](const Start& s, const Start& t) { return s.x < t.x; });
+  std::vector<Box> from = boxes_of(sources), to = boxes_of(targets);
   std::vector<std::pair<std::size_t, std::size_t>> result;
-  for (const Start& s : starts) {
-    auto& others = s.is_target ? open_sources : open_targets;
-    others.erase(std::remove_if(others.begin(), others.end(),
-                                [&](const Start& t) { return t.box->xmax() < s.x; }),
-                 others.end());
-    for (const Start& t : others)
-      if (do_overlap(*s.box, *t.box))
-        result.push_back(s.is_target ? std::make_pair(t.index, s.index)
-                                     : std::make_pair(s.index, t.index));
-    (s.is_target ? open_targets : open_sources).push_back(s);
-  }
+  box_intersection_d(from.begin(), from.end(), to.begin(), to.end(),
+                     [&](const Box& s, const Box& t) { result.emplace_back(s.info(), t.info()); });
   std::sort(result.begin(), result.end());
   return result;
 }
@@ -97,7 +73,7 @@ void pour(const std::vector<const Filled_simplex<Space, Value>*>& sources,
   }
   double excess = 0; // measure of sources outside the targets
   Value left = 0. * sources.front()->content;
-  const auto pairs = pairs_that_may_overlap(sources, targets);
+  const auto pairs = pairs_that_may_overlap<Space>(sources, targets);
   auto pair = pairs.begin();
   for (std::size_t i = 0; i < sources.size(); ++i) {
     const auto* s = sources[i];
@@ -225,8 +201,8 @@ public:
   /// Not copyable; pass the visitor by `std::ref()`.
   Carried_cell_averages& operator=(const Carried_cell_averages&) = delete;
 
-  /// Computes the contents of the new cells. n log n in the number of old and new cells, plus the
-  /// number of pairs that overlap along the x-axis.
+  /// Computes the contents of the new cells. About n log n in the number of old and new cells, plus
+  /// the number of pairs whose bounding boxes intersect.
   void before_replacement(const Cavity& cavity) {
     begin(cavity.removed());
     for (const auto& t : cavity.planned())
@@ -241,8 +217,7 @@ public:
   /// Stores the contents of the new cells.
   void after_replacement(const Cavity& cavity) { put_contents(cavity.created()); }
 
-  /// Computes the contents of the cells around `v` after the move. n log n in the number of these
-  /// cells, plus the number of pairs of old and new cells that overlap along the x-axis.
+  /// Computes the contents of the cells around `v` after the move, in the same time.
   void before_smoothing(Vertex_handle v, const std::vector<Cell_handle>& star,
                         const Point& target) {
     begin(star);

@@ -15,9 +15,6 @@
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/parameter_values.h>
 
-#include <functional>
-#include <limits>
-
 namespace CGAL::Deformable_simplicial_complexes {
 
 /*!

@@ -14,7 +14,6 @@
 
 #include <cmath>
 #include <functional>
-#include <utility>
 
 namespace CGAL::Deformable_simplicial_complexes {
 

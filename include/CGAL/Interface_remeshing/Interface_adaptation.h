@@ -19,14 +19,6 @@
 #include <CGAL/Interface_remeshing/internal/interface/Curvature_lengths.h>
 #include <CGAL/Mesh_support/named_parameters.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <functional>
-#include <type_traits>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 
 /*!

@@ -23,13 +23,8 @@
 
 #include <boost/container/flat_map.hpp>
 
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <limits>
 #include <map>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
 

@@ -13,17 +13,10 @@
 #include <CGAL/Deformable_simplicial_complex_2.h>
 #include <CGAL/Interface_remeshing/internal/extraction/Extracted_facets.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2.h>
 #include <CGAL/Polygon_with_holes_2.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
 #include <map>
-#include <set>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
 

@@ -22,13 +22,7 @@
 #include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Mesh_support/named_parameters.h>
 
-#include <algorithm>
-#include <cstddef>
 #include <deque>
-#include <limits>
-#include <optional>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {

@@ -13,12 +13,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/triangle_quality.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <tuple>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
 

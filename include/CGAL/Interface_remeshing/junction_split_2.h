@@ -15,13 +15,6 @@
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/neighbor_exchange_2.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <optional>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 

@@ -12,8 +12,6 @@
 
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Manifold_relabeling.h>
 
-#include <vector>
-
 /// \file
 /// Tests whether the interface is manifold, and relabeling that keeps it manifold, as used
 /// with the parameter `manifold_interface()`.

@@ -15,12 +15,6 @@
 #include <CGAL/Deformable_simplicial_complexes/vertex_smoothing.h>
 #include <CGAL/Interface_remeshing/Vertex_quadric_3.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 

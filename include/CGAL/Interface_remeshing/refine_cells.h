@@ -17,11 +17,7 @@
 #include <CGAL/Deformable_simplicial_complexes/edge_split.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
-#include <algorithm>
-#include <cstddef>
 #include <tuple>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
 

@@ -13,15 +13,9 @@
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 
-#include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <map>
-#include <optional>
 #include <set>
 #include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
 

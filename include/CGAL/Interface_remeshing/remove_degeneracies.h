@@ -24,8 +24,6 @@
 #include <CGAL/Mesh_support/named_parameters.h>
 #include <CGAL/Mesh_support/parameter_values.h>
 
-#include <utility>
-
 namespace CGAL::Deformable_simplicial_complexes {
 
 /*!

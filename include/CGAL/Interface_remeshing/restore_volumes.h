@@ -17,12 +17,6 @@
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/named_parameters.h>
 
-#include <cmath>
-#include <cstddef>
-#include <map>
-#include <string>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 
 /*!

@@ -17,15 +17,6 @@
 #include <CGAL/Mesh_support/internal/sets/Signed_union_find.h>
 #include <CGAL/Mesh_support/internal/threads/stoppable_sort.h>
 
-#include <CGAL/number_utils.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 

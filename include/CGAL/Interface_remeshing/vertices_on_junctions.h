@@ -12,9 +12,6 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 
-#include <cstddef>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 
 /*!

@@ -13,8 +13,6 @@
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/named_parameters.h>
 
-#include <CGAL/Named_function_parameters.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <limits>

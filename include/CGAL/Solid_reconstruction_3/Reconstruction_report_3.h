@@ -12,7 +12,6 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 
-#include <cstddef>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {

@@ -18,9 +18,6 @@
 #include <CGAL/Solid_reconstruction_3/internal/clouds/Collected_points.h>
 
 #include <cmath>
-#include <cstddef>
-#include <functional>
-#include <type_traits>
 
 namespace CGAL::Deformable_simplicial_complexes {
 

@@ -23,13 +23,6 @@
 #include <CGAL/Solid_reconstruction_3/internal/sheets/sheet_checks_3.h>
 #include <CGAL/Solid_reconstruction_3/internal/sheets/sheet_seams_3.h>
 
-#include <CGAL/Simple_cartesian.h>
-
-#include <array>
-#include <cstddef>
-#include <type_traits>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 
 /*!

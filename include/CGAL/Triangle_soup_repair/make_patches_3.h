@@ -17,16 +17,6 @@
 #include <CGAL/Triangle_soup_repair/internal/arrangement/divide_space_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <map>
-#include <optional>
-#include <set>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 
 /*!
@@ -73,18 +63,6 @@ template <class Point> struct Patches_of_surfaces_3
 };
 
 namespace internal {
-
-template <class Point>
-std::vector<Triangle_soup_3> soups_of(const std::vector<Labeled_surface_3<Point>>& surfaces) {
-  std::vector<Triangle_soup_3> result;
-  for (const auto& surface : surfaces) {
-    auto& soup = result.emplace_back();
-    for (const Point& p : surface.points)
-      soup.points.push_back(coordinates(p));
-    soup.triangles = surface.triangles;
-  }
-  return result;
-}
 
 // Returns the labels of the cells of surfaces. The first cell of a surface has the label of the
 // surface, each of the others the next label that is not taken.

@@ -15,9 +15,6 @@
 
 #include <CGAL/config.h>
 
-// The license as an SPDX expression
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_LICENSE "GPL-3.0-or-later"
-
 #if defined(CGAL_LICENSE_ERROR)
 #error "GPL-3.0-or-later applies to the package Deformable Simplicial Complexes."
 #elif defined(CGAL_LICENSE_WARNING)

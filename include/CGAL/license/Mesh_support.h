@@ -14,9 +14,6 @@
 
 #include <CGAL/config.h>
 
-// The license as an SPDX expression
-#define CGAL_MESH_SUPPORT_LICENSE "GPL-3.0-or-later"
-
 #if defined(CGAL_LICENSE_ERROR)
 #error "GPL-3.0-or-later applies to the package Mesh Support."
 #elif defined(CGAL_LICENSE_WARNING)

@@ -14,9 +14,6 @@
 
 #include <CGAL/config.h>
 
-// The license as an SPDX expression
-#define CGAL_TRIANGLE_SOUP_REPAIR_LICENSE "GPL-3.0-or-later"
-
 #if defined(CGAL_LICENSE_ERROR)
 #error "GPL-3.0-or-later applies to the package Triangle Soup Repair."
 #elif defined(CGAL_LICENSE_WARNING)

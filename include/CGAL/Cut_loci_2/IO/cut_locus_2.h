@@ -16,14 +16,6 @@
 #include <CGAL/Mesh_files/SVG_2.h>
 #include <CGAL/Mesh_files/Svg_canvas.h>
 
-#include <CGAL/Bbox_2.h>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <string>
-#include <vector>
-
 namespace CGAL::IO {
 
 /*!

@@ -19,21 +19,9 @@
 #include <CGAL/Mesh_support/coordinates.h>
 #include <CGAL/Mesh_support/internal/numbers/Extent.h>
 #include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
-#include <CGAL/Triangle_soup_repair/internal/checks/refuse_surface.h>
+#include <CGAL/Triangle_soup_repair/internal/checks/check_surfaces_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/Soup_bisector_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
-
-#include <CGAL/Bbox_3.h>
-#include <CGAL/Named_function_parameters.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <map>
-#include <optional>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

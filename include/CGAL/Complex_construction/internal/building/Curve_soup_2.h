@@ -12,15 +12,10 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
 
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <locale>
 #include <map>
 #include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

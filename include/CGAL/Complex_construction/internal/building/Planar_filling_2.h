@@ -26,19 +26,8 @@
 #include <CGAL/property_map.h>
 #include <CGAL/spatial_sort.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <limits>
 #include <memory>
-#include <numeric>
-#include <optional>
 #include <set>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

@@ -18,15 +18,6 @@
 #include <CGAL/Triangle_soup_repair/internal/soups/Soup_regions_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
 
-#include <CGAL/enum.h>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <limits>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Orients tetrahedra positively by swapping two vertices of the negative ones. Throws
@@ -69,6 +60,18 @@ void orient_tetrahedra(const std::vector<typename Traits::Point_3>& points,
                               std::move(offenders));
 }
 
+// Returns the facets that belong to exactly one cell.
+inline std::vector<Cell_facet<3>>
+boundary_facets(const std::vector<std::array<std::size_t, 4>>& cells) {
+  std::vector<Cell_facet<3>> result;
+  const auto facets = sorted_facets(cells);
+  for (std::size_t i = 0; i < facets.size(); ++i)
+    if ((i == 0 || facets[i - 1].vertices != facets[i].vertices) &&
+        (i + 1 == facets.size() || facets[i + 1].vertices != facets[i].vertices))
+      result.push_back(facets[i]);
+  return result;
+}
+
 // Tetrahedra given by the user, and the tetrahedra of a mesh that surround them.
 class Solid_tetrahedra_3
 {
@@ -83,8 +86,7 @@ public:
     if (m_tetrahedra.empty())
       throw Invalid_cells_error("there are no tetrahedra: give at least one");
     orient_tetrahedra(points, m_tetrahedra, traits);
-    for (const Point& p : points)
-      m_points.push_back(coordinates(p));
+    m_points = all_coordinates(points);
     const std::vector<std::size_t> first = first_equal_points(m_points);
     for (auto& tetrahedron : m_tetrahedra)
       for (std::size_t& v : tetrahedron)
@@ -95,24 +97,16 @@ public:
   // Throws `Invalid_cells_error` if triangles cross, or if there are none.
   Joined_soup_3 boundary() const {
     Triangle_soup_3 soup = {m_points, {}};
-    std::vector<std::size_t> owners;
-    const auto facets = sorted_facets(m_tetrahedra);
-    for (std::size_t i = 0; i < facets.size(); ++i) {
-      const auto is_same = [&](std::size_t j) {
-        return j < facets.size() && facets[j].vertices == facets[i].vertices;
-      };
-      if ((i > 0 && is_same(i - 1)) || is_same(i + 1))
-        continue;
-      soup.triangles.push_back(facets[i].vertices);
-      owners.push_back(facets[i].cell);
-    }
+    const auto facets = boundary_facets(m_tetrahedra);
+    for (const auto& facet : facets)
+      soup.triangles.push_back(facet.vertices);
     if (soup.triangles.empty()) // each facet has two tetrahedra, so they overlap
       throw Invalid_cells_error("tetrahedra overlap: remove duplicated tetrahedra", {0});
     Joined_soup_3 result = join({merge_points(soup)});
     std::vector<std::size_t> offenders;
     for (const auto& [s, t] : crossing_triangles(result)) {
-      offenders.push_back(owners[s]);
-      offenders.push_back(owners[t]);
+      offenders.push_back(facets[s].cell);
+      offenders.push_back(facets[t].cell);
     }
     if (!offenders.empty()) {
       std::sort(offenders.begin(), offenders.end());
@@ -121,7 +115,7 @@ public:
           "tetrahedra overlap, or share only parts of facets: remesh near these tetrahedra",
           std::move(offenders));
     }
-    check_nesting(result, owners);
+    check_nesting(result, facets);
     return result;
   }
 
@@ -167,19 +161,12 @@ public:
 private:
   // Throws `Invalid_cells_error` if a region of the boundary contains tetrahedra several times: if
   // a component is inside another one.
-  // \param owners tetrahedron of each triangle
-  void check_nesting(const Joined_soup_3& boundary, const std::vector<std::size_t>& owners) const {
+  // \param facets facet of a positively oriented tetrahedron for each triangle
+  static void check_nesting(const Joined_soup_3& boundary,
+                            const std::vector<Cell_facet<3>>& facets) {
     std::vector<int> steps; // of the number of components, from the front to the back of triangles
-    for (std::size_t t = 0; t < owners.size(); ++t) {
-      const auto triangle = exact_triangle(boundary, t);
-      Orientation side = COPLANAR; // of the corner of the tetrahedron that is opposite
-      for (const std::size_t v : m_tetrahedra[owners[t]])
-        if (const Orientation o =
-                orientation(triangle[0], triangle[1], triangle[2], exact_point(m_points[v]));
-            o != COPLANAR)
-          side = o;
-      steps.push_back(side == POSITIVE ? -1 : 1);
-    }
+    for (const auto& facet : facets)
+      steps.push_back(facet.is_even ? 1 : -1);
     const auto numbers = Soup_regions_3(boundary).winding_numbers(steps);
     if (numbers && *std::max_element(numbers->begin(), numbers->end()) > 1)
       throw Invalid_cells_error("tetrahedra overlap: some lie inside of others; remove them");

@@ -16,15 +16,6 @@
 #include <CGAL/Mesh_support/internal/numbers/Extent.h>
 #include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
 
-#include <CGAL/Bbox_2.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <map>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the default enclosing box: a square centered at the barycenter of the points. Its half

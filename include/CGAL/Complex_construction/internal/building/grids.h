@@ -72,6 +72,31 @@ inline Grid<2> torus_grid(const std::array<double, 2>& periods, double edge) {
   return grid;
 }
 
+// Calls `visit(p)` for all places of a grid of a size.
+template <class Visit>
+void for_each_place(const std::array<std::size_t, 3>& size, const Visit& visit) {
+  for (std::array<std::size_t, 3> p = {}; p[0] < size[0]; ++p[0])
+    for (p[1] = 0; p[1] < size[1]; ++p[1])
+      for (p[2] = 0; p[2] < size[2]; ++p[2]) {
+        Progress_scope::check();
+        visit(p);
+      }
+}
+
+// Returns the corners of the face below a cube, counterclockwise seen from the cube.
+template <class Corner>
+std::array<std::size_t, 4> face_below(const std::array<std::size_t, 3>& cube, int axis,
+                                      const Corner& corner) {
+  std::array<std::size_t, 4> result;
+  for (int k = 0; k < 4; ++k) {
+    auto at = cube;
+    at[(axis + 1) % 3] += k == 1 || k == 2;
+    at[(axis + 2) % 3] += k >= 2;
+    result[k] = corner(at);
+  }
+  return result;
+}
+
 // Returns the Delaunay tetrahedra of a body-centered cubic lattice on a flat torus. Four tetrahedra
 // surround each edge between the centers of two adjacent cubes. Each of them contains one edge of
 // the common face of the two cubes. Throws `Error` if the grid is too large.
@@ -86,30 +111,21 @@ inline Grid<3> torus_grid(const std::array<double, 3>& periods, double edge) {
   const auto corner = [&](const std::array<std::size_t, 3>& box) {
     return (box[0] % n[0] * n[1] + box[1] % n[1]) * n[2] + box[2] % n[2];
   };
-  for (std::array<std::size_t, 3> box = {}; box[0] < n[0]; ++box[0])
-    for (box[1] = 0; box[1] < n[1]; ++box[1])
-      for (box[2] = 0; box[2] < n[2]; ++box[2]) {
-        Progress_scope::check();
-        for (int axis = 0; axis < 3; ++axis) {
-          const double step = periods[axis] / double(n[axis]);
-          grid.points[corner(box)][axis] = double(box[axis]) * step;
-          grid.points[boxes + corner(box)][axis] = (double(box[axis]) + .5) * step;
-        }
-        for (int axis = 0; axis < 3; ++axis) {
-          auto next = box;
-          ++next[axis];
-          std::array<std::size_t, 4> face; // counterclockwise, seen from the next cube
-          for (int k = 0; k < 4; ++k) {
-            auto at = next;
-            at[(axis + 1) % 3] += k == 1 || k == 2;
-            at[(axis + 2) % 3] += k >= 2;
-            face[k] = corner(at);
-          }
-          for (int k = 0; k < 4; ++k)
-            grid.cells.push_back(
-                {boxes + corner(box), boxes + corner(next), face[k], face[(k + 1) % 4]});
-        }
-      }
+  for_each_place(n, [&](const std::array<std::size_t, 3>& box) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const double step = periods[axis] / double(n[axis]);
+      grid.points[corner(box)][axis] = double(box[axis]) * step;
+      grid.points[boxes + corner(box)][axis] = (double(box[axis]) + .5) * step;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      auto next = box;
+      ++next[axis];
+      const auto face = face_below(next, axis, corner);
+      for (int k = 0; k < 4; ++k)
+        grid.cells.push_back(
+            {boxes + corner(box), boxes + corner(next), face[k], face[(k + 1) % 4]});
+    }
+  });
   return grid;
 }
 
@@ -128,14 +144,6 @@ inline Grid<3> box_grid(const Bbox_3& box, double edge) {
     return (p[0] * (n[1] + 1) + p[1]) * (n[2] + 1) + p[2];
   };
   const auto center = [&](const Place& p) { return centers + (p[0] * n[1] + p[1]) * n[2] + p[2]; };
-  const auto for_each = [](const Place& size, const auto& visit) {
-    for (Place p = {}; p[0] < size[0]; ++p[0])
-      for (p[1] = 0; p[1] < size[1]; ++p[1])
-        for (p[2] = 0; p[2] < size[2]; ++p[2]) {
-          Progress_scope::check();
-          visit(p);
-        }
-  };
   const auto add_point = [&](const Place& p, double shift) {
     std::array<double, 3> x;
     for (int axis = 0; axis < 3; ++axis) {
@@ -146,19 +154,13 @@ inline Grid<3> box_grid(const Bbox_3& box, double edge) {
     }
     grid.points.push_back(x);
   };
-  for_each({n[0] + 1, n[1] + 1, n[2] + 1}, [&](const Place& p) { add_point(p, 0); });
-  for_each(n, [&](const Place& p) { add_point(p, .5); });
+  for_each_place({n[0] + 1, n[1] + 1, n[2] + 1}, [&](const Place& p) { add_point(p, 0); });
+  for_each_place(n, [&](const Place& p) { add_point(p, .5); });
   for (int axis = 0; axis < 3; ++axis) {
     Place faces = n;
     ++faces[axis];
-    for_each(faces, [&](const Place& p) { // the face below the cube `p`
-      std::array<std::size_t, 4> face;    // counterclockwise, seen from that cube
-      for (int k = 0; k < 4; ++k) {
-        Place at = p;
-        at[(axis + 1) % 3] += k == 1 || k == 2;
-        at[(axis + 2) % 3] += k >= 2;
-        face[k] = corner(at);
-      }
+    for_each_place(faces, [&](const Place& p) {
+      const auto face = face_below(p, axis, corner);
       Place below = p;
       --below[axis];
       if (p[axis] == 0) {

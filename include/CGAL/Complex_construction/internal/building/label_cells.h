@@ -12,14 +12,9 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/assemble_triangulation.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
 #include <limits>
 #include <optional>
 #include <tuple>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

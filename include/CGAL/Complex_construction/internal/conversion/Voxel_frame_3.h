@@ -13,13 +13,6 @@
 #include <CGAL/Complex_construction/internal/conversion/Voxel_pyramid_3.h>
 #include <CGAL/Mesh_support/Error.h>
 
-#include <CGAL/Bbox_3.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <optional>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {

@@ -11,12 +11,6 @@
 #include <CGAL/Complex_construction/internal/conversion/Voxel_components_3.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A neighborhood of 27 voxels, stored as bits, with x as the fastest index. Voxel 13 is in the

@@ -17,14 +17,9 @@
 
 #include <CGAL/Origin.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <map>
 #include <tuple>
 #include <type_traits>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

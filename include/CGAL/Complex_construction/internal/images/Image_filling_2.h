@@ -18,17 +18,6 @@
 #include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Mesh_support/coordinates.h>
 
-#include <CGAL/Bbox_2.h>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <map>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Labeled triangles that fill the rectangle of an image, or a box around it.

@@ -11,11 +11,7 @@
 #include <CGAL/Complex_construction/Labeled_image_2.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstddef>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

@@ -20,7 +20,6 @@
 #include <cstddef>
 #include <limits>
 #include <map>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {

@@ -10,16 +10,8 @@
 
 #include <CGAL/Cut_loci_2/internal/geodesics/Cut_circle_2.h>
 #include <CGAL/Cut_loci_2/internal/geodesics/Geodesics_2.h>
-#include <CGAL/Cut_loci_2/internal/geodesics/directions.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Mesh_support/internal/sets/Disjoint_sets.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <map>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

@@ -10,15 +10,8 @@
 
 #include <CGAL/Cut_loci_2/internal/geodesics/Geodesic_equations_2.h>
 #include <CGAL/Cut_loci_2/internal/geodesics/Geodesic_fan_2.h>
-#include <CGAL/Cut_loci_2/internal/geodesics/directions.h>
+#include <CGAL/Cut_loci_2/internal/geodesics/Geodesics_2.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <optional>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

@@ -9,18 +9,12 @@
 #define CGAL_CUT_LOCI_2_INTERNAL_GEODESICS_GEODESIC_EQUATIONS_2_H
 
 #include <CGAL/Cut_loci_2/internal/geodesics/Geodesics_2.h>
-#include <CGAL/Cut_loci_2/internal/geodesics/directions.h>
 
 #include <Eigen/Dense>
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
 #include <optional>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

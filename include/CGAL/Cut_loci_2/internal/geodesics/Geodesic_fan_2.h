@@ -9,19 +9,11 @@
 #define CGAL_CUT_LOCI_2_INTERNAL_GEODESICS_GEODESIC_FAN_2_H
 
 #include <CGAL/Cut_loci_2/internal/geodesics/Geodesic_equations_2.h>
-#include <CGAL/Cut_loci_2/internal/geodesics/directions.h>
+#include <CGAL/Cut_loci_2/internal/geodesics/Geodesics_2.h>
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <map>
-#include <optional>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

@@ -13,16 +13,30 @@
 #include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
-#include <CGAL/Simple_cartesian.h>
 
 #include <boost/numeric/odeint.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
+
+// Directions at a point are angles in radians. Angles increase to the left.
+
+inline double full_turn() { return 2 * std::acos(-1.); }
+
+// Returns the angle from a direction to another one, positive to the left, in [-pi, pi].
+inline double turn(double from, double to) { return std::remainder(to - from, full_turn()); }
+
+// Returns the angle in (0, 2 pi] from the direction `right` to the left, up to the direction
+// `left`.
+inline double gap_between(double right, double left) {
+  const double gap = std::fmod(left - right, full_turn());
+  return gap > 0 ? gap : gap + full_turn();
+}
+
+// Returns a direction as an angle in [0, 2 pi).
+inline double canonical_angle(double angle) {
+  const double a = std::fmod(angle, full_turn());
+  return a < 0 ? a + full_turn() : a;
+}
 
 // A point of a chart and the velocity of a geodesic there: u, v, u', v'.
 using Geodesic_state = std::array<double, 4>;

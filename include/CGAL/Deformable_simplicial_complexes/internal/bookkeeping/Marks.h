@@ -11,11 +11,6 @@
 
 #include <CGAL/Mesh_support/internal/threads/Borrowed_table.h>
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A hash table from the ids of a few items to their indices in a list, designed for frequent

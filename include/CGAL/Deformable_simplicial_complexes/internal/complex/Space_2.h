@@ -22,7 +22,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {

@@ -22,9 +22,6 @@
 #include <CGAL/Triangulation_data_structure_3.h>
 #include <CGAL/determinant.h>
 
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {

@@ -13,11 +13,8 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Item_numbers.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
-#include <algorithm>
 #include <array>
-#include <cstddef>
 #include <numeric>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

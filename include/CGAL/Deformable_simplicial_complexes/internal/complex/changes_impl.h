@@ -16,13 +16,8 @@
 
 #include <CGAL/assertions.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
 #include <new>
 #include <optional>
-#include <vector>
 
 #define CGAL_DSC_TEMPLATE template <class Derived, class Space, class Quality, class Domain>
 #define CGAL_DSC_CLASS Labeled_complex<Derived, Space, Quality, Domain>

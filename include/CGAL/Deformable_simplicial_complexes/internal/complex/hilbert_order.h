@@ -19,7 +19,6 @@
 
 #include <cstddef>
 #include <numeric>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

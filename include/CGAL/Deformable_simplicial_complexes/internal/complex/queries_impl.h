@@ -15,10 +15,6 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Marks.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/sort_by_time_stamp.h>
 
-#include <algorithm>
-#include <array>
-#include <vector>
-
 #define CGAL_DSC_TEMPLATE template <class Derived, class Space, class Quality, class Domain>
 #define CGAL_DSC_CLASS Labeled_complex<Derived, Space, Quality, Domain>
 

@@ -24,13 +24,7 @@
 
 #include <CGAL/Origin.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
 #include <iostream>
-#include <utility>
-#include <vector>
 
 #define CGAL_DSC_TEMPLATE template <class Derived, class Space, class Quality, class Domain>
 #define CGAL_DSC_CLASS Labeled_complex<Derived, Space, Quality, Domain>

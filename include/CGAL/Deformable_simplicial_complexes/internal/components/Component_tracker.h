@@ -16,13 +16,8 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/components/kept_components.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
 #include <iterator>
 #include <mutex>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

@@ -11,10 +11,6 @@
 
 #include <CGAL/Deformable_simplicial_complexes/internal/components/kept_components.h>
 
-#include <algorithm>
-#include <cstddef>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Groups of cells that relabeling may have disconnected; each group should be connected. Cells that

@@ -11,11 +11,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Marks.h>
 
-#include <algorithm>
 #include <array>
-#include <cstddef>
-#include <utility>
-#include <vector>
 
 // Tests for changes of connected components of labels after a change of a few cells. These tests
 // visit nearby cells first. If a test does not confirm a connection, the caller searches farther

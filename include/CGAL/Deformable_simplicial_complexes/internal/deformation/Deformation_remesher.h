@@ -29,17 +29,6 @@
 #include <CGAL/Deformable_simplicial_complexes/star_union.h>
 #include <CGAL/Mesh_support/For_each_index.h>
 
-#include <CGAL/number_utils.h>
-
-#include <boost/container/flat_map.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <type_traits>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The remeshing of a deformation: Algorithm 3, and the removal of small angles. In 2D, it also

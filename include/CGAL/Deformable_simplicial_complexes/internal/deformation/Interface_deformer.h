@@ -30,15 +30,6 @@
 #include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Mesh_support/coordinates.h>
 
-#include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <cstddef>
-#include <iterator>
-#include <limits>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A clock that measures wall-clock time in seconds, from lap to lap.

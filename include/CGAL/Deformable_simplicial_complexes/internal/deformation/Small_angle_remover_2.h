@@ -24,13 +24,6 @@
 #include <CGAL/determinant.h>
 #include <CGAL/number_utils.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <utility>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the sine of the smallest angle of a triangle; 0 if two corners coincide.

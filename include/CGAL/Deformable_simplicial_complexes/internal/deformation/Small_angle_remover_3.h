@@ -30,16 +30,6 @@
 #include <CGAL/Deformable_simplicial_complexes/vertex_insertion.h>
 #include <CGAL/Deformable_simplicial_complexes/vertex_smoothing.h>
 #include <CGAL/Mesh_support/For_each_index.h>
-#include <CGAL/number_utils.h>
-
-#include <boost/container/flat_map.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

@@ -11,10 +11,6 @@
 
 #include <CGAL/Deformable_simplicial_complexes/internal/destinations/Destinations.h>
 
-#include <algorithm>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Tests whether parts of the interface come together in a deformation. Only the motion decides. A

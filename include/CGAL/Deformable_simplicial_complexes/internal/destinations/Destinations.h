@@ -17,9 +17,6 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
-#include <cstddef>
-#include <string>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
 

@@ -16,12 +16,7 @@
 
 #include <boost/container/flat_map.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <unordered_map>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

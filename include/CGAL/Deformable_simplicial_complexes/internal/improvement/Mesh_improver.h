@@ -29,13 +29,6 @@
 #include <CGAL/Mesh_support/For_each_index.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns whether two facets of the cell lie on the interface, so that remeshing cannot change the

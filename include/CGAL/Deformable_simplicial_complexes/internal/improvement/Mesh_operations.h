@@ -17,8 +17,6 @@
 #include <CGAL/Deformable_simplicial_complexes/multi_face_removal_3.h>
 #include <CGAL/Deformable_simplicial_complexes/vertex_smoothing.h>
 
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The operations of mesh improvement that depend on the dimension.

@@ -16,11 +16,6 @@
 #include <CGAL/Mesh_support/For_each_index.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Parallel smoother of the vertices of cells. The vertices are divided into colors: two vertices of

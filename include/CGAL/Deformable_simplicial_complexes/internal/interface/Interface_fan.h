@@ -15,9 +15,6 @@
 
 #include <boost/container/small_vector.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <type_traits>
 #include <vector>

@@ -19,17 +19,9 @@
 #include <CGAL/Mesh_support/coordinates.h>
 #include <CGAL/Mesh_support/internal/numbers/Conjugate_gradients.h>
 
-#include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 
 #include <boost/container/flat_map.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

@@ -15,11 +15,7 @@
 
 #include <CGAL/enum.h>
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
 #include <limits>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

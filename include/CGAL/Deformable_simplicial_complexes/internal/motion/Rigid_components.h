@@ -15,10 +15,6 @@
 
 #include <CGAL/Origin.h>
 
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Tests which connected components of the interface stay or move rigidly in a deformation, and

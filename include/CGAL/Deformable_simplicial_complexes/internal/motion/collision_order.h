@@ -13,12 +13,6 @@
 
 #include <CGAL/Exact_rational.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the fraction of the displacement of a vertex at which a cell of its star first becomes

@@ -14,13 +14,6 @@
 
 #include <CGAL/Origin.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Proposes other points for a free vertex, and keeps the point with the best star quality. The

@@ -15,11 +15,6 @@
 
 #include <boost/container/small_vector.hpp>
 
-#include <algorithm>
-#include <cstddef>
-#include <limits>
-#include <utility>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The triangulation of a polygon that maximizes the worst quality of the tetrahedra that join its

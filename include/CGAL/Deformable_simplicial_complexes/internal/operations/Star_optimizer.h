@@ -15,12 +15,8 @@
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <limits>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {

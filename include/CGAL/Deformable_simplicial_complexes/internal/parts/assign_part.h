@@ -13,13 +13,6 @@
 #include <CGAL/Mesh_support/coordinates.h>
 #include <CGAL/Mesh_support/internal/sets/Disjoint_sets.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <numeric>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Duplicates vertices at which the boundary of the cells is non-manifold. The cells around a vertex

@@ -11,13 +11,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
-
-#include <CGAL/Origin.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <vector>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/cell_corners.h>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
@@ -62,11 +56,8 @@ public:
 
   // Records that a cell is about to take another label, which changes the topology.
   void record(Cell_handle c, Label label) {
-    typename Complex::Approximate_vector sum(CGAL::NULL_VECTOR);
-    for (int i = 0; i < Complex::corners; ++i)
-      sum = sum + (m_complex.corner(c, i) - CGAL::ORIGIN);
-    m_changes.push_back({m_complex.domain().canonical(CGAL::ORIGIN + sum / Complex::corners), c,
-                         c->time_stamp(), c->label(), label, c->component()});
+    m_changes.push_back({m_complex.domain().canonical(barycenter(m_complex, c)), c, c->time_stamp(),
+                         c->label(), label, c->component()});
   }
 
   // Finds the events since the last call and reports them to the visitor. Must be called before

@@ -21,15 +21,7 @@
 #include <CGAL/Deformable_simplicial_complexes/relabeling.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
-#include <boost/container/flat_map.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
 #include <unordered_set>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

@@ -13,8 +13,6 @@
 #include <CGAL/Mesh_support/coordinates.h>
 #include <CGAL/Mesh_support/internal/numbers/Extent.h>
 
-#include <algorithm>
-#include <array>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {

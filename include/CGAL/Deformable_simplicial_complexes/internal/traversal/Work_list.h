@@ -12,9 +12,6 @@
 #include <CGAL/Mesh_support/For_each_index.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
-#include <algorithm>
-#include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {

@@ -9,6 +9,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_CELL_CORNERS_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_CELL_CORNERS_H
 
+#include <CGAL/Origin.h>
+
 #include <array>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
@@ -32,6 +34,16 @@ Cell_corners<Complex> cell_corners(const Complex& complex, typename Complex::Cel
 template <class Complex>
 Cell_corners<Complex> cell_corners(const Complex& complex, typename Complex::Cell_handle c) {
   return cell_corners(complex, c, complex.position(c->vertex(0)));
+}
+
+// Returns the barycenter of a cell, as seen from its vertex 0.
+template <class Complex>
+typename Complex::Approximate_point barycenter(const Complex& complex,
+                                               typename Complex::Cell_handle c) {
+  typename Complex::Approximate_vector sum(NULL_VECTOR);
+  for (int i = 0; i < Complex::corners; ++i)
+    sum = sum + (complex.corner(c, i) - ORIGIN);
+  return ORIGIN + sum / Complex::corners;
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes::internal

@@ -12,9 +12,6 @@
 #include <CGAL/Deformable_simplicial_complexes/star_union.h>
 #include <CGAL/Mesh_support/Error.h>
 
-#include <cstddef>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 
 // Throws an exception if a complex has an interface, but no mean edge of the initial interface to

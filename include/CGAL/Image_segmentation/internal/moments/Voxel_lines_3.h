@@ -14,12 +14,6 @@
 
 #include <boost/container/small_vector.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 

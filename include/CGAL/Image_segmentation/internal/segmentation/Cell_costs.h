@@ -14,14 +14,7 @@
 #include <CGAL/Image_segmentation/estimate_phases.h>
 #include <CGAL/Mesh_support/For_each_index.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
 #include <map>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {

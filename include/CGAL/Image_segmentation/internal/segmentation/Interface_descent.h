@@ -17,15 +17,6 @@
 #include <CGAL/Mesh_support/For_each_index.h>
 #include <CGAL/Mesh_support/internal/numbers/Facet_tension.h>
 
-#include <CGAL/Origin.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 

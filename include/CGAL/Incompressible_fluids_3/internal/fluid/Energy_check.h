@@ -12,15 +12,7 @@
 #include <CGAL/Incompressible_fluids_3/fluid_errors.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
 
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <optional>
 #include <sstream>
-#include <string>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

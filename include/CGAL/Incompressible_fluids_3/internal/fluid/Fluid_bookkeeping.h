@@ -13,15 +13,6 @@
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Gas_components.h>
 #include <CGAL/Mesh_support/internal/sets/Disjoint_sets.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <map>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The bookkeeping of the connected components of liquids, by the number of the component. It

@@ -11,14 +11,9 @@
 #include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
 #include <CGAL/property_map.h>
 
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <cstddef>
 #include <optional>
 #include <unordered_map>
 #include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

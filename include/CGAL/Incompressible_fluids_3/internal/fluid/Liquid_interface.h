@@ -14,10 +14,6 @@
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
 #include <CGAL/Interface_remeshing/Volume_changer.h>
 
-#include <cstddef>
-#include <map>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Sets the surface tensions of facets for a field, which is given by vertex of the mesh. The

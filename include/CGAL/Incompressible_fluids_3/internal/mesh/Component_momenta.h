@@ -13,12 +13,6 @@
 
 #include <Eigen/Dense>
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The momentum and the angular momentum about the origin. On a torus, the angular momentum has no

@@ -15,20 +15,10 @@
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Slip_transform.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
 
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
 #include <limits>
-#include <map>
 #include <numeric>
-#include <optional>
 #include <set>
 #include <tuple>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

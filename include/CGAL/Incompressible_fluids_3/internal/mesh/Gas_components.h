@@ -11,13 +11,6 @@
 #include <CGAL/Incompressible_fluids_3/Fluid_properties.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
 
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A connected component of a gas. The product of its pressure and the power volume^exponent is

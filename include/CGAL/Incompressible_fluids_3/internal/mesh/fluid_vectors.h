@@ -8,10 +8,11 @@
 #ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_MESH_FLUID_VECTORS_H
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_MESH_FLUID_VECTORS_H
 
-#include <Eigen/Core>
+#include <CGAL/Deformable_simplicial_complexes/Linear_element.h>
+
 #include <Eigen/Geometry>
 
-#include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -53,6 +54,32 @@ inline Eigen::Vector3d area_vector(const Corners_3<3>& p) {
 inline Eigen::Vector3d area_vector(const Corners_3<2>& p) {
   const Eigen::Vector3d along = p[1] - p[0];
   return {along.y(), -along.x(), 0};
+}
+
+// Returns the linear element of a cell with given positions of its corners.
+template <class Complex>
+Linear_element<Complex> cell_element(const Corners_3<std::size_t(Complex::corners)>& positions) {
+  typename Linear_element<Complex>::Corners corners;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    corners[i] = from_eigen<typename Complex::Approximate_point>(positions[i]);
+  return Linear_element<Complex>(corners);
+}
+
+// Returns whether the gradients of the basis functions of a cell can be computed. The result does
+// not depend on the unit of length.
+template <class Complex>
+bool has_gradients(const Linear_element<Complex>& e,
+                   const Corners_3<std::size_t(Complex::corners)>& positions) {
+  // The least volume, relative to the cube of the longest edge. A regular tetrahedron has 0.12.
+  // In the plane, it is the least area, relative to the square, and a regular triangle has 0.43.
+  // Gradients of basis functions are then at most about 1e5 times as steep as in a regular
+  // tetrahedron, which double precision permits.
+  static constexpr double flattest = 1e-6;
+  double square = 0; // of the longest edge
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      square = (std::max)(square, (positions[i] - positions[j]).squaredNorm());
+  return e.measure() > flattest * std::pow(square, .5 * Complex::dimension);
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes::internal

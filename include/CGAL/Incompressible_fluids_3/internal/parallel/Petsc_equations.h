@@ -14,18 +14,7 @@
 #include <CGAL/Incompressible_fluids_3/internal/solvers/pressure_matrix.h>
 #include <CGAL/Incompressible_fluids_3/internal/solvers/relative_residual.h>
 
-#include <Eigen/Core>
-#include <Eigen/SparseCore>
-
-#include <petscksp.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
 #include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

@@ -13,16 +13,8 @@
 #include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
 #include <CGAL/Mesh_support/Error.h>
 
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <limits>
-#include <optional>
 #include <string>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

@@ -11,20 +11,11 @@
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Incompressible_fluids_3/Side_behavior.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
-#include <CGAL/Incompressible_fluids_3/internal/mesh/cell_element.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
 #include <CGAL/Incompressible_fluids_3/internal/sides/Open_sides.h>
 #include <CGAL/Incompressible_fluids_3/internal/sides/side_velocities.h>
 
-#include <Eigen/Core>
 #include <Eigen/Dense>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

@@ -13,15 +13,6 @@
 #include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
 #include <CGAL/Incompressible_fluids_3/internal/sides/Open_sides.h>
 
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <optional>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the distance that a vertex keeps from a line or plane that it must not pass. Without the

@@ -12,9 +12,7 @@
 
 #include <Eigen/SparseCore>
 
-#include <algorithm>
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 

@@ -12,16 +12,8 @@
 #include <CGAL/Incompressible_fluids_3/internal/solvers/blocks_of_vectors.h>
 #include <CGAL/Mesh_support/For_each_index.h>
 
-#include <Eigen/Core>
-#include <Eigen/SparseCore>
-
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
 #include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

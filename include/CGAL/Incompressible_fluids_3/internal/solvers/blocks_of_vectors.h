@@ -12,9 +12,7 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <numeric>
 #include <vector>

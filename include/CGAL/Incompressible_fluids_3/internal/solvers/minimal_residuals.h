@@ -13,12 +13,6 @@
 #include <CGAL/Mesh_support/For_each_index.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The method of minimal residuals, see `minimal_residuals()`.

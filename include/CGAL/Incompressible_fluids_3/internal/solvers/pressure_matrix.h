@@ -13,14 +13,6 @@
 #include <CGAL/Mesh_support/For_each_index.h>
 #include <CGAL/Mesh_support/internal/sets/Disjoint_sets.h>
 
-#include <Eigen/SparseCore>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the closed sets of a system whose other members are complete. The weight of a closed set

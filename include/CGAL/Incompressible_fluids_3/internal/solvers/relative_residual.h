@@ -15,7 +15,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

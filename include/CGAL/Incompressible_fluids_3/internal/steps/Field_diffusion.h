@@ -10,14 +10,9 @@
 
 #include <CGAL/Incompressible_fluids_3/fluid_errors.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
-#include <CGAL/Incompressible_fluids_3/internal/mesh/cell_element.h>
+#include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
 
 #include <Eigen/IterativeLinearSolvers>
-#include <Eigen/SparseCore>
-
-#include <cstddef>
-#include <tuple>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

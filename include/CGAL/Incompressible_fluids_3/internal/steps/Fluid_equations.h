@@ -13,21 +13,11 @@
 #include <CGAL/Incompressible_fluids_3/Saddle_point_system.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Slip_transform.h>
-#include <CGAL/Incompressible_fluids_3/internal/mesh/cell_element.h>
+#include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
 #include <CGAL/Incompressible_fluids_3/internal/solvers/Cell_rows.h>
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/For_each_index.h>
 #include <CGAL/Mesh_support/internal/numbers/Facet_tension.h>
-
-#include <Eigen/SparseCore>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

@@ -11,12 +11,7 @@
 #include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
 #include <CGAL/Mesh_support/Error.h>
 
-#include <Eigen/Core>
-
-#include <cmath>
-#include <cstddef>
 #include <functional>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

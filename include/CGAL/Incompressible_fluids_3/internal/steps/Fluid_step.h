@@ -27,17 +27,6 @@
 #include <CGAL/Incompressible_fluids_3/internal/walls/slip_flux.h>
 #include <CGAL/Mesh_support/Error.h>
 
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The solution of one time step. The velocities and pressures are solved with the vertices at

@@ -14,13 +14,7 @@
 #include <CGAL/Incompressible_fluids_3/internal/walls/Body_motion.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Vertex_constraints.h>
 
-#include <Eigen/Dense>
 #include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
-
-#include <algorithm>
-#include <cstddef>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

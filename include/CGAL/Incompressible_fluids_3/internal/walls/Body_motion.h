@@ -13,8 +13,6 @@
 #include <Eigen/Dense>
 #include <Eigen/Geometry>
 
-#include <array>
-#include <cmath>
 #include <tuple>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {

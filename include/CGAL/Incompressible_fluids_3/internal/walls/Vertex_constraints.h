@@ -12,11 +12,7 @@
 #include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Body_motion.h>
 
-#include <Eigen/Dense>
-
-#include <cstddef>
 #include <optional>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

@@ -16,18 +16,6 @@
 #include <CGAL/Incompressible_fluids_3/internal/walls/Body_motion.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Vertex_constraints.h>
 
-#include <Eigen/Dense>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <map>
-#include <optional>
-#include <tuple>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A solid and its boundary conditions.

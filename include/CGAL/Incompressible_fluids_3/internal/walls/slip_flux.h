@@ -12,13 +12,6 @@
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
 #include <CGAL/Incompressible_fluids_3/internal/walls/Wall_contacts.h>
 
-#include <Eigen/Dense>
-#include <Eigen/SparseCore>
-
-#include <cstddef>
-#include <optional>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 /*

@@ -19,14 +19,6 @@
 #include <CGAL/Deformable_simplicial_complexes/edge_split.h>
 #include <CGAL/Interface_remeshing/refine_cells.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The corners of curves from which a front moves away. By Huygens' principle, the front of such a

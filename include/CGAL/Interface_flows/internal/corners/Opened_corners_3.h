@@ -22,14 +22,7 @@
 #include <CGAL/Origin.h>
 #include <CGAL/number_utils.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <map>
-#include <unordered_map>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

@@ -17,12 +17,6 @@
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Collapses edges of the interface that a step would reverse or make very short, if the collapse

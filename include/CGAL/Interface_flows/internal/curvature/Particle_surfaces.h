@@ -15,13 +15,8 @@
 
 #include <Eigen/Dense>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <limits>
 #include <set>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

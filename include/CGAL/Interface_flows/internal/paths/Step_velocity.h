@@ -18,10 +18,7 @@
 #include <CGAL/Interface_flows/internal/paths/velocity_properties.h>
 #include <CGAL/Mesh_support/For_each_index.h>
 
-#include <cstddef>
-#include <functional>
 #include <memory>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

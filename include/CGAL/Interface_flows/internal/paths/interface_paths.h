@@ -21,12 +21,7 @@
 #include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <type_traits>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

@@ -11,11 +11,6 @@
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Domain_box.h>
 
-#include <algorithm>
-#include <cstddef>
-#include <limits>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the least distance of points from the sides of the domain; infinity if it is not a box.

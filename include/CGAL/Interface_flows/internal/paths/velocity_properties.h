@@ -12,7 +12,6 @@
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <type_traits>
-#include <utility>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

@@ -8,42 +8,12 @@
 #ifndef CGAL_INTERFACE_REMESHING_INTERNAL_EXTRACTION_EXTRACTED_FACETS_H
 #define CGAL_INTERFACE_REMESHING_INTERNAL_EXTRACTION_EXTRACTED_FACETS_H
 
+#include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/sort_by_time_stamp.h>
 
-#include <algorithm>
 #include <array>
-#include <cstddef>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
-
-// A numbering of vertices from zero by increasing time stamp.
-template <class Vertex_handle> class Vertex_numbering
-{
-public:
-  // The vertices can be given in any order and repeatedly.
-  explicit Vertex_numbering(std::vector<Vertex_handle> vertices) : m_vertices(std::move(vertices)) {
-    sort_by_time_stamp(m_vertices);
-    m_vertices.erase(std::unique(m_vertices.begin(), m_vertices.end()), m_vertices.end());
-    m_time_stamps.reserve(m_vertices.size());
-    for (Vertex_handle v : m_vertices)
-      m_time_stamps.push_back(v->time_stamp());
-  }
-
-  const std::vector<Vertex_handle>& vertices() const { return m_vertices; }
-
-  // Returns the number of v.
-  // \pre v is one of the vertices
-  std::size_t operator()(Vertex_handle v) const {
-    const auto i = std::lower_bound(m_time_stamps.begin(), m_time_stamps.end(), v->time_stamp());
-    return static_cast<std::size_t>(i - m_time_stamps.begin());
-  }
-
-private:
-  std::vector<Vertex_handle> m_vertices;
-  std::vector<std::size_t> m_time_stamps; // separate, for fast search
-};
 
 // The facets of the interface as an indexed set, in user coordinates. On a torus, each connected
 // component is unwrapped: a component that closes around the torus is cut open, and the vertices on
@@ -67,8 +37,10 @@ template <class Complex> struct Extracted_facets
     for (const auto& facet : from)
       for (Vertex_handle v : complex.facet_vertices(facet))
         corners.push_back(v);
-    const Vertex_numbering<Vertex_handle> number(corners);
-    vertices = number.vertices();
+    vertices = corners;
+    sort_by_time_stamp(vertices);
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    const Vertex_numbers number(complex, vertices);
     for (std::size_t i = 0; i < from.size(); ++i) {
       const auto [cell, index] = from[i];
       facets.emplace_back();

@@ -15,14 +15,9 @@
 
 #include <CGAL/number_utils.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <functional>
 #include <limits>
 #include <queue>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

@@ -13,16 +13,9 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/triangle_quality.h>
 #include <CGAL/Deformable_simplicial_complexes/vertex_smoothing.h>
 
-#include <CGAL/determinant.h>
-
 #include <Eigen/Dense>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
 #include <optional>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

@@ -23,15 +23,6 @@
 
 #include <CGAL/Random.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <optional>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A set of finite cells of a complex. Operations can change a copy of the patch before it replaces

@@ -21,9 +21,6 @@
 #include <CGAL/Interface_remeshing/Edge_unit.h>
 #include <CGAL/Interface_remeshing/internal/remeshing/Failed_collapses.h>
 
-#include <algorithm>
-#include <utility>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Splits long edges and collapses short edges, cell by cell. No collapse creates an edge that would

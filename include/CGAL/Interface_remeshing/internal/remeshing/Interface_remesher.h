@@ -30,18 +30,6 @@
 #include <CGAL/Interface_remeshing/null_space_smoothing_3.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
-#include <CGAL/number_utils.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <optional>
-#include <unordered_map>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The passes of improve_interface().

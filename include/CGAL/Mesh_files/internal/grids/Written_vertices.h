@@ -8,7 +8,7 @@
 #ifndef CGAL_MESH_FILES_INTERNAL_GRIDS_WRITTEN_VERTICES_H
 #define CGAL_MESH_FILES_INTERNAL_GRIDS_WRITTEN_VERTICES_H
 
-#include <CGAL/Interface_remeshing/internal/extraction/Extracted_facets.h>
+#include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -25,8 +25,10 @@ template <class Complex> class Written_vertices
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
 
-  explicit Written_vertices(const Complex& complex) : m_all(complex.vertices()) {
-    const auto& all = m_all.vertices();
+  explicit Written_vertices(const Complex& complex) : m_all(complex) {
+    std::vector<Vertex_handle> all;
+    for (const Vertex_handle v : complex.vertices())
+      m_all.add(v, all);
     m_numbers.resize(all.size());
     std::iota(m_numbers.begin(), m_numbers.end(),
               std::size_t(0)); // first vertices at the positions
@@ -55,7 +57,7 @@ public:
   std::size_t operator()(Vertex_handle v) const { return m_numbers[m_all(v)]; }
 
 private:
-  Vertex_numbering<Vertex_handle> m_all;
+  Vertex_numbers m_all;
   std::vector<std::size_t> m_numbers; // of all vertices
   std::vector<Vertex_handle> m_vertices;
 };

@@ -126,7 +126,7 @@ void write_facets_vtu(const std::string& path, const Complex& dsc, const Mesh_ar
 
   Vtu_document document(interface_.points.size(), interface_.facets.size());
   if (!arrays.points.empty()) {
-    const Vertex_numbering<typename Complex::Vertex_handle> number(dsc.interface_vertices());
+    const Vertex_numbers number(dsc, dsc.interface_vertices());
     std::vector<std::size_t> rows;
     for (const auto v : interface_.vertices)
       rows.push_back(number(v));

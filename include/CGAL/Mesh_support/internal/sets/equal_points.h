@@ -13,10 +13,7 @@
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {

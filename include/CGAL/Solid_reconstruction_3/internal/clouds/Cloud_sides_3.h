@@ -13,7 +13,6 @@
 #include <CGAL/Mesh_support/internal/threads/stoppable_sort.h>
 #include <CGAL/Solid_reconstruction_3/internal/clouds/Point_cloud_3.h>
 
-#include <CGAL/Bbox_3.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Delaunay_triangulation_cell_base_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -21,19 +20,12 @@
 #include <CGAL/Triangulation_cell_base_with_info_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 #include <CGAL/number_utils.h>
-#include <CGAL/property_map.h>
 #include <CGAL/spatial_sort.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <limits>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

@@ -24,15 +24,10 @@
 
 #include <Eigen/Dense>
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <memory>
 #include <numeric>
-#include <string>
 #include <tuple>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

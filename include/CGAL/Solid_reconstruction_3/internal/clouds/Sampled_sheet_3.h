@@ -12,11 +12,6 @@
 #include <CGAL/Solid_reconstruction_3/internal/clouds/Point_cloud_3.h>
 #include <CGAL/Solid_reconstruction_3/internal/clouds/cloud_properties_3.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // A surface that a cloud samples and that can be open. It has no sides.

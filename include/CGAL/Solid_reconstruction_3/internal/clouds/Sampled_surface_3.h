@@ -18,16 +18,6 @@
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Origin.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <map>
-#include <memory>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The holes of a point cloud: Delaunay facets between the inside and the outside with an edge that

@@ -12,12 +12,7 @@
 #include <CGAL/Mesh_support/internal/sets/Disjoint_sets.h>
 #include <CGAL/Solid_reconstruction_3/internal/clouds/Point_cloud_3.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <map>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

@@ -12,15 +12,6 @@
 #include <CGAL/Solid_reconstruction_3/internal/clouds/Sampled_surface_3.h>
 #include <CGAL/Solid_reconstruction_3/internal/reconstruction/Cloud_facets_3.h>
 
-#include <CGAL/Kernel/global_functions.h>
-
-#include <Eigen/Dense>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The sizing field of a reconstruction. The target edge length is small where the surface is curved

@@ -12,15 +12,7 @@
 #include <CGAL/Mesh_support/internal/cgal/cgal_compat.h>
 #include <CGAL/Solid_reconstruction_3/internal/clouds/Sampled_surface_3.h>
 
-#include <CGAL/AABB_tree.h>
 #include <CGAL/Kernel/global_functions.h>
-#include <CGAL/number_utils.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

@@ -13,19 +13,8 @@
 #include <CGAL/Solid_reconstruction_3/internal/clouds/Sampled_surface_3.h>
 
 #include <CGAL/Kernel/global_functions.h>
-#include <CGAL/Origin.h>
 
-#include <Eigen/Dense>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <iterator>
-#include <map>
 #include <optional>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

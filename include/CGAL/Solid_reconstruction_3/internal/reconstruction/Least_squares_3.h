@@ -14,11 +14,6 @@
 
 #include <Eigen/Sparse>
 
-#include <cmath>
-#include <cstddef>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The diagonal preconditioner of Eigen, with iterations that can be interrupted.

@@ -12,14 +12,6 @@
 #include <CGAL/Mesh_support/internal/cgal/cgal_compat.h>
 #include <CGAL/Solid_reconstruction_3/internal/clouds/Sampled_surface_3.h>
 
-#include <CGAL/AABB_tree.h>
-#include <CGAL/Bbox_3.h>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The inside of closed triangles, by the number of triangles that rays intersect.

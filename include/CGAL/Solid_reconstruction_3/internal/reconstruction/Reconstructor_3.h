@@ -30,15 +30,6 @@
 #include <CGAL/Solid_reconstruction_3/internal/reconstruction/Misplaced_balls_3.h>
 #include <CGAL/Solid_reconstruction_3/internal/reconstruction/Small_handles_3.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <map>
-#include <optional>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The steps of a reconstruction. They move the interface of a complex from its initial position to

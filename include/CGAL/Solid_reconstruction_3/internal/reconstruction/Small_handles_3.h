@@ -12,13 +12,7 @@
 #include <CGAL/Mesh_support/internal/sets/Disjoint_sets.h>
 #include <CGAL/Solid_reconstruction_3/internal/clouds/Sampled_surface_3.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <limits>
 #include <set>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

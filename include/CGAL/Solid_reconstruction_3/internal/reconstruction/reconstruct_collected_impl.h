@@ -16,15 +16,6 @@
 #include <CGAL/Solid_reconstruction_3/internal/reconstruction/Reconstructor_3.h>
 #include <CGAL/Solid_reconstruction_3/reconstruct_point_set_3.h>
 
-#include <CGAL/Bbox_3.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The initial interface of a reconstruction, around the solid and all points. It consists of faces

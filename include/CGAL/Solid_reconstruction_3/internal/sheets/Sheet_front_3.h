@@ -16,14 +16,9 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Random.h>
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
-#include <CGAL/property_map.h>
 #include <CGAL/spatial_sort.h>
 
-#include <algorithm>
 #include <array>
-#include <cstddef>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

@@ -11,11 +11,7 @@
 #include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Mesh_support/internal/sets/Disjoint_sets.h>
 
-#include <algorithm>
 #include <array>
-#include <cstddef>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

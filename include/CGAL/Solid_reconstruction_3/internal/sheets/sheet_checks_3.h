@@ -16,13 +16,7 @@
 #include <CGAL/Solid_reconstruction_3/internal/reconstruction/Cloud_facets_3.h>
 #include <CGAL/Solid_reconstruction_3/internal/sheets/Sheet_triangles_3.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <map>
 #include <set>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

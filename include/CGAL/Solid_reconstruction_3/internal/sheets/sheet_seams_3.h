@@ -13,12 +13,6 @@
 #include <CGAL/Solid_reconstruction_3/internal/clouds/cloud_properties_3.h>
 #include <CGAL/Solid_reconstruction_3/internal/sheets/Sheet_triangles_3.h>
 
-#include <algorithm>
-#include <cstddef>
-#include <map>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns whether the angle between two triangles at an edge is less than 90 degrees.

@@ -14,15 +14,9 @@
 #include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/soup_intersections_3.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <iterator>
 #include <limits>
 #include <set>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

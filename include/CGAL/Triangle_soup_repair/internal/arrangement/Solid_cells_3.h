@@ -15,13 +15,7 @@
 #include <CGAL/Triangle_soup_repair/internal/soups/Soup_regions_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
 #include <iterator>
-#include <map>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

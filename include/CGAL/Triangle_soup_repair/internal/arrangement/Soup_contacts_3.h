@@ -16,13 +16,6 @@
 #include <CGAL/Bbox_3.h>
 #include <CGAL/box_intersection_d.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 inline Bbox_3 enlarged(const Bbox_3& box, double r) {

@@ -14,21 +14,11 @@
 #include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/soup_intersections_3.h>
 
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_plus_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/enum.h>
 #include <CGAL/intersections.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <map>
 #include <optional>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
@@ -225,9 +215,8 @@ Split_soup_3 split_pairs(const Split_soup_3& soup,
     const auto found = splits.find(t);
     if (found != splits.end())
       return found->second;
-    const Triangle_indices& v = soup.triangles[t];
-    const std::array<Coordinates_3, 3> corners = {soup.points[v[0]], soup.points[v[1]],
-                                                  soup.points[v[2]]};
+    const auto& [a, b, c] = soup.triangles[t];
+    const std::array<Coordinates_3, 3> corners = {soup.points[a], soup.points[b], soup.points[c]};
     return splits.emplace(t, corners).first->second;
   };
   for (const auto& [s, t] : pairs) {

@@ -14,17 +14,9 @@
 #include <CGAL/Triangle_soup_repair/internal/arrangement/Soup_contacts_3.h>
 #include <CGAL/Triangle_soup_repair/internal/arrangement/Triangle_division_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
-#include <CGAL/Triangle_soup_repair/internal/soups/near_points_3.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
 #include <iterator>
-#include <map>
-#include <numeric>
 #include <set>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
@@ -60,10 +52,10 @@ inline void merge_near_points(Split_soup_3& soup, double distance) {
   static_cast<Triangle_soup_3&>(soup) = merge_points(soup);
   merge_near_points(soup, distance, Merged_points::ALL);
   static_cast<Triangle_soup_3&>(soup) = merge_points(soup);
-  std::vector<char> has_corners;
+  std::vector<char> is_kept;
   for (const Triangle_indices& t : soup.triangles)
-    has_corners.push_back(t[0] != t[1] && t[1] != t[2] && t[2] != t[0]);
-  keep(soup, has_corners);
+    is_kept.push_back(has_corners(t));
+  keep(soup, is_kept);
 }
 
 // Removes pairs of triangles with the same corners that are parts of the same triangle of the

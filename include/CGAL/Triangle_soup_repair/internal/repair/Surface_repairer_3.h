@@ -14,15 +14,12 @@
 #include <CGAL/Triangle_soup_repair/Surface_repair_options_3.h>
 #include <CGAL/Triangle_soup_repair/Surface_repair_report_3.h>
 #include <CGAL/Triangle_soup_repair/internal/checks/check_surfaces_3.h>
-#include <CGAL/Triangle_soup_repair/internal/checks/refuse_surface.h>
 #include <CGAL/Triangle_soup_repair/internal/repair/clean_soup_3.h>
 #include <CGAL/Triangle_soup_repair/internal/repair/distance_of_samples_3.h>
 #include <CGAL/Triangle_soup_repair/internal/repair/split_at_t_junctions_3.h>
 #include <CGAL/Triangle_soup_repair/internal/repair/unite_components_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
-#include <CGAL/Triangle_soup_repair/internal/soups/near_points_3.h>
 
-#include <CGAL/Bbox_3.h>
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
@@ -37,20 +34,8 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/iterator.h>
-#include <CGAL/version.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <cstdio>
-#include <functional>
-#include <iterator>
-#include <optional>
-#include <set>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
@@ -188,12 +173,9 @@ private:
 
   // Removes degenerate triangles. Their neighbors are joined along the common line.
   void remove_flat_triangles() {
-    const auto is_flat = [this](std::size_t t) {
-      return exact_triangle(m_soup, t).is_degenerate();
-    };
-    std::size_t number = 0;
-    for (std::size_t t = 0; t < m_soup.triangles.size(); ++t)
-      number += is_flat(t);
+    const auto number = std::size_t(std::count_if(
+        m_soup.triangles.begin(), m_soup.triangles.end(),
+        [this](const Triangle_indices& t) { return exact_triangle(m_soup, t).is_degenerate(); }));
     if (number == 0)
       return;
     Mesh mesh = oriented_mesh();
@@ -323,13 +305,8 @@ private:
   }
 
   static std::size_t remove_flat(Triangle_soup_3& soup) {
-    const std::size_t before = soup.triangles.size();
-    std::vector<Triangle_indices> kept;
-    for (std::size_t t = 0; t < before; ++t)
-      if (!exact_triangle(soup, t).is_degenerate())
-        kept.push_back(soup.triangles[t]);
-    soup.triangles = std::move(kept);
-    return before - soup.triangles.size();
+    return remove_triangles_if(
+        soup, [&](const Triangle_indices& t) { return exact_triangle(soup, t).is_degenerate(); });
   }
 
   void wrap() {

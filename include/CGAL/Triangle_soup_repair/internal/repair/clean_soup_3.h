@@ -11,12 +11,6 @@
 #include <CGAL/Mesh_support/internal/sets/Disjoint_sets.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <map>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the triangles of a soup without its fins. A fin is a sheet of triangles connected through
@@ -43,15 +37,19 @@ inline std::vector<Triangle_indices> triangles_without_fins(const Triangle_soup_
   return result;
 }
 
-// Removes triangles in which a vertex occurs twice. Returns their number.
-inline std::size_t remove_collapsed_triangles(Triangle_soup_3& soup) {
+// Removes the triangles that fulfill a condition. Returns their number.
+template <class Condition>
+std::size_t remove_triangles_if(Triangle_soup_3& soup, const Condition& condition) {
   auto& t = soup.triangles;
-  const auto end = std::remove_if(t.begin(), t.end(), [](const Triangle_indices& v) {
-    return v[0] == v[1] || v[1] == v[2] || v[2] == v[0];
-  });
+  const auto end = std::remove_if(t.begin(), t.end(), condition);
   const auto removed = std::size_t(t.end() - end);
   t.erase(end, t.end());
   return removed;
+}
+
+// Removes triangles in which a vertex occurs twice. Returns their number.
+inline std::size_t remove_collapsed_triangles(Triangle_soup_3& soup) {
+  return remove_triangles_if(soup, [](const Triangle_indices& t) { return !has_corners(t); });
 }
 
 // Removes repeated triangles: one of several triangles with the same vertices is kept. Sheets of

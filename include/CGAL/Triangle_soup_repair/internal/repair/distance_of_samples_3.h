@@ -14,11 +14,6 @@
 
 #include <CGAL/AABB_tree.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the largest distance of a sample of a soup from the triangles of another soup. The

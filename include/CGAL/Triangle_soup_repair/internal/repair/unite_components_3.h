@@ -11,19 +11,8 @@
 #include <CGAL/Triangle_soup_repair/internal/arrangement/split_at_crossings_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/Soup_regions_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
-#include <CGAL/Triangle_soup_repair/internal/soups/near_points_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/soup_intersections_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/soup_rays_3.h>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <map>
-#include <optional>
-#include <queue>
-#include <set>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

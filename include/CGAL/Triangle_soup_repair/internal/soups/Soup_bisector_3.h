@@ -14,15 +14,9 @@
 #include <CGAL/Mesh_support/internal/sets/Disjoint_sets.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <limits>
-#include <map>
 #include <queue>
 #include <tuple>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
@@ -77,6 +71,7 @@ public:
   }
 
 private:
+  using Vector = Predicates_kernel::Vector_3;
   using Edge = std::pair<std::size_t, std::size_t>; // points in increasing order
 
   static Edge between(std::size_t a, std::size_t b) { return {(std::min)(a, b), (std::max)(a, b)}; }
@@ -87,8 +82,7 @@ private:
   }
 
   double squared_length(const Edge& e) const {
-    const Coordinates_3 vector = difference(e.first, e.second);
-    return dot(vector, vector);
+    return difference(e.first, e.second).squared_length();
   }
 
   // A total order of edges.
@@ -125,12 +119,12 @@ private:
                                        m_soup.triangle_origins[triangles[1]].surface)
         continue;
       const std::size_t c = opposite(triangles[0], e), d = opposite(triangles[1], e);
-      const Coordinates_3 along = difference(e.first, e.second), to_c = difference(e.first, c),
-                          to_d = difference(e.first, d), normal = product(along, to_c);
-      const double longest =
-          std::sqrt((std::max)({dot(along, along), dot(to_c, to_c), dot(to_d, to_d)}));
-      if (std::abs(dot(normal, to_d)) <= flat * longest * std::sqrt(dot(normal, normal)) &&
-          dot(product(along, to_d), normal) < 0)
+      const Vector along = difference(e.first, e.second), to_c = difference(e.first, c),
+                   to_d = difference(e.first, d), normal = cross_product(along, to_c);
+      const double longest = std::sqrt(
+          (std::max)({along.squared_length(), to_c.squared_length(), to_d.squared_length()}));
+      if (std::abs(normal * to_d) <= flat * longest * std::sqrt(normal.squared_length()) &&
+          cross_product(along, to_d) * normal < 0)
         sets.join(triangles[0], triangles[1]);
     }
     for (std::size_t t = 0; t < m_soup.triangles.size(); ++t)
@@ -255,29 +249,22 @@ private:
   }
 
   std::pair<double, double> angle(std::size_t at, std::size_t a, std::size_t b) const {
-    const Coordinates_3 u = difference(at, a), v = difference(at, b), n = product(u, v);
-    const double sine = std::sqrt(dot(n, n)), cosine = dot(u, v), length = std::hypot(sine, cosine);
+    const Vector u = difference(at, a), v = difference(at, b);
+    const double sine = std::sqrt(cross_product(u, v).squared_length()), cosine = u * v,
+                 length = std::hypot(sine, cosine);
     return {sine / length, cosine / length};
   }
 
-  Coordinates_3 difference(std::size_t from, std::size_t to) const {
-    return difference(m_soup.points[from], m_soup.points[to]);
-  }
-  static Coordinates_3 difference(const Coordinates_3& p, const Coordinates_3& q) {
-    return {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
-  }
-  static Coordinates_3 product(const Coordinates_3& u, const Coordinates_3& v) {
-    return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-  }
-  static double dot(const Coordinates_3& u, const Coordinates_3& v) {
-    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+  Vector difference(std::size_t from, std::size_t to) const {
+    return exact_point(m_soup.points[to]) - exact_point(m_soup.points[from]);
   }
 
   // Moves the places that are not on the same side of the line from c to m as the point a.
   void separate(Places& places, Places& others, std::size_t a, std::size_t c, std::size_t m) const {
-    const Coordinates_3 line = difference(m, c), side = product(line, difference(m, a));
+    const Vector line = difference(m, c), side = cross_product(line, difference(m, a));
+    const auto origin = exact_point(m_soup.points[m]);
     const auto middle = std::stable_partition(places.begin(), places.end(), [&](const auto& p) {
-      return dot(product(line, difference(m_soup.points[m], p.first)), side) >= 0;
+      return cross_product(line, exact_point(p.first) - origin) * side >= 0;
     });
     others.assign(middle, places.end());
     places.erase(middle, places.end());

@@ -14,13 +14,8 @@
 #include <CGAL/Triangle_soup_repair/internal/soups/soup_intersections_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/soup_rays_3.h>
 
-#include <CGAL/enum.h>
-
-#include <algorithm>
-#include <cstddef>
 #include <optional>
 #include <queue>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

@@ -8,14 +8,17 @@
 #ifndef CGAL_TRIANGLE_SOUP_REPAIR_INTERNAL_SOUPS_TRIANGLE_SOUP_3_H
 #define CGAL_TRIANGLE_SOUP_REPAIR_INTERNAL_SOUPS_TRIANGLE_SOUP_3_H
 
+#include <CGAL/Mesh_support/Progress_scope.h>
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <map>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
@@ -28,21 +31,41 @@ template <class Point> Coordinates_3 coordinates(const Point& p) {
   return {to_double(p.x()), to_double(p.y()), to_double(p.z())};
 }
 
+template <class Points> std::vector<Coordinates_3> all_coordinates(const Points& points) {
+  std::vector<Coordinates_3> result;
+  for (const auto& p : points)
+    result.push_back(coordinates(p));
+  return result;
+}
+
 struct Triangle_soup_3
 {
   std::vector<Coordinates_3> points;
   std::vector<Triangle_indices> triangles;
 };
 
+// Returns the soups of labeled surfaces or patches.
+template <class Surface>
+std::vector<Triangle_soup_3> soups_of(const std::vector<Surface>& surfaces) {
+  std::vector<Triangle_soup_3> result;
+  for (const Surface& surface : surfaces)
+    result.push_back({all_coordinates(surface.points), surface.triangles});
+  return result;
+}
+
 // The kernel of exact predicates on soups.
 using Predicates_kernel = Exact_predicates_inexact_constructions_kernel;
 
 inline Predicates_kernel::Point_3 exact_point(const Coordinates_3& p) { return {p[0], p[1], p[2]}; }
 
-inline Predicates_kernel::Triangle_3 exact_triangle(const Triangle_soup_3& soup, std::size_t i) {
-  const Triangle_indices& t = soup.triangles[i];
+inline Predicates_kernel::Triangle_3 exact_triangle(const Triangle_soup_3& soup,
+                                                    const Triangle_indices& t) {
   return {exact_point(soup.points[t[0]]), exact_point(soup.points[t[1]]),
           exact_point(soup.points[t[2]])};
+}
+
+inline Predicates_kernel::Triangle_3 exact_triangle(const Triangle_soup_3& soup, std::size_t i) {
+  return exact_triangle(soup, soup.triangles[i]);
 }
 
 // A soup with unique points. Triangle i is triangle i of the input, point j is point
@@ -169,10 +192,84 @@ void for_each_edge(const std::vector<Triangle_side>& sorted_sides, const Visit& 
   }
 }
 
+// Returns whether a triangle has three different corners.
+inline bool has_corners(const Triangle_indices& t) {
+  return t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
+}
+
 // Returns the corners in increasing order, which identify a triangle.
 inline Triangle_indices sorted(Triangle_indices corners) {
   std::sort(corners.begin(), corners.end());
   return corners;
+}
+
+enum class Merged_points { OF_OPEN_EDGES, ALL };
+
+// Merges points closer to each other than a distance. All points are merged, or only the ends of
+// open edges. For the latter, the distance is also bounded by a tenth of the length of the open
+// edges at the point. A point is merged with the first point found near it. Returns the number of
+// merged points.
+inline std::size_t merge_near_points(Triangle_soup_3& soup, double distance, Merged_points which) {
+  static constexpr double part = .1; // of the shortest open edge: its ends are never merged
+  std::map<std::size_t, double> squared_limits;
+  for_each_edge(sorted_sides(soup.triangles), [&](auto side, std::size_t number) {
+    if (which == Merged_points::OF_OPEN_EDGES && number % 2 == 0)
+      return;
+    const double squared_length = squared_distance(exact_point(soup.points[side->vertices[0]]),
+                                                   exact_point(soup.points[side->vertices[1]]));
+    for (std::size_t v : side->vertices) {
+      double& limit = squared_limits.emplace(v, distance * distance).first->second;
+      if (which == Merged_points::OF_OPEN_EDGES)
+        limit = (std::min)(limit, part * part * squared_length);
+    }
+  });
+
+  // Points close to each other are in the same or in adjacent boxes of a grid.
+  using Box = std::array<double, 3>;
+  std::map<Box, std::vector<std::size_t>> grid;
+  const auto find_near = [&](std::size_t v, const Box& box, double limit) {
+    for (int k = 0; k < 27; ++k) {
+      const auto found =
+          grid.find({box[0] + k % 3 - 1, box[1] + k / 3 % 3 - 1, box[2] + k / 9 - 1});
+      if (found == grid.end())
+        continue;
+      for (std::size_t w : found->second)
+        if (squared_distance(exact_point(soup.points[v]), exact_point(soup.points[w])) <
+            (std::min)(limit, squared_limits.at(w)))
+          return w;
+    }
+    return v;
+  };
+  std::size_t merged = 0;
+  for (const auto& [v, limit] : squared_limits) {
+    Progress_scope::check();
+    Box box;
+    for (std::size_t i = 0; i < 3; ++i)
+      box[i] = std::floor(soup.points[v][i] / distance);
+    const std::size_t near = find_near(v, box, limit);
+    if (near == v)
+      grid[box].push_back(v);
+    soup.points[v] = soup.points[near];
+    merged += near != v;
+  }
+  return merged;
+}
+
+// Returns the mean side length of non-degenerate triangles; 0 without any.
+inline double mean_side(const Triangle_soup_3& soup) {
+  double sum = 0;
+  std::size_t number = 0;
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+    if (exact_triangle(soup, t).is_degenerate())
+      continue;
+    const Triangle_indices& v = soup.triangles[t];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Coordinates_3 &a = soup.points[v[i]], &b = soup.points[v[(i + 1) % 3]];
+      sum += std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+    }
+    number += 3;
+  }
+  return number == 0 ? 0 : sum / double(number);
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes::internal

@@ -15,11 +15,6 @@
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/enum.h>
 
-#include <algorithm>
-#include <cstddef>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Orders the triangles at an edge by their angle around the edge, starting with a given triangle.

@@ -17,11 +17,7 @@
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/enum.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
 #include <limits>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
