@@ -28,12 +28,15 @@
 namespace dsc_files {
 namespace {
 
+constexpr char no_room[] =
+    "cannot be written; check that the folder for temporary files (TMPDIR) is not full";
+
 template <class Writer> void write(vtkDataObject* data, const std::string& path, Writer* writer) {
   writer->SetInputData(data);
   writer->SetFileName(path.c_str());
   writer->Write();
   if (writer->GetErrorCode() != 0)
-    throw Failure("cannot be written; check that the folder exists and the disk is not full");
+    throw Failure(no_room);
 }
 
 template <class Writer> void write(vtkDataObject* data, const std::string& path) {
@@ -119,9 +122,9 @@ void write_image_as(vtkImageData* image, const std::string& path, const std::str
     throw Failure("cannot contain an image; write .inr, .mha, .nii, .tif, .vti or .vtk");
 }
 
-} // namespace
-
-void write_foreign(const std::string& input, const std::string& output, const std::string& like) {
+/// Writes a dataset. Returns what was written; null if the format is one of this package.
+vtkSmartPointer<vtkDataSet> write_dataset(const std::string& input, const std::string& output,
+                                          const std::string& like, const std::string& folder) {
   const std::string format = format_of(output);
   if (format_of(input) == "ply") {
     vtkNew<vtkPLYReader> reader;
@@ -131,26 +134,52 @@ void write_foreign(const std::string& input, const std::string& output, const st
       write<vtkXMLPolyDataWriter>(reader->GetOutput(), output);
     else
       write<vtkDataSetWriter>(reader->GetOutput(), output);
-    return;
+    return reader->GetOutput();
   }
-  const std::string folder = std::filesystem::path(output).parent_path().string();
   const Dataset dataset = read_dataset(input, folder);
   vtkImageData* const image = vtkImageData::SafeDownCast(dataset.data);
-  if (image == nullptr)
-    return write<vtkDataSetWriter>(dataset.data, output);
+  if (image == nullptr) {
+    write<vtkDataSetWriter>(dataset.data, output);
+    return dataset.data;
+  }
   if (format == "inr") {
     Options options;
     options.folder = folder;
     std::filesystem::rename(write_image(image, options).path, output);
-    return;
+    return nullptr;
   }
-  if (like.empty())
-    return write_image_as(image, output, format, dataset.slice_order);
+  if (like.empty()) {
+    write_image_as(image, output, format, dataset.slice_order);
+    return image;
+  }
   const Dataset model = read_dataset(like, folder);
   vtkImageData* const model_image = vtkImageData::SafeDownCast(model.data);
   if (model_image == nullptr)
     throw Failure("has no image as --grid");
-  write_image_as(along_axes_of(model_image, image), output, format, model.slice_order);
+  const auto placed = along_axes_of(model_image, image);
+  write_image_as(placed, output, format, model.slice_order);
+  return placed;
+}
+
+/// Returns whether a file can be read and contains as much as was written.
+bool is_complete(vtkDataSet* written, const std::string& path, const std::string& folder) {
+  try {
+    const Dataset read = read_dataset(path, folder);
+    return read.data->GetNumberOfPoints() == written->GetNumberOfPoints() &&
+           read.data->GetNumberOfCells() == written->GetNumberOfCells();
+  } catch (const std::exception&) {
+    return false;
+  }
+}
+
+} // namespace
+
+void write_foreign(const std::string& input, const std::string& output, const std::string& like) {
+  const std::string folder = std::filesystem::path(output).parent_path().string();
+  const vtkSmartPointer<vtkDataSet> written = write_dataset(input, output, like, folder);
+  // The writers of VTK do not notice all errors of the disk; those of compressed images do.
+  if (written != nullptr && format_of(output) != "nii.gz" && !is_complete(written, output, folder))
+    throw Failure(no_room);
 }
 
 } // namespace dsc_files

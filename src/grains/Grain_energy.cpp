@@ -6,9 +6,9 @@
 
 #include "programs/errors.h"
 
+#include <CGAL/Mesh_files/internal/text/files.h>
 #include <CGAL/Mesh_files/internal/text/number_of_word.h>
 
-#include <fstream>
 
 namespace dsc {
 
@@ -77,9 +77,7 @@ double Angle_table::value(double angle, double Row::*member) const {
 }
 
 Angle_table read_angle_table(const std::string& path) {
-  std::ifstream in(path);
-  if (!in)
-    throw Input_error("cannot open " + path + "; check that the file exists and is readable");
+  std::istringstream in(DSC::internal::file_contents(path));
   Angle_table result;
   std::size_t number = 0;
   for (std::string line; std::getline(in, line);) {

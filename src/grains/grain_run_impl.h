@@ -60,6 +60,12 @@ public:
     m_folder->write(complex, state.step, state.time, arrays);
   }
 
+  /// \throws Input_error if the folder no longer belongs to this run
+  void require() const {
+    if (m_folder)
+      m_folder->require();
+  }
+
 private:
   const Grain_run& m_run;
   std::optional<Step_folder> m_folder; // none if nothing is written
@@ -270,6 +276,7 @@ Grain_result grow_grains(const Grain_run& run, Grain_files& files, const Complex
     tell();
   }
   files.write(complex, state, orientations);
+  files.require();
   Grain_result result;
   for (const auto& grain : grain_statistics(complex))
     if (grain.label != particle_label)

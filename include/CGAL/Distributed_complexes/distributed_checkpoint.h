@@ -135,14 +135,14 @@ std::string read_checkpoint_blocks(const std::string& path, Distributed_mesh<Com
   static constexpr int d = Complex::dimension;
   Communicator& communicator = *mesh.communicator;
   mesh.clear();
-  std::ifstream in;
+  std::optional<Input_file> in;
   std::optional<Checkpoint_reader> reader; // on the first rank
   std::string head;
   communicator.call_together([&] {
     if (mesh.rank() != 0)
       return;
-    in = open_input(path, ".dsc");
-    reader.emplace(in, path, Checkpoint_kind::ranks, d);
+    in.emplace(path, ".dsc");
+    reader.emplace(*in, path, Checkpoint_kind::ranks, d);
     head = reader->next(false);
   });
   const auto bytes = communicator.all_gather({head.begin(), head.end()}).front();

@@ -189,7 +189,7 @@ void read_MEDIT(const std::string& path, std::vector<Point>& points,
                 std::vector<std::array<std::size_t, 4>>& tetrahedra, std::vector<int>& labels,
                 Deformable_simplicial_complexes::Mesh_entities* entities = nullptr,
                 Deformable_simplicial_complexes::Unused_content* unused = nullptr) {
-  std::ifstream in = Deformable_simplicial_complexes::internal::open_input(path, ".mesh");
+  Deformable_simplicial_complexes::internal::Input_file in(path, ".mesh");
   read_MEDIT(in, points, tetrahedra, labels, path, entities, unused);
 }
 

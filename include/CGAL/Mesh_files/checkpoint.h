@@ -79,7 +79,7 @@ small multiple of the size of the file.
 */
 template <int d = 3>
 Deformable_simplicial_complexes::internal::Checkpoint<d> read_checkpoint(const std::string& path) {
-  std::ifstream in = Deformable_simplicial_complexes::internal::open_input(path, ".dsc");
+  Deformable_simplicial_complexes::internal::Input_file in(path, ".dsc");
   return Deformable_simplicial_complexes::internal::read_whole<d>(in, path);
 }
 
@@ -97,7 +97,7 @@ one of several ranks. Constant time.
 */
 inline int checkpoint_dimension(const std::string& path) {
   using namespace Deformable_simplicial_complexes::internal;
-  std::ifstream in = open_input(path, ".dsc");
+  Input_file in(path, ".dsc");
   const std::string magic = checkpoint_magic_of(in);
   for (int d : {2, 3})
     if (magic == checkpoint_magic(Checkpoint_kind::whole, d))

@@ -211,7 +211,7 @@ read_labeled_surface(const std::string& path, int label = 1,
   require(format != internal::Surface_format::none,
           "the extension is not a surface format; choose a .off, .obj, .ply or .stl file");
   const Deformable_simplicial_complexes::Progress_phase phase("reading a surface");
-  std::ifstream in = internal::open_input(path, internal::lower_case_extension(path));
+  internal::Input_file in(path, internal::lower_case_extension(path));
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   require(!error, "cannot read the file; check its permissions");

@@ -173,7 +173,7 @@ read_point_set(const std::string& path,
   using Deformable_simplicial_complexes::File_error;
   const std::string extension = internal::lower_case_extension(path);
   const Deformable_simplicial_complexes::Progress_phase phase("reading points");
-  std::ifstream in = internal::open_input(path, extension);
+  internal::Input_file in(path, extension);
   internal::File_scanner scanner(in, path);
   internal::Point_set_sink sink{scanner, unused, {}};
   if (extension == ".ply")

@@ -298,6 +298,8 @@ int execute(const Reconstruct_options& options) {
                   .observer(observe)
                   .report(std::ref(report))));
   progress.clear();
+  if (folder)
+    folder->require();
   interruptible.reset();
 
   tracked.write(options.output);

@@ -99,9 +99,12 @@ std::string new_folder() {
 }
 
 std::string content_of(const std::string& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
+  std::ifstream file(path);
+  std::string text((std::istreambuf_iterator<char>(file)), {});
+  if (!file)
+    throw Input_error("cannot read the answer of dsc-files; check that TMPDIR names a folder with "
+                      "free space, and that the process may open more files");
+  return text;
 }
 
 /// Runs a program until it ends. Its output and messages are written to files.
@@ -193,6 +196,8 @@ std::string translate_with(const std::string& path,
   std::istringstream answer(run_dsc_files(path, arguments));
   std::string translation;
   std::getline(answer, translation);
+  if (translation.empty())
+    throw Input_error("the program dsc-files gives no answer for " + path + "; is it damaged?");
   if (accepts && !accepts(translation))
     throw Input_error(path + " has content that this program does not read");
   print_answer(path, answer);

@@ -73,7 +73,8 @@ void check_bounds(const Curves& curves, const std::string& input, const Complex&
     throw Input_error(input + ": each segment has the same label on both sides, so there is no "
                               "interface; close the segments or correct the regions");
   std::map<std::string, Unused_content> unused; // by file
-  if (curves.seeded) {                          // segments are not divided
+  // Segments are divided only where they cross.
+  if (curves.seeded && curves.seeded->segments.size() > facets) {
     const std::size_t inside = curves.seeded->segments.size() - facets;
     unused[input].add(std::string(noun(inside, "segment", "segments")) +
                           " with the same label on both sides",

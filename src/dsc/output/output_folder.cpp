@@ -78,7 +78,7 @@ void Output_folder::save(const Tracked_complex& complex, const Run_position& pos
                          const std::string& metadata) {
   if (complex.agreed(position.time > m_checkpoint_time) == 0)
     return;
-  require_claim(complex);
+  require(complex);
   complex.write_checkpoint(checkpoint(), metadata);
   m_checkpoint_time = position.time;
 }
@@ -86,7 +86,7 @@ void Output_folder::save(const Tracked_complex& complex, const Run_position& pos
 void Output_folder::write(const Tracked_complex& complex, const Run_position& position) {
   if (complex.agreed(position.time > m_last_time) == 0)
     return;
-  require_claim(complex);
+  require(complex);
   const std::string extension = complex.grid_extension();
   const std::string volume = file(numbered("volume_%06u", position.step) + extension);
   const std::string interface = file(numbered("interface_%06u", position.step) + extension);
@@ -102,7 +102,7 @@ void Output_folder::write(const Tracked_complex& complex, const Run_position& po
   m_last_time = position.time;
 }
 
-void Output_folder::require_claim(const Tracked_complex& complex) const {
+void Output_folder::require(const Tracked_complex& complex) const {
   complex.run_once([&] { m_claim->require(); });
 }
 

@@ -45,11 +45,13 @@ public:
   /// \throws std::runtime_error if a file cannot be written
   void write(const Tracked_complex& complex, const Run_position& position);
 
+  /// \throws std::runtime_error if the folder no longer belongs to this run
+  void require(const Tracked_complex& complex) const;
+
   std::string checkpoint() const;
 
 private:
   std::string file(const std::string& name) const;
-  void require_claim(const Tracked_complex& complex) const;
 
   std::string m_path;
   std::optional<Claimed_folder> m_claim; // of the first process

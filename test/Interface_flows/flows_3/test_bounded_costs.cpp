@@ -297,7 +297,7 @@ TEST(Redistribute_contents, adds_what_all_pairs_would) {
     for (std::size_t j = 0; j < targets.size(); ++j)
       if (CGAL::do_overlap(sources[i]->simplex.bbox(), targets[j]->simplex.bbox()))
         pairs.emplace_back(i, j);
-  EXPECT_TRUE(internal::pairs_that_may_overlap(sources, targets) == pairs);
+  EXPECT_TRUE(internal::pairs_that_may_overlap<Complex::Space>(sources, targets) == pairs);
   EXPECT_LT(2 * pairs.size(), sources.size() * targets.size());
   internal::pour(sources, targets);
   pour_slowly(sources, slow_targets);

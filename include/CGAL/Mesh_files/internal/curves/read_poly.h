@@ -35,7 +35,7 @@ class Triangle_lines
 {
 public:
   explicit Triangle_lines(const std::string& path)
-      : m_in(open_input(path, lower_case_extension(path))), m_scanner(m_in, path) {
+      : m_in(path, lower_case_extension(path)), m_scanner(m_in, path) {
     m_in.imbue(std::locale::classic());
   }
 
@@ -89,7 +89,7 @@ public:
   [[noreturn]] void fail(const std::string& what) const { m_scanner.fail(what); }
 
 private:
-  std::ifstream m_in;
+  Input_file m_in;
   File_scanner m_scanner;
 };
 

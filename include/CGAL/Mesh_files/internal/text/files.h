@@ -18,6 +18,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
@@ -65,46 +66,90 @@ inline const File_signature* find_signature(std::string_view begin) {
   return nullptr;
 }
 
-// Opens a file of the format with the given extension, such as ".off".
-//
-// Throws File_error if there is no regular file that can be read, if it is empty, or if its first
-// bytes belong to another format. A byte order mark is not skipped.
-inline std::ifstream open_input(const std::string& path, std::string_view extension) {
-  const auto fail = [&](const std::string& what) { throw File_error(path + " " + what, path); };
-  const auto cannot_open = [&](const char* what) {
-    throw File_error("cannot open " + path + ": " + what, path);
-  };
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(path, error);
-  if (status.type() == std::filesystem::file_type::not_found)
-    cannot_open("it does not exist; check the name");
-  if (std::filesystem::is_directory(status))
-    cannot_open("it is a folder; name a file in it");
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
-    cannot_open("it is not a regular file; copy its content into a regular file");
-  std::ifstream in(path, std::ios::binary);
-  if (!in)
-    cannot_open("check its permissions");
+// A file buffer that throws File_error if the disk cannot be read. Otherwise readers would take the
+// error for the end of the file.
+class Input_buffer : public std::filebuf
+{
+public:
+  explicit Input_buffer(std::string path) : m_path(std::move(path)) {}
 
-  constexpr std::size_t longest_signature = 32;
-  std::string begin(longest_signature, '\0');
-  in.read(&begin[0], static_cast<std::streamsize>(begin.size()));
-  begin.resize(static_cast<std::size_t>(in.gcount()));
-  if (begin.empty())
-    fail("is empty; write it again");
-  remove_byte_order_mark(begin);
-  const File_signature* const signature = find_signature(begin);
-  if (signature && (signature->extension.empty() || signature->extension != extension)) {
+protected:
+  int_type underflow() override {
+    return checked([&] { return std::filebuf::underflow(); });
+  }
+  std::streamsize xsgetn(char* bytes, std::streamsize n) override {
+    return checked([&] { return std::filebuf::xsgetn(bytes, n); });
+  }
+
+private:
+  template <class Read> auto checked(const Read& read) -> decltype(read()) {
+    try {
+      return read();
+    } catch (const std::ios_base::failure& error) {
+      throw File_error("cannot read " + m_path + " to its end (" + error.code().message() +
+                           "): check the disk",
+                       m_path);
+    }
+  }
+
+  std::string m_path;
+};
+
+// A file of the format with the given extension, such as ".off".
+class Input_file : public std::istream
+{
+public:
+  // Throws File_error if there is no regular file that can be read, if it is empty, or if its first
+  // bytes belong to another format. A byte order mark is not skipped.
+  Input_file(const std::string& path, std::string_view extension)
+      : std::istream(nullptr), m_buffer(path) {
+    open(path);
+    rdbuf(&m_buffer);
+    exceptions(std::ios::badbit); // passes exceptions of the buffer on
+    constexpr std::size_t longest_signature = 32;
+    std::string begin(longest_signature, '\0');
+    read(&begin[0], static_cast<std::streamsize>(begin.size()));
+    begin.resize(static_cast<std::size_t>(gcount()));
+    require_format(path, begin, extension);
+    clear();
+    seekg(0);
+  }
+
+private:
+  void open(const std::string& path) {
+    const auto cannot_open = [&](const char* what) {
+      throw File_error("cannot open " + path + ": " + what, path);
+    };
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(path, error);
+    if (status.type() == std::filesystem::file_type::not_found)
+      cannot_open("it does not exist; check the name");
+    if (std::filesystem::is_directory(status))
+      cannot_open("it is a folder; name a file in it");
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+      cannot_open("it is not a regular file; copy its content into a regular file");
+    if (!m_buffer.open(path, std::ios::in | std::ios::binary))
+      cannot_open("check its permissions");
+  }
+
+  static void require_format(const std::string& path, std::string begin,
+                             std::string_view extension) {
+    const auto fail = [&](const std::string& what) { throw File_error(path + " " + what, path); };
+    if (begin.empty())
+      fail("is empty; write it again");
+    remove_byte_order_mark(begin);
+    const File_signature* const signature = find_signature(begin);
+    if (!signature || (!signature->extension.empty() && signature->extension == extension))
+      return;
     const bool has_its_name = std::filesystem::path(path).extension() == signature->extension;
     fail(std::string("is ") + signature->kind +
          (signature->extension.empty() ? std::string()
           : has_its_name ? "; choose a file with the extension " + std::string(extension)
                          : "; rename it to " + std::string(signature->extension)));
   }
-  in.clear();
-  in.seekg(0);
-  return in;
-}
+
+  Input_buffer m_buffer;
+};
 
 // Returns a word of a file in quotes, shortened, for a message of one line.
 inline std::string in_quotes(std::string_view text) {
@@ -124,9 +169,9 @@ inline std::string lower_case_extension(const std::string& path) {
 }
 
 // Returns the content of a file without a byte order mark. The memory is bounded by the size of the
-// file. Throws File_error as open_input() does.
+// file. Throws File_error as Input_file does.
 inline std::string file_contents(const std::string& path) {
-  std::ifstream in = open_input(path, lower_case_extension(path));
+  Input_file in(path, lower_case_extension(path));
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   std::string bytes(error ? 0 : static_cast<std::size_t>(size), '\0');
