@@ -255,10 +255,12 @@ template <int dimension> void Reported_run<dimension>::do_steps() {
     }
   } catch (const DSC::Interrupted_error&) {
   } catch (const Failed_step& error) {
+    all_processes_fail(); // they wait while the first one writes
     write_all();
     throw std::runtime_error(std::string(error.what()) + "; the state before this step is in " +
                              checkpoint("dsc_failed"));
   } catch (...) {
+    all_processes_fail();
     write_all();
     throw;
   }

@@ -26,7 +26,6 @@
 #include <cstdio>
 #include <iostream>
 #include <memory>
-#include <new>
 #include <stdexcept>
 #include <variant>
 #include <vector>
@@ -363,17 +362,12 @@ void Run::do_steps() {
   } catch (const DSC::Interrupted_error&) {
     m_complex->go_back();
     agree_on_interrupts();
-  } catch (const std::bad_alloc&) {
-    // Other processes wait in the step, so this one cannot write with them.
-    progress.clear();
-    if (!m_complex->is_whole())
-      throw;
-    save_after_error();
-    throw;
   } catch (...) {
-    // After an error of any kind in a step, the previous steps are kept.
+    // After an error of any kind in a step, the previous steps are kept. If other processes have no
+    // error, this one cannot write with them.
     progress.clear();
-    save_after_error();
+    if (all_processes_fail())
+      save_after_error();
     throw;
   }
   progress.clear();
