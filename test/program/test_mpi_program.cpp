@@ -2,6 +2,8 @@
 #include "processes.h"
 #include "test.h"
 
+#include <chrono>
+
 // Runs of several processes that hold a complex together.
 namespace {
 
@@ -120,6 +122,53 @@ TEST_F(Mpi_runs, continue_after_a_process_was_killed) {
 
 TEST_F(Mpi_runs, stop_together) {
   expect_stop("offset cube.off --triangles 2000 --distance 0.01e --steps 100000", 3);
+}
+
+// Open MPI passes USR1 on. After other signals, it can kill the processes before they end.
+TEST_F(Mpi_runs, stop_with_a_checkpoint_if_mpirun_passes_a_signal_on) {
+  const Outcome outcome = run("offset cube.off --distance 0.001e --steps 1000000 --quiet",
+                              "timeout --foreground -s USR1 2 " + mpirun(2));
+  EXPECT_EQ(lines(outcome.err, "dsc: stopping; "), 1u) << outcome.err;
+  EXPECT_EQ(lines(outcome.err, "dsc: interrupted after step "), 1u) << outcome.err;
+  EXPECT_EQ(run("offset --resume dsc_interrupted.dsc --steps 1", mpirun(2)).exit_code, 0);
+}
+
+// The second process starts in a folder with the results of another run. The first one waits for it
+// in the initial complex.
+TEST_F(Mpi_runs, end_soon_if_one_process_fails) {
+  fs::create_directories(path("other/run"));
+  write("other/run/checkpoint.dsc", "");
+  const std::string arguments = "offset cube.off --distance 0.1e --steps 9 --output run";
+  const auto start = std::chrono::steady_clock::now();
+  const Outcome outcome =
+      run(arguments + " : -n 1 -wdir other '" DSC_PROGRAM "' " + arguments, mpirun(1));
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60));
+  EXPECT_NE(outcome.exit_code, 0);
+  EXPECT_EQ(lines(outcome.err, "dsc: process 1: the folder 'run' contains"), 1u) << outcome.err;
+}
+
+TEST_F(Mpi_runs, need_one_command_line) {
+  const std::string arguments = "offset cube.off --steps 1 --distance ";
+  const Outcome outcome =
+      run(arguments + "1e : -n 1 '" DSC_PROGRAM "' " + arguments + "2e", mpirun(1));
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(lines(outcome.err, "dsc: process 1 has another command line"), 1u) << outcome.err;
+  EXPECT_EQ(lines(outcome.err, "dsc: "), 1u) << outcome.err;
+}
+
+TEST_F(Mpi_runs, are_not_commands_of_one_process) {
+  for (const char* arguments : {"info cube.off", "convert cube.off cube.stl", "--help"}) {
+    const Outcome outcome = run(arguments, mpirun(2));
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(lines(outcome.err, "dsc: "), 1u) << outcome.err;
+    EXPECT_PRED2(contains, outcome.err, "runs as one process, but OMPI_COMM_WORLD_SIZE is 2");
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(run(arguments, mpirun(1)).exit_code, 0);
+  }
+  // Another launcher than that of the MPI of the program starts processes that do not meet.
+  const Outcome outcome = run("offset cube.off --distance 1e", "PMI_SIZE=2 PMI_RANK=0");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_PRED2(contains, outcome.err, "PMI_SIZE is 2, but MPI finds one process");
 }
 
 } // namespace

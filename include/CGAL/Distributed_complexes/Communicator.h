@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <new>
 #include <string>
 #include <utility>
 #include <vector>
@@ -127,6 +128,8 @@ public:
       function();
     } catch (const Interrupted_error&) {
       is_interrupted = true;
+    } catch (const std::bad_alloc&) {
+      error = "not enough memory on rank " + std::to_string(rank()) + "; use more ranks";
     } catch (const std::exception& e) {
       error = e.what();
       if (error.empty())

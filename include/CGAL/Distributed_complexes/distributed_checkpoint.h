@@ -22,7 +22,9 @@
 
 #include <array>
 #include <cstdint>
+#include <exception>
 #include <fstream>
+#include <new>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -98,35 +100,38 @@ template <class Complex>
 void write_checkpoint_blocks(const std::string& path, const Distributed_mesh<Complex>& mesh,
                              const std::string& metadata) {
   Communicator& communicator = *mesh.communicator;
-  const std::string own = encoded_piece(mesh);
-  // Returns the piece of a rank, on the first rank.
-  const auto next_piece = [&](int rank) {
-    std::vector<Communicator::Message> messages;
-    if (mesh.rank() == rank)
-      messages.push_back({0, {own.begin(), own.end()}});
-    auto arrived = communicator.exchange(std::move(messages));
+  std::vector<Communicator::Message> own(1); // before the others wait for it: memory can be short
+  const std::string piece = encoded_piece(mesh);
+  own[0].bytes.assign(piece.begin(), piece.end());
+  int sent = 0; // pieces
+  // Returns the next piece, on the first rank.
+  const auto next_piece = [&] {
+    const bool is_own = mesh.rank() == sent++;
+    auto arrived = communicator.exchange(is_own ? std::move(own) : decltype(own)());
     return arrived.empty() ? Communicator::Bytes() : std::move(arrived.front().bytes);
   };
-  int sent = 0; // pieces
-  communicator.call_together([&] {
+  std::exception_ptr failure;
+  if (mesh.rank() == 0)
     try {
-      if (mesh.rank() == 0)
-        replace_file(path, [&](std::ostream& out) {
-          out << checkpoint_magic(Checkpoint_kind::ranks, Complex::dimension);
-          write_block(out, encoded_head(mesh, metadata));
-          while (sent < communicator.size()) {
-            const Communicator::Bytes piece = next_piece(sent++);
-            write_block(out, {reinterpret_cast<const char*>(piece.data()), piece.size()});
-          }
-        });
+      replace_file(path, [&](std::ostream& out) {
+        out << checkpoint_magic(Checkpoint_kind::ranks, Complex::dimension);
+        write_block(out, encoded_head(mesh, metadata));
+        while (sent < communicator.size()) {
+          const Communicator::Bytes bytes = next_piece();
+          write_block(out, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        }
+      });
+    } catch (const std::bad_alloc&) {
+      throw; // another rank can wait until its piece is received
     } catch (...) {
-      // The other ranks send their pieces, even if the first one can no longer write.
-      while (sent < communicator.size())
-        next_piece(sent++);
-      throw;
+      failure = std::current_exception();
     }
-    while (sent < communicator.size())
-      next_piece(sent++);
+  // The other ranks send their pieces, even if the first one can no longer write.
+  while (sent < communicator.size())
+    next_piece();
+  communicator.call_together([&] {
+    if (failure)
+      std::rethrow_exception(failure);
   });
 }
 

@@ -249,6 +249,7 @@ template <int dimension> void Reported_run<dimension>::do_steps() {
     progress.clear();
   } catch (const std::exception& error) {
     progress.clear();
+    all_processes_fail(); // they wait while the first one writes
     throw std::runtime_error(save_after(error));
   }
 }

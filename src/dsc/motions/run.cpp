@@ -26,7 +26,6 @@
 #include <cstdio>
 #include <iostream>
 #include <memory>
-#include <new>
 #include <stdexcept>
 #include <variant>
 #include <vector>
@@ -373,9 +372,10 @@ void Run::do_steps() {
     progress.clear();
     agree_on_interrupts();
   } catch (const std::exception& error) {
+    // After an error of any kind in a step, the previous steps are kept. If other processes have no
+    // error, this one cannot write with them.
     progress.clear();
-    // Other processes wait in the step, so this one cannot write with them.
-    if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr && !m_complex->is_whole())
+    if (!all_processes_fail())
       throw;
     throw std::runtime_error(save_after(error));
   }

@@ -40,9 +40,6 @@ public:
   /// the same functions; one of them writes files. If `function()` throws, all of them throw.
   virtual void run_once(const std::function<void()>& function) const { function(); }
 
-  /// Returns whether this process holds the whole complex.
-  virtual bool is_whole() const { return true; }
-
   /// Returns the number that the process on which `run_once()` calls functions gives. It is at
   /// least 0.
   virtual double agreed(double number) const { return number; }

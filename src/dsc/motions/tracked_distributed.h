@@ -30,7 +30,6 @@ public:
       : complex(communicator), m_divide(divide) {}
 
   void run_once(const std::function<void()>& function) const override;
-  bool is_whole() const override { return complex.communicator().size() == 1; }
   double agreed(double number) const override;
   std::string grid_extension() const override { return ".pvtu"; }
   int dimension() const override { return 3; }

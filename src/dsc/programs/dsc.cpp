@@ -10,12 +10,12 @@
 #include "input/files.h"
 #include "input/translations.h"
 #include "programs/errors.h"
+#include "programs/launcher.h"
 #include "programs/program.h"
 
 #include <CLI/CLI.hpp>
 
 #include <array>
-#include <cstring>
 #include <string>
 
 namespace {
@@ -44,22 +44,40 @@ void leave_flows_to_mpi(CLI::App& app, const std::string& command) {
   if (!dsc::is_started_by_mpi() || app.get_subcommands(is_command).empty())
     return;
   static constexpr char name[] = "dsc-mpi";
-  if (!dsc::exists(dsc::path_of_program(name)))
-    throw dsc::Usage_error("mpirun needs the program dsc-mpi; build it with the CMake option "
-                           "-DDSC_WITH_MPI=ON (Debian: libopenmpi-dev), or run dsc without mpirun");
-  throw dsc::Other_program{name, "the command '" + command + "' for several processes"};
+  if (dsc::exists(dsc::path_of_program(name)))
+    throw dsc::Other_program{name, "the command '" + command + "' for several processes"};
+  dsc::leave_messages_to_first_process();
+  throw dsc::Usage_error("mpirun needs the program dsc-mpi; build it with the CMake option "
+                         "-DDSC_WITH_MPI=ON (Debian: libopenmpi-dev), or run dsc without mpirun");
+}
+
+/// \throws Usage_error if a launcher started several processes, which would all do the same
+void require_one_process(const std::string& command) {
+  const dsc::Launch launched = dsc::launch();
+  if (launched.processes < 2)
+    return;
+  dsc::leave_messages_to_first_process();
+  throw dsc::Usage_error((command.empty() ? "dsc" : "dsc " + command) +
+                         " runs as one process, but " + launched.variable + " is " +
+                         std::to_string(launched.processes) +
+                         "; start it without mpirun, or with mpirun -n 1");
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
   const dsc::Inputs& inputs = dsc::surface_inputs();
+  const std::string command = argc > 1 ? argv[1] : "";
   return dsc::run_program(argc, argv, [&](CLI::App& app, int& exit_code) {
     for (const Other_command& other : other_commands)
-      if (argc > 1 && std::strcmp(argv[1], other.name) == 0)
-        throw dsc::Other_program{other.program, std::string("the command '") + other.name + "'"};
+      if (command == other.name) {
+        if (command != "fluid")
+          require_one_process(command);
+        throw dsc::Other_program{other.program, "the command '" + command + "'"};
+      }
     dsc::add_flows(app, inputs, exit_code);
-    leave_flows_to_mpi(app, argc > 1 ? argv[1] : "");
+    leave_flows_to_mpi(app, command);
+    require_one_process(command);
     dsc::add_convert(app, inputs, exit_code);
     dsc::add_view(app, exit_code);
     for (const Other_command& other : other_commands)

@@ -9,6 +9,7 @@
 #include "fluids/fluid_processes.h"
 #include "input/files.h"
 #include "input/translations.h"
+#include "programs/launcher.h"
 #include "programs/program.h"
 
 #include <CLI/CLI.hpp>
@@ -22,12 +23,12 @@ namespace {
 
 [[noreturn]] void leave_to_petsc() {
   static constexpr char name[] = "dsc-fluid-petsc";
-  if (!dsc::exists(dsc::path_of_program(name)))
-    throw std::runtime_error(
-        "--solver petsc and mpirun need the program dsc-fluid-petsc; build it with the "
-        "CMake option -DDSC_WITH_PETSC=ON (Debian: petsc-dev), or leave "
-        "them out");
-  throw dsc::Other_program{name, "the option --solver petsc"};
+  if (dsc::exists(dsc::path_of_program(name)))
+    throw dsc::Other_program{name, "the option --solver petsc"};
+  dsc::leave_messages_to_first_process();
+  throw std::runtime_error("--solver petsc and mpirun need the program dsc-fluid-petsc; build it "
+                           "with the CMake option -DDSC_WITH_PETSC=ON (Debian: petsc-dev), or "
+                           "leave them out");
 }
 
 /// Returns whether the arguments choose PETSc. This program cannot read options of PETSc.

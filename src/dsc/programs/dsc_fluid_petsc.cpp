@@ -138,7 +138,10 @@ int main(int argc, char** argv) {
       arguments.own.push_back(solver); // the built-in solver would do the same on all processes
     const int own = int(arguments.own.size());
     arguments.own.push_back(nullptr);
-    code = dsc::run_program(own, arguments.own.data(), dsc::add_fluid);
+    code = dsc::run_program(own, arguments.own.data(), [&](CLI::App& app, int& exit_code) {
+      processes.require_same_command(argc, argv);
+      dsc::add_fluid(app, exit_code);
+    });
     if (code == 0)
       print_unused_options(arguments.of_petsc);
     processes.end(code);

@@ -127,8 +127,10 @@ int main(int argc, char** argv) {
     dsc::Mpi_processes processes(true);
     DSC::Mpi_communicator communicator;
     const Shared_inputs inputs(communicator);
-    code = dsc::run_program(
-        argc, argv, [&](CLI::App& app, int& exit_code) { dsc::add_flows(app, inputs, exit_code); });
+    code = dsc::run_program(argc, argv, [&](CLI::App& app, int& exit_code) {
+      processes.require_same_command(argc, argv);
+      dsc::add_flows(app, inputs, exit_code);
+    });
     processes.end(code);
   }
   MPI_Finalize();

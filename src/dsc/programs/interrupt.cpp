@@ -6,6 +6,8 @@
 
 #include "output/progress_line.h"
 
+#include <unistd.h>
+
 #include <csignal>
 #include <cstdio>
 #include <ctime>
@@ -15,20 +17,25 @@ namespace {
 
 volatile std::sig_atomic_t flag = 0;
 timespec time_of_first = {};
-bool (*any_process)(bool) = nullptr; // null if interrupts are not shared
-bool have_agreed = false;            // to stop
-bool functions_agree = false;        // functions of the package stop in all processes
+Process_group* group = nullptr; // null if interrupts are not shared
+bool have_agreed = false;       // to stop
+
+constexpr char advice[] =
+    "dsc: stopping; if no line follows, mpirun ended the processes before they wrote a checkpoint: "
+    "stop them by the signal USR1 to mpirun, or use mpirun --mca odls_base_sigkill_timeout 30\n";
 
 // Raises the flag at the first signal. A later signal ends the program at once. Signals that follow
 // within a second are ignored, because timeout(1) and some shells send the same signal to the
-// program and to its process group.
+// program and to its process group. Launchers repeat signals, and kill processes themselves.
 extern "C" void raise_flag(int signal) {
   timespec now;
   clock_gettime(CLOCK_MONOTONIC, &now);
   if (flag == 0) {
     flag = 1;
     time_of_first = now;
-  } else if (now.tv_sec > time_of_first.tv_sec + 1) {
+    if (group != nullptr && group->is_first && write(STDERR_FILENO, advice, sizeof advice - 1) < 0)
+      return; // the terminal is closed
+  } else if (group == nullptr && now.tv_sec > time_of_first.tv_sec + 1) {
     std::signal(signal, SIG_DFL);
     raise(signal);
   }
@@ -41,23 +48,23 @@ void catch_signals() {
   action.sa_handler = raise_flag;
   sigemptyset(&action.sa_mask);
   action.sa_flags = SA_RESTART;
-  for (const int number : {SIGINT, SIGTERM, SIGHUP})
+  // Batch systems announce the end of a job by the last three.
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGUSR2, SIGXCPU})
     sigaction(number, &action, nullptr);
   for (const int number : {SIGXFSZ, SIGPIPE})
     std::signal(number, SIG_IGN);
 }
 
-bool interrupted() { return any_process != nullptr ? have_agreed : flag != 0; }
+bool interrupted() { return group != nullptr ? have_agreed : flag != 0; }
 
-void share_interrupts(bool (*any)(bool), bool library_agrees) {
-  any_process = any;
-  functions_agree = library_agrees;
-}
+void share_interrupts(Process_group& processes) { group = &processes; }
 
 void agree_on_interrupts() {
-  if (any_process != nullptr)
-    have_agreed = any_process(flag != 0);
+  if (group != nullptr)
+    have_agreed = group->any(flag != 0);
 }
+
+bool all_processes_fail() { return group == nullptr || group->all_fail(); }
 
 Interruptible::Interruptible(bool quiet)
     : m_shows(!quiet && shows_lines()),
@@ -77,7 +84,7 @@ bool Interruptible::go_on(const char* phase) {
     m_shown = true;
     m_next = now + std::chrono::seconds(1);
   }
-  return functions_agree ? flag == 0 : !interrupted();
+  return group != nullptr && group->library_agrees ? flag == 0 : !interrupted();
 }
 
 } // namespace dsc

@@ -15,25 +15,44 @@ namespace dsc {
 
 constexpr int exit_code_of_interrupt = 130; ///< exit code of shells for SIGINT
 
-/// Installs the signal handlers. The first SIGINT, SIGTERM or SIGHUP only raises a flag; another
-/// one some seconds later ends the program. Files that grow too large and closed pipes make write
-/// operations fail, and no longer end the program.
+/// Processes that run the same program, which must stop at the same place.
+class Process_group
+{
+public:
+  /// \param agrees whether functions of the package stop in all processes if one of them is
+  /// interrupted. Otherwise, they stop only after `agree_on_interrupts()`.
+  /// \param first whether this process prints messages for all
+  Process_group(bool agrees, bool first) : library_agrees(agrees), is_first(first) {}
+  virtual ~Process_group() = default;
+
+  /// Returns whether the argument is `true` in at least one process. Collective.
+  virtual bool any(bool value) = 0;
+
+  /// See `all_processes_fail()`.
+  virtual bool all_fail() = 0;
+
+  const bool library_agrees, is_first;
+};
+
+/// Installs the signal handlers. The first signal that asks the program to end only raises a flag;
+/// another one some seconds later ends the program. Files that grow too large and closed pipes make
+/// write operations fail, and no longer end the program.
 void catch_signals();
 
 /// Returns whether the flag is raised. If interrupts are shared, returns the result of the last
 /// call of `agree_on_interrupts()` instead.
 bool interrupted();
 
-/// Shares interrupts between processes that run the same program, which must stop at the same
-/// place.
-/// \param any returns whether the argument is `true` in at least one process. All processes call it
-/// together.
-/// \param library_agrees whether functions of the package stop in all processes if one of them is
-/// interrupted. Otherwise, they stop only after `agree_on_interrupts()`.
-void share_interrupts(bool (*any)(bool), bool library_agrees);
+/// Shares interrupts and errors between processes. The first signal prints what to do if the
+/// launcher kills the processes too early. Further signals are ignored.
+void share_interrupts(Process_group& group);
 
 /// Asks all processes for their flags if interrupts are shared. All processes call it together.
 void agree_on_interrupts();
+
+/// Waits for the other processes after an error in a time step, for some seconds at most. Returns
+/// whether all of them have an error in a step, so that they can save the previous one together.
+bool all_processes_fail();
 
 /// A scope in which functions of the package throw Interrupted_error after the flag is raised. On a
 /// terminal, a line names phases that take longer than a second.

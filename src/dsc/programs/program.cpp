@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <iostream>
@@ -135,12 +134,6 @@ struct Temporary_file_remover
 };
 
 } // namespace
-
-bool dsc::is_started_by_mpi() {
-  // variables of Open MPI, of MPICH and its relatives, and of PMIx
-  return std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr || std::getenv("PMI_SIZE") != nullptr ||
-         std::getenv("PMIX_RANK") != nullptr;
-}
 
 int dsc::run_program(int argc, char** argv,
                      const std::function<void(CLI::App&, int&)>& add_commands) {

@@ -21,10 +21,6 @@ struct Other_program
   std::string content; ///< the required code, for messages
 };
 
-/// Returns whether `mpirun` or a batch system started this process as one of several ranks of MPI,
-/// or as a single one.
-bool is_started_by_mpi();
-
 /// Runs a program that consists of commands: reads the command line, runs the command and prints
 /// errors in one line. If `Other_program` is thrown, executes that program with the same arguments.
 /// \param argc, argv the arguments of the program, of which the first is a command
