@@ -33,10 +33,14 @@ def write_inputs(folder):
     header += "TYPE=unsigned fixed\nPIXSIZE=8 bits\nCPU=decm\n"
     scene = {"density": 1}, {"surface_tension": 1, "interface_tolerance": 0, "time_step": 0.01, "end": 1}
     texts = {
+        **many_solids(),
         "tet.off": "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n",
         "octahedron.off": "OFF\n6 8 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n0 0 1\n0 0 -1\n"
         + "".join(f"3 {i} {(i + 1) % 4} 4\n3 {(i + 1) % 4} {i} 5\n" for i in range(4)),
         "square.wkt": "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\n",
+        "many.xyz": "".join(f"{i} {j} {0.1 * math.sin(i * j)}\n" for i in range(25) for j in range(25)),
+        "many.wkt": "".join(f"POLYGON (({i} 0, {i}.5 0, {i}.5 1, {i} 1, {i} 0))\n" for i in range(400)),
+        "many.pgm": b"P5\n160 160\n255\n" + bytes(1 + (x // 40) % 2 for y in range(160) for x in range(160)),
         "points.xyz": "".join(spiral),
         "sheet.xyz": "".join(f"{i} {j} {0.1 * math.sin(i * j)}\n" for i in range(8) for j in range(8)),
         "disk.pgm": b"P5\n24 24\n255\n" + disk,
@@ -73,6 +77,39 @@ def one(name, run, older=None):
     return Case(name, run, [older or run])
 
 
+def many_solids():
+    """Returns 300 tetrahedra as OFF, OBJ and STL. They exceed the buffers of streams."""
+    points, facets = [], []
+    for i in range(300):
+        points += [(2 * i, 0, 0), (2 * i + 1, 0, 0), (2 * i, 1, 0), (2 * i, 0, 1)]
+        facets += [tuple(4 * i + j for j in f) for f in ((0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3))]
+    lines = [" ".join(map(str, p)) for p in points]
+    corners = "\n".join("3 " + " ".join(map(str, f)) for f in facets)
+    counts = f"element vertex {len(points)}\n" + "".join(f"property double {c}\n" for c in "xyz")
+    counts += f"element face {len(facets)}\nproperty list uchar int vertex_indices\nend_header\n"
+    return {
+        "many.off": f"OFF\n{len(points)} {len(facets)} 0\n" + "\n".join(lines) + f"\n{corners}\n",
+        "many.ply": "ply\nformat ascii 1.0\n" + counts + "\n".join(lines) + f"\n{corners}\n",
+        "many.obj": "".join(f"v {p}\n" for p in lines)
+        + "".join("f " + " ".join(str(v + 1) for v in f) + "\n" for f in facets),
+        "many.stl": "solid a\n"
+        + "".join(
+            "facet normal 0 0 0\nouter loop\n" + "".join(f"vertex {lines[v]}\n" for v in f) + "endloop\nendfacet\n"
+            for f in facets
+        )
+        + "endsolid a\n",
+    }
+
+
+def readers():
+    """Returns cases that read files which exceed the buffers of streams."""
+    cases = [Case(f"info many.{e}", f"info many.{e}") for e in ("off", "obj", "ply", "stl", "wkt", "pgm")]
+    offset = "offset ball.inr --distance 0.1 --steps 1 --output many --threads 1 --quiet"
+    cases += [Case(f"info {name}", f"info many/{name}", [offset]) for name in ("checkpoint.dsc", "volume_000000.vtu")]
+    cases.append(Case("reconstruct many.xyz", "reconstruct many.xyz --open -o k.ply --quiet"))
+    return cases
+
+
 def conversions():
     make = f"offset tet.off --distance 0.01 --steps 1 --output made {EDGES}"
     cells = "convert made/checkpoint.dsc cells.vtu --quiet"
@@ -93,6 +130,7 @@ def conversions():
         Case("info", "info made/checkpoint.dsc", [make]),
         Case("info nii.gz", "info ball.nii.gz", [translated]),
         Case("convert from nii.gz", "convert ball.nii.gz result.inr --quiet", [translated]),
+        *readers(),
         Case("improve", "improve cells.vtu -o better.mesh --report better.json --threads 1 --quiet",
              [make, cells, "improve cells.vtu -o better.mesh --report better.json --threads 1 --quiet"]),
         Case("improve in place", "improve cells.vtu -o cells.vtu --threads 1 --quiet", [make, cells]),

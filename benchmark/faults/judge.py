@@ -48,9 +48,9 @@ def _lists(place, data):
     return [os.path.normpath(os.path.join(os.path.dirname(place), f)) for f in validate.files_of_collection(data)]
 
 
-def faults_of_files(old, new, now, *, results=(), complete=False, killed=False, ignored=()):
+def faults_of_files(old, new, now, *, results=(), complete=None, killed=False, ignored=()):
     """Returns what is wrong with the files `now`: each must have its content of `old`, of `new`, or another whole
-    content. Files not in `results` may not change. If `complete`, all files of `new` must exist, and `old` contents that the run replaces may not."""
+    content. Files not in `results` may not change. If the run was complete, all files of `new` must exist, those named in `complete` with this content."""
     faults = []
     for place in sorted(set(old) | set(now)):
         if any(place == name or place.startswith(name + "/") for name in ignored):
@@ -75,12 +75,14 @@ def faults_of_files(old, new, now, *, results=(), complete=False, killed=False, 
             for listed in _lists(place, content):
                 if listed not in now:
                     faults.append(("a collection lists a missing file", f"{place}: {listed}"))
-    if complete:
+    if complete is not None:
         for place, content in new.items():
             if place not in now:
                 faults.append(("status 0, but a result is missing", place))
             elif content != old.get(place) and now[place] == old.get(place):
                 faults.append(("status 0, but a result is the older one", place))
+            elif place in complete and now[place] != content:
+                faults.append(("status 0, but a result is not that of an undisturbed run", place))
     return faults
 
 
@@ -104,10 +106,9 @@ def faults_of_messages(outcome, *, names=(), temporary=(), elsewhere="", python=
             faults.append(("an error names no file that the user knows", own[0]))
     elif len(lines) > 2 and not python:
         faults.append(("a success has several lines", outcome.err[-300:]))
-    for word in BAD_WORDS:
-        if word in outcome.err:
-            faults.append(("a message is of the C++ library or the system", outcome.err[-300:]))
-            break
+    text = "\n".join(own) if prefixed else outcome.err  # mpirun also tells
+    if any(word in text for word in BAD_WORDS):
+        faults.append(("a message is of the C++ library or the system", outcome.err[-300:]))
     if not python and (TEMPORARY.search(outcome.err) or any(name in outcome.err for name in temporary)):
         faults.append(("a message names a temporary file", outcome.err[-300:]))
     return faults

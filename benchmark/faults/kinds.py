@@ -27,16 +27,20 @@ class Trial:
 
     def __init__(self, case, bench):
         self.case, self.bench = case, bench
+        self.env = dict(bench.env, TMPDIR=bench.root) if case.prefix else bench.env  # mpirun needs more than a page
         self.folder, self.log = bench.folder, bench.log
         bench.write_inputs(self.folder)
         for before in case.before:
-            outcome = run(self.command(before, prefix=[]), self.folder, env=bench.env)
+            outcome = run(self.command(before, prefix=[]), self.folder, env=self.env)
             assert outcome.status == 0, f"{case.name}: {before}: {outcome.err}"
         self.old = judge.snapshot(self.folder)
         self.traced = bench.traces and not case.prefix
         self.first = self.run_once(log=self.log if self.traced else None, data=True)
         assert self.first.status == 0, f"{case.name}: {case.run}: {self.first.err}"
         self.new = judge.snapshot(self.folder)
+        assert self.run_once().status == 0, case.name
+        again = judge.snapshot(self.folder)
+        self.stable = {n for n, content in again.items() if content == self.new.get(n)}  # reports contain times
         self.temporary = self.temporary_names(self.first)
         written = shlex.split(case.run)
         self.results = {n for n in self.new if n not in self.old or self.old[n] != self.new[n] or n in written[2:]}
@@ -61,7 +65,7 @@ class Trial:
         judge.restore(self.old, self.folder)
         if self.case.prefix:
             options.pop("log", None)
-        return run(self.command(arguments), self.folder, env=self.bench.env, **options)
+        return run(self.command(arguments), self.folder, env=self.env, **options)
 
     def inside(self, path):
         return path == self.folder or path.startswith((self.folder + "/", self.bench.elsewhere + "/"))
@@ -80,8 +84,10 @@ class Trial:
             - {os.path.basename(n) for n in self.new} - {"output", "messages"},
             elsewhere=self.bench.elsewhere if names else "",
         )  # fmt: skip
+        if outcome.status == 0 and outcome.out != self.first.out:
+            faults.append(("status 0, but the output differs", outcome.out[-200:]))
         now = judge.snapshot(self.folder)
-        faults += judge.faults_of_files(self.old, self.new, now, results=self.results, complete=outcome.status == 0, **options)
+        faults += judge.faults_of_files(self.old, self.new, now, results=self.results, complete=None if outcome.status else self.stable, **options)
         left = self.bench.left_elsewhere()
         prevented = any(c.name.startswith("unlink") or "O_DIRECTORY" in c.arguments for c in outcome.injected)
         faults += [] if prevented else left
@@ -99,7 +105,7 @@ def full_disk(trial, points):
     need = max(0, size(trial.new) - size(trial.old)) + largest + 1
     for free in spread(range(need), points):
         with bench.filled(free, trial):
-            outcome = run(trial.command(), trial.folder, env=bench.env)
+            outcome = run(trial.command(), trial.folder, env=trial.env)
         trial.check("full disk", f"{free} free pages", outcome, names=True)
 
 
@@ -136,6 +142,8 @@ def failing_calls(trial, points):
             if not hit or any(not trial.inside(c.path) for c in hit):
                 continue  # another process of the run has other calls
             trial.check(kind, where, outcome, names=True, ignored=_not_removed(outcome, trial))
+            if kind == "EIO at a read" and outcome.status and not any(w in outcome.err for w in ("cannot read", "Input/output")):
+                trial.bench.complain(kind, trial.case, where, "an error does not tell that reading failed", outcome.err)
 
 
 def _not_removed(outcome, trial):
@@ -164,7 +172,7 @@ def stopped_processes(trial, points):
         gone = "o" if "--output o " in trial.case.run else "."
         judge.restore(trial.old, trial.folder)
         outcome = run(
-            trial.command(), trial.folder, env=trial.bench.env, log=trial.log,
+            trial.command(), trial.folder, env=trial.env, log=trial.log,
             faults=[f"{call.name}:signal=SIGSTOP:when={call.number}"],
             at_stop=lambda: shutil.rmtree(os.path.join(trial.folder, gone), ignore_errors=True),
         )  # fmt: skip
@@ -183,9 +191,10 @@ def _next_run(trial, now):
         arguments = f"{command} --resume o/checkpoint.dsc --steps 1 --output o"
         if command == "grains":
             arguments += "2"  # it needs another folder
-    outcome = run(trial.command(arguments), trial.folder, env=trial.bench.env)
+    outcome = run(trial.command(arguments), trial.folder, env=trial.env)
     if outcome.status != 0:
-        return [("the run after a killed one fails", outcome.err[-300:])]
+        is_new = "contains the steps of another run" in outcome.err  # the killed run had begun them
+        return [] if is_new else [("the run after a killed one fails", outcome.err[-300:])]
     if "o2" in arguments:
         return []
     left = judge.snapshot(trial.folder)
@@ -211,14 +220,14 @@ def planted_links(trial, _):
         for name in planted:
             if os.path.isdir(os.path.dirname(os.path.join(trial.folder, name)) or "."):
                 os.symlink(target, os.path.join(trial.folder, name))
-        outcome = run(trial.command(), trial.folder, env=trial.bench.env)
+        outcome = run(trial.command(), trial.folder, env=trial.env)
         faults = [("a file behind a planted link is changed", kind)] if victim.read_text() != "precious" else []
         faults += [("a file behind a planted link is made", kind)] if made.exists() else []
         for name in planted:  # the links are not results
             if os.path.islink(os.path.join(trial.folder, name)):
                 os.unlink(os.path.join(trial.folder, name))
         now = judge.snapshot(trial.folder)
-        faults += judge.faults_of_files(trial.old, trial.new, now, results=trial.results, complete=outcome.status == 0)
+        faults += judge.faults_of_files(trial.old, trial.new, now, results=trial.results, complete=None if outcome.status else trial.stable)
         faults += judge.faults_of_messages(outcome, python=trial.case.python, prefixed=bool(trial.case.prefix))
         trial.bench.record("planted links", trial.case, f"to {kind}", faults, outcome.seconds)
     if trial.traced:

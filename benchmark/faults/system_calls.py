@@ -138,15 +138,18 @@ def run(command, folder, *, log=None, faults=(), data=False, limits=None, at_sto
         command, cwd=folder, stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.PIPE, env=env,
         start_new_session=True, preexec_fn=_preparation(limits or {}),
     )
-    if at_stop:
-        _wait_for_stop(process, log, at_stop)
     try:
+        if at_stop:
+            _wait_for_stop(process, log, at_stop)
         text, err = process.communicate(timeout=max(1.0, LONGEST - (time.monotonic() - begin)))
         status = process.returncode
     except subprocess.TimeoutExpired:
         os.killpg(process.pid, signal.SIGKILL)
         text, err = process.communicate()
         status = "hangs"
+    finally:
+        if process.poll() is None:
+            os.killpg(process.pid, signal.SIGKILL)
     seconds = time.monotonic() - begin
     calls = read_log(log, folder) if log else []
     return Outcome(status, err.decode(errors="replace"), (text or b"").decode(errors="replace"), seconds, calls)

@@ -85,7 +85,7 @@ def whole_page(data):
 
 
 def whole_checkpoint(data):
-    require(data[:4] == b"\x89DSC" and len(data) > 24, "is not a checkpoint")
+    require(data[:3] == b"\x89DS" and len(data) > 24, "is not a checkpoint")
     at = 8
     while at < len(data):  # a block for each process
         checksum, size = struct.unpack("<IQ", data[at + 4 : at + 16])
