@@ -24,7 +24,7 @@ import sys
 import tempfile
 import time
 
-from faults import cases, judge, kinds, system_calls
+from faults import cases, judge, kinds, pairs, system_calls
 
 
 class Bench:
@@ -108,7 +108,8 @@ class Bench:
         print(f"{'fault':<28}{'tries':>8}{'failures':>10}")
         for kind, tries in self.tries.items():
             print(f"{kind:<28}{tries:>8}{self.failures[kind]:>10}")
-        print(f"{'all':<28}{sum(self.tries.values()):>8}{sum(self.failures.values()):>10}; longest run {self.slowest:.1f} s")
+        print(f"{'all':<28}{sum(self.tries.values()):>8}{sum(self.failures.values()):>10}")
+        print(f"longest run: {self.slowest:.1f} s")
         worst = sorted(self.complaints.items(), key=lambda item: -len(item[1]))
         for (kind, complaint), places in worst[:examples]:
             print(f"{len(places):6} {kind}: {complaint}")
@@ -146,7 +147,7 @@ QUICK = ("offset --resume", "improve", "view")
 
 
 def run_all(bench, options):
-    points, pairs = (2, 1) if options.quick else (options.points, options.pairs)
+    points, tries = (2, 1) if options.quick else (options.points, options.pairs)
     for case in cases.all_cases(options.python):
         if not re.search(options.only, case.name) or (options.quick and case.name not in QUICK):
             continue
@@ -166,7 +167,7 @@ def run_all(bench, options):
         failures = sum(bench.failures.values()) - failures
         print(f"{case.name}: {failures} failures, {time.monotonic() - begin:.0f} s", flush=True)
     if re.search(options.only, "pairs") and re.search(options.faults, "two_processes"):
-        kinds.two_processes(bench, pairs)
+        pairs.two_processes(bench, tries)
 
 
 if __name__ == "__main__":

@@ -77,6 +77,10 @@ def one(name, run, older=None):
     return Case(name, run, [older or run])
 
 
+def slow(case):
+    return dataclasses.replace(case, slow=True)
+
+
 def many_solids():
     """Returns 300 tetrahedra as OFF, OBJ and STL. They exceed the buffers of streams."""
     points, facets = [], []
@@ -143,23 +147,23 @@ def all_cases(python=None):
     """Returns the cases; those of the Python module only if `python` is its folder."""
     offset = "tet.off --distance 0.01"
     segment = "-o s.vtu -o s.dsc --threads 1 --quiet"
-    grains = "--edges 5 --threads 1 --quiet"
+    grains, pictures = "--edges 5 --threads 1 --quiet", "--picture p.svg --plot d.svg"
     cut = "cut-locus --point 0,0.3 --spacing 0.3"
     reconstruct = "reconstruct points.xyz -o k.off --report k.json --threads 1 --quiet"
     cases = [
         *flow("offset", offset, "--report r.json"),
         *flow("mean-curvature", "square.wkt", "--report r.json"),
         *flow("advect", f"{offset[:7]} --velocity=-y,x,0", "--subdivide 1 --report r.json"),
-        dataclasses.replace(flow("rotate", "tet.off --angle 10 --axis 0,0,1", "--picture p.png", resumed=False)[0], slow=True),
+        slow(*flow("rotate", "tet.off --angle 10 --axis 0,0,1", "--picture p.png", resumed=False)),
         *flow("zalesak", "", resumed=False),
         *conversions(),
         one("segment", f"segment disk.pgm -o s.png -o s.svg --picture p.png --report r.json {segment}"),
         one("segment in space", f"segment ball.inr -o s.off -o s.nii.gz --mesh m.vtu {segment}"),
-        Case("grains", f"grains --number 8 --steps 2 --every 1 --output o --picture p.svg --plot d.svg --report r.json {grains}",
-             [f"grains --number 8 --steps 1 --picture p.svg --plot d.svg --report r.json {grains}"]),
+        Case("grains", f"grains --number 8 --steps 2 --every 1 --output o {pictures} --report r.json {grains}",
+             [f"grains --number 8 --steps 1 {pictures} --report r.json {grains}"]),
         Case("grains --resume", "grains --resume o/checkpoint.dsc --steps 1 --output o2 --threads 1 --quiet",
              [f"grains --number 8 --steps 2 --output o {grains}"]),
-        dataclasses.replace(one("cut-locus", f"{cut} -o c.svg --report c.json --quiet"), slow=True),
+        slow(one("cut-locus", f"{cut} -o c.svg --report c.json --quiet")),
         one("cut-locus --radius", f"{cut} --radius 3 -o c.vtu --quiet"),
         Case("reconstruct", reconstruct + " --output o", [reconstruct]),
         one("reconstruct --open", "reconstruct sheet.xyz --open -o k.ply --report k.json --quiet"),
@@ -172,7 +176,8 @@ def all_cases(python=None):
             Case(f"fluid {dimension} --resume", f"fluid --resume o/checkpoint.dsc --steps 1 {options}", [first]),
         ]
     mpirun = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", "2"]
-    cases.append(Case("offset of 2 processes", f"offset {offset} --steps 1 --output o --report r.json {EDGES}", prefix=mpirun))
+    of_two = f"offset {offset} --steps 1 --output o --report r.json {EDGES}"
+    cases.append(Case("offset of 2 processes", of_two, prefix=mpirun))
     if python:
         cases += python_cases()
     return cases

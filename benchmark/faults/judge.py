@@ -50,7 +50,8 @@ def _lists(place, data):
 
 def faults_of_files(old, new, now, *, results=(), complete=None, killed=False, ignored=()):
     """Returns what is wrong with the files `now`: each must have its content of `old`, of `new`, or another whole
-    content. Files not in `results` may not change. If the run was complete, all files of `new` must exist, those named in `complete` with this content."""
+    content. Files not in `results` may not change. If the run was complete, all files of
+    `new` must exist, those named in `complete` with this content."""
     faults = []
     for place in sorted(set(old) | set(now)):
         if any(place == name or place.startswith(name + "/") for name in ignored):

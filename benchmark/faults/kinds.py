@@ -1,17 +1,12 @@
 """The faults: each function meets a case with one kind of fault, at several places."""
-import itertools
 import os
 import pathlib
-import random
 import resource
 import shlex
 import shutil
-import signal
-import subprocess
-import time
 
 from . import judge, power_loss
-from .system_calls import LONGEST, WRITES, run
+from .system_calls import WRITES, run
 
 
 def spread(items, number):
@@ -76,6 +71,9 @@ class Trial:
         created = {os.path.relpath(c.path, self.folder) for c in made}
         return sorted(n for n in created - set(self.old) - set(self.new) if not judge.RESCUED.fullmatch(n))
 
+    def faults_of_files(self, now, **options):
+        return judge.faults_of_files(self.old, self.new, now, results=self.results, **options)
+
     def check(self, kind, place, outcome, *, names=False, **options):
         """Judges a run and the folder after it."""
         faults = judge.faults_of_messages(
@@ -87,7 +85,7 @@ class Trial:
         if outcome.status == 0 and outcome.out != self.first.out:
             faults.append(("status 0, but the output differs", outcome.out[-200:]))
         now = judge.snapshot(self.folder)
-        faults += judge.faults_of_files(self.old, self.new, now, results=self.results, complete=None if outcome.status else self.stable, **options)
+        faults += self.faults_of_files(now, complete=None if outcome.status else self.stable, **options)
         left = self.bench.left_elsewhere()
         prevented = any(c.name.startswith("unlink") or "O_DIRECTORY" in c.arguments for c in outcome.injected)
         faults += [] if prevented else left
@@ -142,7 +140,8 @@ def failing_calls(trial, points):
             if not hit or any(not trial.inside(c.path) for c in hit):
                 continue  # another process of the run has other calls
             trial.check(kind, where, outcome, names=True, ignored=_not_removed(outcome, trial))
-            if kind == "EIO at a read" and outcome.status and not any(w in outcome.err for w in ("cannot read", "Input/output")):
+            is_told = any(words in outcome.err for words in ("cannot read", "Input/output"))
+            if kind == "EIO at a read" and outcome.status != 0 and not is_told:
                 trial.bench.complain(kind, trial.case, where, "an error does not tell that reading failed", outcome.err)
 
 
@@ -163,7 +162,7 @@ def stopped_processes(trial, points):
         outcome = trial.run_once(log=trial.log, faults=[f"{call.name}:signal=SIGKILL:when={call.number}"])
         if outcome.status in (-9, 137):
             now = judge.snapshot(trial.folder)
-            faults = judge.faults_of_files(trial.old, trial.new, now, results=trial.results, killed=True)
+            faults = trial.faults_of_files(now, killed=True)
             faults += _next_run(trial, now)
             trial.bench.left_elsewhere()
             trial.bench.record("SIGKILL, and the next run", trial.case, where, faults, outcome.seconds)
@@ -187,16 +186,16 @@ def _next_run(trial, now):
     """Returns what is wrong with the run after a killed one: it continues a checkpoint if there is one."""
     arguments = trial.case.run
     if "o/checkpoint.dsc" in now and "--output o " in arguments and "--resume" not in arguments:
-        command = shlex.split(arguments)[0]
-        arguments = f"{command} --resume o/checkpoint.dsc --steps 1 --output o"
-        if command == "grains":
-            arguments += "2"  # it needs another folder
+        command, results = shlex.split(arguments)[0], arguments[arguments.index("--output o ") + len("--output o ") :]
+        folder = "o2" if command == "grains" else "o"  # grains need another folder
+        results = results.replace("--edge-per-thickness 0", "").replace("--edges 5", "")
+        arguments = f"{command} --resume o/checkpoint.dsc --steps 1 --output {folder} {results}"
     outcome = run(trial.command(arguments), trial.folder, env=trial.env)
     if outcome.status != 0:
         is_new = "contains the steps of another run" in outcome.err  # the killed run had begun them
         return [] if is_new else [("the run after a killed one fails", outcome.err[-300:])]
     if "o2" in arguments:
-        return []
+        return []  # the folder of the killed run is left as it is
     left = judge.snapshot(trial.folder)
     names = [n for n in left if n not in now and n not in trial.new and judge.TEMPORARY.search(n)]
     names += [n for n in now if n in left and n not in trial.old and n not in trial.new]
@@ -210,7 +209,8 @@ def planted_links(trial, _):
         stem, extension = os.path.splitext(place)
         guessed += [f"{stem}.partial{extension}", f"{stem}.partial~{extension}", f"{stem}.tmp{extension}"]
         guessed += [place + end for end in (".probe", ".tmp", ".part", ".lock", "~")]
-    planted = [n for n in dict.fromkeys(trial.temporary + guessed) if not n.startswith("..") and n not in trial.old and n not in trial.new]
+    names = [n for n in dict.fromkeys(trial.temporary + guessed) if not n.startswith("..")]
+    planted = [n for n in names if n not in trial.old and n not in trial.new]
     victim = pathlib.Path(trial.folder + "_victim")
     made = pathlib.Path(trial.folder + "_made")
     for kind, target in ("a file", victim), ("nothing", made), ("a folder", pathlib.Path(trial.folder).parent):
@@ -227,12 +227,12 @@ def planted_links(trial, _):
             if os.path.islink(os.path.join(trial.folder, name)):
                 os.unlink(os.path.join(trial.folder, name))
         now = judge.snapshot(trial.folder)
-        faults += judge.faults_of_files(trial.old, trial.new, now, results=trial.results, complete=None if outcome.status else trial.stable)
+        faults += trial.faults_of_files(now, complete=None if outcome.status else trial.stable)
         faults += judge.faults_of_messages(outcome, python=trial.case.python, prefixed=bool(trial.case.prefix))
         trial.bench.record("planted links", trial.case, f"to {kind}", faults, outcome.seconds)
     if trial.traced:
-        again = trial.temporary_names(trial.run_once(log=trial.log))
-        faults = [("the name of a temporary file can be foreseen", n) for n in set(again) & set(trial.temporary) if not n.endswith("lock")]
+        again = set(trial.temporary_names(trial.run_once(log=trial.log))) & set(trial.temporary)
+        faults = [("the name of a temporary file can be foreseen", n) for n in again if not n.endswith("lock")]
         trial.bench.record("planted links", trial.case, "names of two runs", faults, 0)
 
 
@@ -259,93 +259,14 @@ def lost_power(trial, _):
     """Replays the calls of the undisturbed run, and cuts them after each one."""
     if not trial.traced:
         return
-    for number, kind, faults in power_loss.replay(
-        trial.first.calls, trial.old, trial.new, trial.folder,
-        lambda now: judge.faults_of_files(trial.old, trial.new, now, results=trial.results, killed=True),
-    ):  # fmt: skip
+
+    def faults_of(now):
+        return trial.faults_of_files(now, killed=True)
+
+    for number, kind, faults in power_loss.replay(trial.first.calls, trial.old, trial.new, trial.folder, faults_of):
         call = trial.first.calls[number] if number < len(trial.first.calls) else None
         where = f"{kind}, after {call.name} {os.path.relpath(call.path, trial.folder)}" if call else kind
         trial.bench.record("power loss", trial.case, where, faults, 0)
-
-
-PAIRS = [  # name, run before, first run, second run
-    ("one folder", "", "offset tet.off --distance 0.01 --steps 2 --output o --report a.json", "offset tet.off --distance 0.02 --steps 3 --output o --report b.json"),
-    ("one folder, continued", "offset tet.off --distance 0.01 --steps 1 --output o", "offset --resume o/checkpoint.dsc --steps 1 --output o", "offset --resume o/checkpoint.dsc --distance 0.02 --steps 2 --output o"),
-    ("one folder and report", "", "mean-curvature square.wkt --steps 3 --output o --report r.json", "mean-curvature square.wkt --dt 0.001 --steps 4 --output o --report r.json"),
-    ("one folder of grains", "", "grains --number 8 --edges 5 --steps 2 --every 1 --output o", "grains --number 8 --edges 5 --seed 2 --steps 2 --every 1 --output o"),
-    ("one folder of fluids", "", "fluid drop2.json --steps 2 --output o", "fluid drop2.json --steps 4 --output o"),
-    ("one folder of points", "", "reconstruct points.xyz -o a.off --output o", "reconstruct points.xyz -o b.off --tolerance 0.05 --output o"),
-    ("one file", "convert octahedron.off k.off", "convert octahedron.off k.off", "convert tet.off k.off"),
-    ("one report", "", "offset tet.off --distance 0.01 --steps 2 --report r.json", "offset tet.off --distance 0.02 --steps 3 --report r.json"),
-]  # fmt: skip
-
-
-def two_processes(bench, tries):
-    """Starts two runs at once that write into one folder or one file: all files must be of one run."""
-    for name, before, *runs in PAIRS:
-        commands = [_alone(bench, r) for r in runs]
-        bench.write_inputs(bench.folder)
-        if before:
-            assert run(_alone(bench, before), bench.folder).status == 0
-        old, results, seconds = judge.snapshot(bench.folder), {}, 0
-        for order in ((0,), (1,), (0, 1), (1, 0)):
-            judge.restore(old, bench.folder)
-            outcomes = [run(commands[i], bench.folder) for i in order]
-            if all(o.status == 0 for o in outcomes):
-                results[order] = judge.snapshot(bench.folder)
-            seconds = max(seconds, outcomes[0].seconds)
-        generator = random.Random(1)
-        for number in range(tries):
-            delay = generator.uniform(0, 1.1) * seconds
-            order = (0, 1) if number % 2 else (1, 0)
-            judge.restore(old, bench.folder)
-            outcomes = _at_once([commands[i] for i in order], delay, bench.folder)
-            winners = tuple(i for i, o in zip(order, outcomes) if o.status == 0)
-            faults = _mixed(results, winners, judge.snapshot(bench.folder))
-            faults += list(itertools.chain.from_iterable(judge.faults_of_messages(o) for o in outcomes))
-            bench.record("two processes", None, f"{name}, {delay * 1000:.0f} ms", faults, 0)
-
-
-def _alone(bench, arguments):
-    threads = [] if arguments.startswith("convert") else ["--threads", "1"]
-    return [bench.program, *shlex.split(arguments), *threads, "--quiet"]
-
-
-def _at_once(commands, delay, folder):
-    processes, begin = [], time.monotonic()
-    for command in commands:
-        processes.append(subprocess.Popen(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, start_new_session=True))
-        if len(processes) == 1:
-            time.sleep(delay)
-    outcomes = []
-    for process in processes:
-        try:
-            _, err = process.communicate(timeout=LONGEST)
-            status = process.returncode
-        except subprocess.TimeoutExpired:
-            os.killpg(process.pid, signal.SIGKILL)
-            _, err = process.communicate()
-            status = "hangs"
-        outcomes.append(judge.Messages(status, err.decode(errors="replace"), time.monotonic() - begin))
-    return outcomes
-
-
-def _mixed(results, winners, now):
-    """Returns what is wrong with the files after two runs: they must be what the runs that succeeded leave alone,
-    one after the other."""
-    possible = [r for order, r in results.items() if set(order) == set(winners)]
-    if not possible:
-        return [("both runs write into one folder" if winners else "both runs are refused", "")]
-
-    def differences(result):
-        return [n for n in sorted(set(result) | set(now)) if not _same(n, result.get(n, 0), now.get(n, 0))]
-
-    different = min(map(differences, possible), key=len)
-    return [("a result is not of the run that succeeded", n) for n in different]
-
-
-def _same(name, first, second):
-    return first == second or (name.endswith(".json") and first and second and judge.same_run(first, second))
 
 
 OF_CASES = [full_disk, failing_calls, stopped_processes, planted_links, limits, lost_power]

@@ -27,7 +27,8 @@ def whole_png(data):
         require(kind != b"IEND", "goes on after its end")
         (size,) = struct.unpack(">I", data[at : at + 4])
         kind, body = data[at + 4 : at + 8], data[at + 8 : at + 8 + size]
-        require(data[at + 8 + size : at + 12 + size] == struct.pack(">I", zlib.crc32(kind + body)), "has a wrong checksum")
+        checksum = struct.pack(">I", zlib.crc32(kind + body))
+        require(data[at + 8 + size : at + 12 + size] == checksum, "has a wrong checksum")
         pixels += body if kind == b"IDAT" else b""
         at += 12 + size
     require(kind == b"IEND", "has no end")
@@ -71,7 +72,8 @@ def whole_vtk_xml(data):
 def files_of_collection(data):
     """Returns the names that a collection (.pvd) or a parallel file (.pvtu) lists."""
     root = ET.fromstring(data)
-    return [e.get("file") for e in root.iter("DataSet")] + [e.get("Source") for e in root.iter("Piece") if e.get("Source")]
+    pieces = [e.get("Source") for e in root.iter("Piece") if e.get("Source")]
+    return [e.get("file") for e in root.iter("DataSet")] + pieces
 
 
 def whole_svg(data):
