@@ -117,7 +117,7 @@ def readers():
 def conversions():
     make = f"offset tet.off --distance 0.01 --steps 1 --output made {EDGES}"
     cells = "convert made/checkpoint.dsc cells.vtu --quiet"
-    planar = f"mean-curvature square.wkt --steps 1 --output plane {EDGES}"
+    planar = f"mean-curvature square.wkt --dt 0.001 --steps 1 --output plane {EDGES}"
     cases = []
     for source, first, extensions in (
         ("made/checkpoint.dsc", [make], ["off", "obj", "ply", "stl", "vtu", "mesh", "png"]),
@@ -152,7 +152,7 @@ def all_cases(python=None):
     reconstruct = "reconstruct points.xyz -o k.off --report k.json --threads 1 --quiet"
     cases = [
         *flow("offset", offset, "--report r.json"),
-        *flow("mean-curvature", "square.wkt", "--report r.json"),
+        *flow("mean-curvature", "square.wkt --dt 0.001", "--report r.json"),
         *flow("advect", f"{offset[:7]} --velocity=-y,x,0", "--subdivide 1 --report r.json"),
         slow(*flow("rotate", "tet.off --angle 10 --axis 0,0,1", "--picture p.png", resumed=False)),
         *flow("zalesak", "", resumed=False),

@@ -250,7 +250,7 @@ def limits(trial, points):
     ):
         for value in values:
             outcome = trial.run_once(command, limits={limit: value})
-            if "error while loading shared libraries" in outcome.err:
+            if "error while loading shared libraries" in outcome.err or "libgomp: Out of memory" in outcome.err:
                 continue  # the program did not start
             trial.check(name, str(value), outcome, names=name == "ulimit -f")
 

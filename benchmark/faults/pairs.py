@@ -16,7 +16,7 @@ PAIRS = [  # name, run before, first run, second run
      "offset tet.off --distance 0.02 --steps 3 --output o --report b.json"),
     ("one folder, continued", f"{OFFSET} --steps 1 --output o", "offset --resume o/checkpoint.dsc --steps 1 --output o",
      "offset --resume o/checkpoint.dsc --distance 0.02 --steps 2 --output o"),
-    ("one folder and report", "", "mean-curvature square.wkt --steps 3 --output o --report r.json",
+    ("one folder and report", "", "mean-curvature square.wkt --dt 0.0005 --steps 3 --output o --report r.json",
      "mean-curvature square.wkt --dt 0.001 --steps 4 --output o --report r.json"),
     ("one folder of grains", "", "grains --number 8 --edges 5 --steps 2 --every 1 --output o",
      "grains --number 8 --edges 5 --seed 2 --steps 2 --every 1 --output o"),
