@@ -55,7 +55,7 @@ public:
     m_file.seekg(std::streamoff(place));
   }
 
-  [[noreturn]] static void fail() { throw Failure("is truncated or damaged"); }
+  [[noreturn]] static void fail() { throw Failure("is truncated or damaged; write it again"); }
 
 private:
   template <class Number> Number number() {
