@@ -15,6 +15,7 @@ import collections
 import concurrent.futures
 import gzip
 import json
+import math
 import os
 import pathlib
 import random
@@ -76,8 +77,8 @@ def mha(size=(5, 5, 5), values=None, data="LOCAL", extra=""):
     )
 
 
-def nrrd(size=(5, 5, 5), values=None, encoding="raw", extra=""):
-    text = f"NRRD0004\ntype: uint8\ndimension: 3\nsizes: {size[0]} {size[1]} {size[2]}\nencoding: {encoding}\n"
+def nrrd(size=(12, 4, 4), values=None, encoding="raw", extra=""):
+    text = f"NRRD0004\ntype: uint8\ndimension: 3\nsizes: {size[0]} {size[1]} {size[2]}\nencoding: {encoding}\nspacings: 1 1 1\n"
     return (text + extra + "\n").encode() + (box(size) if values is None else values)
 
 
@@ -287,9 +288,9 @@ def legacy_image(size=(5, 5, 5)):
     return (text + f"ORIGIN 0 0 0\nSPACING 1 1 1\nPOINT_DATA {n}\nSCALARS l unsigned_char 1\nLOOKUP_TABLE default\n").encode() + box((5, 5, 5))
 
 
-def pcd(points=5, data="ascii"):
+def pcd(points=5, data="ascii", rows=POINTS):
     text = f"VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH {points}\nHEIGHT 1\nPOINTS {points}\nDATA {data}\n"
-    return text.encode() + (lists(POINTS).encode() if data == "ascii" else b"".join(struct.pack("<3f", *p) for p in POINTS))
+    return text.encode() + (lists(rows).encode() if data == "ascii" else b"".join(struct.pack("<3f", *p) for p in rows))
 
 
 def model_3mf(name="cube"):
@@ -347,13 +348,17 @@ def geojson(kind="Polygon"):
     return json.dumps({"type": "FeatureCollection", "features": [{"type": "Feature", "properties": {"a": 1}, "geometry": polygon}]}).encode()
 
 
+SPHERE = [  # spirals
+    (round(math.sqrt(1 - z * z) * math.cos(2.4 * i), 2), round(math.sqrt(1 - z * z) * math.sin(2.4 * i), 2), z)
+    for i, z in enumerate(i / 10 - 0.95 for i in range(20))
+]
 POLY = b"4 2 0 1\n1 0 0 1\n2 1 0 1\n3 1 1 1\n4 0 1 1\n4 1\n1 1 2 1\n2 2 3 1\n3 3 4 1\n4 4 1 1\n0\n1\n1 .5 .5 3\n"
 WKT = b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0), (.5 .5, .5 1, 1 1, 1 .5, .5 .5))\nMULTIPOLYGON (((3 0, 4 0, 4 1, 3 0)))\n"
 PGM = b"P5\n8 8\n255\n" + box((8, 8, 1))
 SCENE = json.dumps(
     {
-        "domain": [0, 0, 0, 1, 1, 1], "edge": 0.3, "duration": 0.01, "gravity": [0, 0, -9.8],
-        "liquids": [{"name": "water", "shape": "z < 0.5", "density": 1000, "viscosity": 0.1}],
+        "title": "water", "domain": [0, 0, 0, 1, 1, 1], "edge": 0.3, "gravity": [0, 0, -1], "time_step": 0.02, "end": 0.02,
+        "liquids": [{"shape": {"type": "box", "from": [0.2, 0.2, 0.2], "to": [0.8, 0.8, 0.6]}, "density": 1}],
     }
 ).encode()
 
@@ -571,7 +576,7 @@ def seeds(program):
     same = lambda data: data
     surface, image, grid = ["info {}", "offset {} --distance .05 --steps 1 --edge .3 --domain -1,-1,-1,2,2,2", "convert {} r.ply", "reconstruct {} -o r.off"], ["info {}", "convert {} r.vti", "segment {} -o r.ply"], ["info {}", "convert {} r.vtu"]
     plane = ["info {}", "offset {} --distance .05 --steps 1", "segment {} -o r.wkt"]
-    points = ["reconstruct {} -o r.off"]
+    points, cloud = ["reconstruct {} -o r.off"], lists(SPHERE).encode()
     result = {
         "off": ("a.off", off(), same, surface), "obj": ("a.obj", obj(), same, surface), "stl": ("a.stl", stl(), same, surface),
         "stl_binary": ("a.stl", binary_stl(), same, surface), "ply": ("a.ply", ply(), same, surface), "ply_binary": ("a.ply", ply(binary=True), same, surface),
@@ -579,7 +584,7 @@ def seeds(program):
         "nii_gz": ("a.nii.gz", nii(), gzip.compress, image), "mha": ("a.mha", mha(), same, image),
         "mha_z": ("a.mha", mha(values=zlib.compress(box((5, 5, 5))), extra="CompressedData = True\n"), same, image),
         "mhd": ("a.mhd", mha(values=b"", data="a.raw"), same, image), "nrrd": ("a.nrrd", nrrd(), same, image),
-        "nrrd_gz": ("a.nrrd", nrrd(values=gzip.compress(box((5, 5, 5))), encoding="gzip"), same, image),
+        "nrrd_gz": ("a.nrrd", nrrd(values=gzip.compress(box((12, 4, 4))), encoding="gzip"), same, image),
         "nhdr": ("a.nhdr", nrrd(values=b"", extra="data file: a.raw\n"), same, image),
         "png": ("a.png", png(), png_chunks, plane), "png_colors": ("a.png", png(colors=2), png_chunks, plane), "tif": ("a.tif", tiff(), same, plane),
         "tif_z": ("a.tif", tiff(data=zlib.compress(box((8, 8, 1))), compression=8), same, plane), "pgm": ("a.pgm", PGM, same, plane),
@@ -590,8 +595,8 @@ def seeds(program):
         "pvtu": ("a.pvtu", pvtu("grid.vtu"), same, grid), "vtm": ("a.vtm", vtm("grid.vtu"), same, grid),
         "vtk": ("a.vtk", legacy(), same, grid), "vtk_binary": ("a.vtk", legacy(binary=True), same, grid), "vtk_image": ("a.vtk", legacy_image(), same, image),
         "medit": ("a.mesh", medit(), same, grid), "meshb": ("a.meshb", meshb(), same, grid), "msh": ("a.msh", msh(), same, grid),
-        "3mf": ("a.3mf", model_3mf(), packed_3mf, surface), "csv": ("a.csv", b"x,y,z,nx,ny,nz\n" + b"1,2,3,0,0,1\n" * 5, same, points),
-        "pcd": ("a.pcd", pcd(), same, points), "pcd_binary": ("a.pcd", pcd(data="binary"), same, points), "xyz": ("a.xyz", b"5\n" + lists(POINTS).encode(), same, points),
+        "3mf": ("a.3mf", model_3mf(), packed_3mf, surface), "csv": ("a.csv", b"x,y,z\n" + cloud.replace(b" ", b","), same, points),
+        "pcd": ("a.pcd", pcd(20, "ascii", SPHERE), same, points), "pcd_binary": ("a.pcd", pcd(20, "binary", SPHERE), same, points), "xyz": ("a.xyz", b"20\n" + cloud, same, points),
         "poly": ("a.poly", POLY, same, plane[:2]), "wkt": ("a.wkt", WKT, same, plane[:2]), "geojson": ("a.geojson", geojson(), same, plane[:2]),
         "scene": ("a.json", SCENE, same, ["fluid {} --output o --steps 1"]),
     }
@@ -651,7 +656,7 @@ def run_mutations(program, number, words):
         with tempfile.TemporaryDirectory() as folder:
             folder = pathlib.Path(folder)
             (folder / name).write_bytes(data)
-            (folder / "a.raw").write_bytes(box((5, 5, 5)))
+            (folder / "a.raw").write_bytes(box((12, 4, 4)))
             (folder / "grid.vtu").write_bytes(vtu())
             command = commands[0] if chance.randrange(3) else chance.choice(commands)
             status, err, out, seconds, memory, elapsed = measure([program, *command.format(name).split()], folder)

@@ -93,9 +93,10 @@ private:
       m_cells += Sizes(whole).cells;
     if (name == "Piece")
       visit_piece(element);
-    if (const char* const type = element->GetAttribute("type"); type && name == "DataArray") {
+    if (const char* const type = element->GetAttribute("type");
+        type && (name == "DataArray" || name == "PDataArray")) {
       const double bits = std::strtod(type + std::strcspn(type, "0123456789"), nullptr);
-      m_header.content += (items + number_in(element, "NumberOfTuples")) * bits / 8 *
+      m_header.content += (1 + items + number_in(element, "NumberOfTuples")) * bits / 8 *
                           std::max(1., number_in(element, "NumberOfComponents"));
     }
     const char* const file = element->GetAttribute(name == "Piece" ? "Source" : "file");

@@ -6,6 +6,7 @@
 
 #include <CGAL/Mesh_files/internal/text/files.h>
 
+#include <png.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -47,13 +48,13 @@ std::vector<std::uint64_t> header_numbers(const std::string& text) {
   static constexpr std::uint64_t largest = std::uint64_t(1) << 40;
   std::istringstream in(text);
   std::vector<std::uint64_t> result;
+  bool is_valid = true;
   for (std::string word; in >> word;) {
     result.push_back(std::strtoull(word.c_str(), nullptr, 10));
-    if (word.find_first_not_of("0123456789") != word.npos || result.back() == 0 ||
-        result.back() > largest)
-      break;
+    is_valid = is_valid && word.find_first_not_of("0123456789") == word.npos && 0 < result.back() &&
+               result.back() <= largest;
   }
-  if (!in.eof() || result.empty())
+  if (!is_valid || result.empty())
     throw Failure("has a header in which " + in_quotes(text) +
                   " stands for positive integers; correct it");
   return result;
@@ -99,11 +100,60 @@ void require_complete_meta_image(const std::string& path) {
     fail();
 }
 
+/// Decodes a PNG picture, and checks its chunks up to the last one. The reader of VTK crashes after
+/// an error.
+void require_valid_png(const std::string& path) {
+  static constexpr std::size_t signature = 8, type = 4; // bytes
+  std::ifstream file(path, std::ios::binary);
+  file.seekg(signature);
+  for (std::string chunk; chunk.compare(0, type, "IEND") != 0;) {
+    const auto number = [&] {
+      unsigned char bytes[4] = {};
+      file.read(reinterpret_cast<char*>(bytes), 4);
+      return std::uint32_t(bytes[0]) << 24 | bytes[1] << 16 | bytes[2] << 8 | bytes[3];
+    };
+    chunk.resize(type + std::min<std::uintmax_t>(number(), fs::file_size(path)));
+    if (!file.read(chunk.data(), std::streamsize(chunk.size())) ||
+        number() != crc32(0, reinterpret_cast<const Bytef*>(chunk.data()), uInt(chunk.size())))
+      throw Failure("is a damaged PNG picture; write it again");
+  }
+  png_image image = {};
+  image.version = PNG_IMAGE_VERSION;
+  if (png_image_begin_read_from_file(&image, path.c_str()) != 0) {
+    accept_content(PNG_IMAGE_PIXEL_SIZE(image.format) * double(image.width) * image.height,
+                   double(fs::file_size(path)));
+    std::vector<png_byte> pixels(PNG_IMAGE_SIZE(image));
+    png_image_finish_read(&image, nullptr, pixels.data(), 0, nullptr);
+  }
+  const std::string error = PNG_IMAGE_FAILED(image) ? image.message : "";
+  png_image_free(&image);
+  if (!error.empty())
+    throw Failure("is a damaged PNG picture: " + error);
+}
+
+/// Checks the header of a portable map. The reader of VTK does not end if a number is missing.
+void require_valid_pnm(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string magic, numbers;
+  file >> magic;
+  for (int i = 0; i < 3; ++i) {
+    for (std::string comment; file >> std::ws && file.peek() == '#';)
+      std::getline(file, comment);
+    std::string word;
+    file >> word;
+    numbers += word + ' ';
+  }
+  if (header_numbers(numbers).size() != 3)
+    throw Failure("has no width, height and largest value at its beginning; is it damaged?");
+}
+
 /// Checks the header of a NRRD file. The reader of VTK does not end, or crashes, if it is damaged.
 void require_valid_nrrd(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::string line, sizes, dimension;
   std::getline(file, line); // with the version
+  if (line.size() < 8 || line.compare(0, 7, "NRRD000") != 0 || line.find('\0') != line.npos)
+    throw Failure("does not begin with NRRD0001 to NRRD0005; is it damaged?");
   while (std::getline(file, line) && !line.empty() && line != "\r") {
     if (line.find('\0') != line.npos || (line[0] != '#' && line.find(':') == line.npos))
       throw Failure("has a line without ':' in its header; is it damaged?");
@@ -242,6 +292,10 @@ void require_complete(const std::string& path, const std::string& format) {
     require_complete_meta_image(path);
   else if (format == "nrrd" || format == "nhdr")
     require_valid_nrrd(path);
+  else if (format == "png")
+    require_valid_png(path);
+  else if (format == "pgm" || format == "ppm")
+    require_valid_pnm(path);
   else if (format == "nii" || format == "nii.gz")
     require_valid_nifti(path);
   else if (format == "tif" || format == "tiff")
