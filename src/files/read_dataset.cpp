@@ -39,9 +39,11 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
+#include <iostream>
 #include <iterator>
 #include <map>
 #include <sstream>
@@ -60,8 +62,9 @@ std::string shortened(std::string message) {
   return end_of_address == std::string::npos ? message : message.substr(end_of_address + 3);
 }
 
-/// Receives the messages that VTK prints. The first error or warning is a failure: readers of VTK
-/// warn about truncated files, and may crash if they continue after an error.
+/// Receives the messages that VTK prints. The first error or warning ends this process: readers of
+/// VTK warn about truncated files, and may crash if they continue, or are destroyed, after an
+/// error.
 class Messages : public vtkOutputWindow
 {
 public:
@@ -69,7 +72,8 @@ public:
   vtkTypeMacro(Messages, vtkOutputWindow);
 
   void DisplayErrorText(const char* text) override {
-    throw Failure("cannot be read by VTK: " + shortened(text) + "; is it damaged?");
+    std::cerr << "cannot be read by VTK: " << shortened(text) << "; is it damaged?" << std::endl;
+    std::_Exit(1);
   }
   void DisplayWarningText(const char* text) override { DisplayErrorText(text); }
   void DisplayGenericWarningText(const char* text) override { DisplayErrorText(text); }

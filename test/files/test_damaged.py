@@ -137,15 +137,6 @@ def test_other_than_regular_files(tmp_path, name, kind):
     assert "file" in refusal(tmp_path / name)
 
 
-def test_large_images_are_read_after_decompression(tmp_path):
-    content = damaged.nii((400, 400, 500), bytes(80 * 10**6))
-    (tmp_path / "a.nii.gz").write_bytes(gzip.compress(content))
-    assert TOO_LARGE in refusal(tmp_path / "a.nii.gz")
-    (tmp_path / "a.nii").write_bytes(content)
-    result = subprocess.run([DSC, "info", tmp_path / "a.nii"], capture_output=True, text=True)
-    assert "label 0: 80000000 voxels" in result.stdout, result.stderr
-
-
 def test_names_with_control_characters(tmp_path):
     (tmp_path / "a.obj").write_bytes(damaged.obj("\x1b[31mred" + "w" * 100000))
     result = subprocess.run([DSC, "info", tmp_path / "a.obj"], capture_output=True)

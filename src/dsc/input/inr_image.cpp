@@ -14,11 +14,13 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -50,8 +52,9 @@ public:
   /// \throws Input_error if the header is wrong, or the number of bytes differs from the header
   void check(std::size_t most_channels) {
     std::uint64_t announced = bytes_of_voxel();
-    for (const char* key : {"XDIM", "YDIM", "ZDIM"})
-      announced *= dimension(key);
+    std::array<std::uint64_t, 3> sizes;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      announced *= sizes[axis] = dimension(std::array{"XDIM", "YDIM", "ZDIM"}[axis]);
     const std::string channels = take("VDIM").value_or("1");
     const auto number_of_channels = internal::number_of_word<std::uint64_t>(channels);
     if (!number_of_channels || *number_of_channels == 0)
@@ -62,10 +65,20 @@ public:
                               : "has too many values per voxel (VDIM); write at most " +
                                     std::to_string(most_channels));
     announced *= *number_of_channels;
-    for (const char* key : {"VX", "VY", "VZ"})
-      if (!(number(key, "1") > 0))
-        fail("has an invalid voxel size: " + std::string(key) +
-             " is not positive; correct the header");
+    static constexpr double largest_ratio = 1e4; // of sides of voxels; meshes are too large then
+    double least = std::numeric_limits<double>::infinity(), largest = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::string key = std::array{"VX", "VY", "VZ"}[axis];
+      const double side = number(key, "1");
+      if (!(side > 0))
+        fail("has an invalid voxel size: " + key + " is not positive; correct the header");
+      if (sizes[axis] > 1) {
+        least = std::min(least, side);
+        largest = std::max(largest, side);
+      }
+    }
+    if (largest > largest_ratio * least)
+      fail("has voxels that are more than 10000 times as long as wide; correct the header");
     for (const char* key : {"TX", "TY", "TZ"})
       number(key, "0");
     for (const char* key : {"RX", "RY", "RZ"})
