@@ -8,6 +8,7 @@
 #include <CGAL/Mesh_files/internal/text/files.h>
 
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
 #include <vtkXMLDataElement.h>
 #include <vtkXMLDataParser.h>
 
@@ -20,6 +21,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <sstream>
 #include <system_error>
 
@@ -41,6 +43,30 @@ double number_in(vtkXMLDataElement* element, const char* attribute) {
   const char* const text = element->GetAttribute(attribute);
   return text == nullptr ? 0 : std::max(0., std::strtod(text, nullptr));
 }
+
+/// Ends this process at deeply nested elements, since VTK visits elements by recursion.
+class Shallow_parser : public vtkXMLDataParser
+{
+public:
+  static Shallow_parser* New();
+  vtkTypeMacro(Shallow_parser, vtkXMLDataParser);
+
+protected:
+  void StartElement(const char* name, const char** attributes) override {
+    static constexpr int deepest = 64;
+    if (++m_depth > deepest)
+      end_process("has elements that are nested more than 64 levels deep; is it damaged?");
+    vtkXMLDataParser::StartElement(name, attributes);
+  }
+  void EndElement(const char* name) override {
+    --m_depth;
+    vtkXMLDataParser::EndElement(name);
+  }
+
+private:
+  int m_depth = 0;
+};
+vtkStandardNewMacro(Shallow_parser);
 
 /// The numbers of points and of cells in a part of an image.
 struct Sizes
@@ -64,7 +90,7 @@ class Xml_header
 public:
   Xml_header(const std::string& path, bool may_name_files, Header& header)
       : m_path(path), m_may_name_files(may_name_files), m_header(header) {
-    vtkNew<vtkXMLDataParser> parser;
+    vtkNew<Shallow_parser> parser;
     parser->SetFileName(path.c_str());
     if (parser->Parse() == 0 || parser->GetRootElement() == nullptr)
       throw Failure("is or names a file that is no valid XML file of VTK; is it truncated?");
@@ -131,6 +157,11 @@ double content_of_zip(const std::string& path) {
 }
 
 } // namespace
+
+void end_process(const std::string& message) {
+  std::cerr << message << std::endl;
+  std::_Exit(1); // without destructors
+}
 
 std::string Header::add(const std::string& path, const std::string& file) {
   const fs::path folder = fs::absolute(path).parent_path().lexically_normal(),

@@ -39,11 +39,9 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
-#include <iostream>
 #include <iterator>
 #include <map>
 #include <sstream>
@@ -72,8 +70,7 @@ public:
   vtkTypeMacro(Messages, vtkOutputWindow);
 
   void DisplayErrorText(const char* text) override {
-    std::cerr << "cannot be read by VTK: " << shortened(text) << "; is it damaged?" << std::endl;
-    std::_Exit(1);
+    end_process("cannot be read by VTK: " + shortened(text) + "; is it damaged?");
   }
   void DisplayWarningText(const char* text) override { DisplayErrorText(text); }
   void DisplayGenericWarningText(const char* text) override { DisplayErrorText(text); }

@@ -30,6 +30,9 @@ struct Dataset
 /// \throws Failure if the format is unknown, the file cannot be read or is damaged
 Dataset read_dataset(const std::string& path, const std::string& folder);
 
+/// Prints the message of a failure and ends this process, for callbacks of libraries.
+[[noreturn]] void end_process(const std::string& message);
+
 /// What a file promises before it is read.
 struct Header
 {
