@@ -4,7 +4,6 @@
 
 #include "read_dataset.h"
 
-#include <CGAL/Mesh_files/internal/text/content_limit.h>
 #include <CGAL/Mesh_files/internal/text/files.h>
 
 #include <vtkNew.h>

@@ -51,7 +51,7 @@ struct Header
 /// Limits the memory and the processor time of this process by the content of a file, in addition
 /// to the files before.
 /// \param content, bytes what the file promises, and its size, in bytes
-/// \throws Failure if the file promises too much, see `most_content()` in content_limit.h
+/// \throws Failure if the file promises too much, see `why_too_large()` in files.h
 void accept_content(double content, double bytes);
 
 /// Returns the value of the first of some keys in the text header of a file; empty if there is

@@ -13,7 +13,6 @@
 #include <CGAL/Complex_construction/Labeled_image_2.h>
 #include <CGAL/Mesh_files/File_error.h>
 #include <CGAL/Mesh_files/Unused_content.h>
-#include <CGAL/Mesh_files/internal/text/content_limit.h>
 #include <CGAL/Mesh_files/internal/text/files.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 

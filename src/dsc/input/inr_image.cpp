@@ -7,7 +7,6 @@
 #include "input/translations.h"
 #include "programs/errors.h"
 
-#include <CGAL/Mesh_files/internal/text/content_limit.h>
 #include <CGAL/Mesh_files/internal/text/files.h>
 #include <CGAL/Mesh_files/internal/text/number_of_word.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
