@@ -44,8 +44,8 @@ std::uint64_t bytes_of(const std::string& type) {
 }
 
 /// Returns the positive integers in a value of a header.
-std::vector<std::uint64_t> header_numbers(const std::string& text) {
-  static constexpr std::uint64_t largest = std::uint64_t(1) << 40;
+std::vector<std::uint64_t> header_numbers(const std::string& text,
+                                          std::uint64_t largest = (1U << 31) - 1) {
   std::istringstream in(text);
   std::vector<std::uint64_t> result;
   bool is_valid = true;
@@ -88,7 +88,7 @@ void require_complete_meta_image(const std::string& path) {
   const bool is_compressed = header["CompressedData"] == "True";
   if (is_compressed)
     bytes = header.count("CompressedDataSize") > 0
-                ? header_numbers(header["CompressedDataSize"]).front()
+                ? header_numbers(header["CompressedDataSize"], std::uint64_t(1) << 40).front()
                 : 0;
   const std::string data = header["ElementDataFile"];
   if (data.empty())
