@@ -48,9 +48,9 @@ public:
     return result;
   }
 
-  /// Goes to a place of the file.
+  /// Goes forward to a place of the file.
   void go_to(std::uint64_t place) {
-    if (place > m_size)
+    if (place > m_size || place < std::uint64_t(m_file.tellg()))
       fail();
     m_file.seekg(std::streamoff(place));
   }

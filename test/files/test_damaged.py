@@ -71,6 +71,10 @@ BOMBS = {
     "large.vtp": (damaged.vtp(10**12, 10**12), TOO_LARGE),
     "large.vtk": (damaged.legacy(10**12, 10**12, binary=True), "is it damaged?"),
     "large.meshb": (damaged.meshb(2 * 10**9), "truncated or damaged"),
+    "cycle.meshb": (
+        edited(damaged.meshb(), (struct.pack("<ii", 8, 224), struct.pack("<ii", 7, 20))),
+        "truncated or damaged",
+    ),
     "deep.geojson": (b'{"type":"GeometryCollection","geometries":[' * 10**5 + b"]}" * 10**5, "64 levels deep"),
     # what readers of VTK crash at, or never end
     "sizes.nii": (damaged.nii((0, 5, 5)), "wrong numbers in its NIfTI header"),
