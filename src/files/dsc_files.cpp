@@ -16,63 +16,32 @@
 #include <vtkImageData.h>
 
 #include <signal.h>
-#include <sys/resource.h>
-#include <unistd.h>
 #ifdef __linux__
 #include <sys/prctl.h>
 #endif
 
 #include <algorithm>
-#include <cstdint>
 #include <exception>
 #include <filesystem>
 #include <iostream>
 #include <new>
+#include <stdexcept>
 #include <string>
 
 namespace {
 
-void limit(int resource, rlim_t bound) {
-  rlimit limits = {};
-  getrlimit(resource, &limits);
-  limits.rlim_cur = std::min(limits.rlim_max, bound);
-  setrlimit(resource, &limits);
-}
-
-/// Returns the number of bytes of the files in a folder.
-std::uintmax_t bytes_in(const std::filesystem::path& folder) {
-  std::uintmax_t result = 0;
-  std::error_code none; // without the folder
-  for (const auto& entry : std::filesystem::directory_iterator(folder, none))
-    if (entry.is_regular_file())
-      result += entry.file_size();
-  return result;
-}
-
-/// Returns the number of bytes of a file; of the files beside it, if it is only a header.
-std::uintmax_t bytes_of(const std::filesystem::path& input) {
-  const std::string format = dsc_files::format_of(input.string());
-  if (format == "vtm") // the blocks are in a folder with the name of the file
-    return bytes_in(std::filesystem::path(input).replace_extension());
-  if (format != "mhd" && format != "nhdr" && format != "pvtu")
-    return std::filesystem::file_size(input);
-  return bytes_in(std::filesystem::absolute(input).parent_path());
-}
-
 /// Ends this process if a damaged file makes a reader allocate much memory or loop forever, and
-/// when the calling program ends. The bounds allow for compressed images.
+/// when the calling program ends.
 void limit_resources(const std::string& input) {
-  static constexpr rlim_t least_seconds = 10, bytes_per_second = 1 << 18; // of processor time
-  static constexpr rlim_t least_memory = rlim_t(4) << 30, memory_of_byte = 2000;
-  std::error_code error;
-  if (std::filesystem::is_regular_file(input, error)) {
-    const std::uintmax_t bytes = bytes_of(input);
-    limit(RLIMIT_CPU, least_seconds + rlim_t(bytes) / bytes_per_second);
-    limit(RLIMIT_AS, least_memory + rlim_t(bytes) * memory_of_byte);
-  }
 #ifdef __linux__
   prctl(PR_SET_PDEATHSIG, SIGKILL);
 #endif
+  if (std::filesystem::is_directory(input))
+    throw dsc_files::Failure(
+        "is a folder; name a file in it (dcm2niix converts DICOM images to NIfTI)");
+  if (!std::filesystem::is_regular_file(input))
+    throw dsc_files::Failure("is no regular file; copy its content into a file");
+  dsc_files::accept_content(0, double(std::filesystem::file_size(input)));
 }
 
 dsc_files::Options options_of(int argc, char** argv) {
@@ -122,26 +91,37 @@ dsc_files::Translation translate(const dsc_files::Options& options) {
   return result;
 }
 
+constexpr const char* no_memory = "needs more memory than fits to its size; is it damaged?\n";
+
 } // namespace
 
 int main(int argc, char** argv) {
   try {
-    limit_resources(argc < 2 ? "" : argv[1]);
-    if ((argc == 4 || argc == 5) && std::string(argv[1]) == "--write") {
+    const bool writes = (argc == 4 || argc == 5) && std::string(argv[1]) == "--write";
+    limit_resources(argc < 2 ? "" : argv[writes ? 2 : 1]);
+    if (writes) {
       dsc_files::write_foreign(argv[2], argv[3], argc == 5 ? argv[4] : "");
       return 0;
     }
     const dsc_files::Translation result = translate(options_of(argc, argv));
-    std::cout << result.path << '\n';
+    const auto print = [](std::string line) {
+      std::replace(line.begin(), line.end(), '\n', ' ');
+      std::cout << line << '\n';
+    };
+    print(result.path);
     for (const std::string& content : result.unused)
-      std::cout << "unused " << content << '\n';
+      print("unused " + content);
     for (const std::string& note : result.notes)
-      std::cout << "note " << note << '\n';
+      print("note " + note);
     return std::cout.flush() ? 0 : 1;
   } catch (const std::bad_alloc&) {
-    std::cerr << "needs more memory than there is; is it damaged?\n";
+    std::cerr << no_memory;
+  } catch (const std::length_error&) { // a size that no memory has
+    std::cerr << no_memory;
   } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
+    const std::string message = error.what();
+    const bool has_advice = message.find_first_of(";?:") != std::string::npos;
+    std::cerr << message << (has_advice ? "\n" : "; is it damaged?\n");
   }
   return 1;
 }

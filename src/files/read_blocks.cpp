@@ -84,7 +84,7 @@ vtkSmartPointer<vtkDataSet> read_blocks(const std::string& path, Translation& tr
     all->AddInputData(copy);
   }
   if (parts.names().empty())
-    throw Failure("contains no blocks");
+    throw Failure("contains no blocks; write grids or surfaces");
   all->Update();
   of_points.leave_out_others(all->GetOutput()->GetPointData(), translation);
   of_cells.leave_out_others(all->GetOutput()->GetCellData(), translation);

@@ -4,14 +4,19 @@
 
 #include "read_dataset.h"
 
+#include <vtkCell.h>
+#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCommand.h>
 #include <vtkDataArray.h>
+#include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
 #include <vtkErrorCode.h>
 #include <vtkFieldData.h>
+#include <vtkGenericCell.h>
 #include <vtkGenericDataObjectReader.h>
 #include <vtkImageData.h>
+#include <vtkInformation.h>
 #include <vtkLogger.h>
 #include <vtkMatrix3x3.h>
 #include <vtkMatrix4x4.h>
@@ -25,6 +30,7 @@
 #include <vtkPNMReader.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkStringArray.h>
 #include <vtkTIFFReader.h>
 #include <vtkXMLGenericDataObjectReader.h>
@@ -37,6 +43,7 @@
 #include <fstream>
 #include <initializer_list>
 #include <iterator>
+#include <map>
 #include <sstream>
 #include <type_traits>
 #include <vector>
@@ -44,8 +51,18 @@
 namespace dsc_files {
 namespace {
 
-/// Receives the messages that VTK prints. The first error or warning is the cause of a failure:
-/// readers of VTK warn about truncated files.
+/// Returns the last line of a message of VTK, without the address of the reader.
+std::string shortened(std::string message) {
+  while (!message.empty() && std::isspace(static_cast<unsigned char>(message.back())) != 0)
+    message.pop_back();
+  message.erase(0, message.rfind('\n') + 1);
+  const std::size_t end_of_address = message.find("): ");
+  return end_of_address == std::string::npos ? message : message.substr(end_of_address + 3);
+}
+
+/// Receives the messages that VTK prints. The first error or warning ends this process: readers of
+/// VTK warn about truncated files, and may crash if they continue, or are destroyed, after an
+/// error.
 class Messages : public vtkOutputWindow
 {
 public:
@@ -53,27 +70,15 @@ public:
   vtkTypeMacro(Messages, vtkOutputWindow);
 
   void DisplayErrorText(const char* text) override {
-    if (error.empty())
-      error = text;
+    end_process("cannot be read by VTK: " + shortened(text) + "; is it damaged?");
   }
   void DisplayWarningText(const char* text) override { DisplayErrorText(text); }
   void DisplayGenericWarningText(const char* text) override { DisplayErrorText(text); }
   void DisplayText(const char*) override {}
 
-  std::string error;
+  double bytes = 0; ///< of the file that is read
 };
 vtkStandardNewMacro(Messages);
-
-/// Returns the last line of a message of VTK, without the address of the reader.
-std::string shortened(std::string message) {
-  while (!message.empty() && std::isspace(static_cast<unsigned char>(message.back())) != 0)
-    message.pop_back();
-  message.erase(0, message.rfind('\n') + 1);
-  std::replace_if(
-      message.begin(), message.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
-  const std::size_t end_of_address = message.find("): ");
-  return end_of_address == std::string::npos ? message : message.substr(end_of_address + 3);
-}
 
 vtkSmartPointer<vtkDataSet> only_dataset(vtkDataObject* object) {
   vtkDataSet* const result = vtkDataSet::SafeDownCast(object);
@@ -84,14 +89,32 @@ vtkSmartPointer<vtkDataSet> only_dataset(vtkDataObject* object) {
   return result;
 }
 
+/// Returns the bytes of the image that a reader announces; 0 if it announces none.
+double content_of_image(vtkInformation* announced) {
+  int extent[6];
+  if (announced == nullptr || !announced->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
+    return 0;
+  announced->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+  double result = 1;
+  for (int axis = 0; axis < 3; ++axis)
+    result *= std::max(0., double(extent[2 * axis + 1]) - extent[2 * axis] + 1);
+  vtkInformation* const values = vtkDataObject::GetActiveFieldInformation(
+      announced, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+  if (values != nullptr)
+    result *=
+        double(vtkDataArray::GetDataTypeSize(values->Get(vtkDataObject::FIELD_ARRAY_TYPE()))) *
+        std::max(1, values->Get(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS()));
+  return result;
+}
+
 /// Runs a reader and returns its output.
 template <class Reader> vtkSmartPointer<vtkDataSet> run(Reader* reader, Messages* messages) {
+  reader->UpdateInformation();
+  accept_content(content_of_image(reader->GetOutputInformation(0)), messages->bytes);
   reader->Update();
-  if (reader->GetErrorCode() != vtkErrorCode::NoError || !messages->error.empty())
-    throw Failure("cannot be read by VTK: " +
-                  (messages->error.empty()
-                       ? std::string(vtkErrorCode::GetStringFromErrorCode(reader->GetErrorCode()))
-                       : shortened(messages->error)));
+  if (reader->GetErrorCode() != vtkErrorCode::NoError)
+    throw Failure(std::string("cannot be read by VTK: ") +
+                  vtkErrorCode::GetStringFromErrorCode(reader->GetErrorCode()));
   return only_dataset(reader->GetOutputDataObject(0));
 }
 
@@ -124,7 +147,7 @@ void place(vtkImageData* image, const Coordinate& coordinate, const std::array<d
   for (int j = 0; j < 3; ++j) {
     spacing[j] = std::hypot(coordinate(0, j), coordinate(1, j), coordinate(2, j));
     if (!(spacing[j] > 0 && std::isfinite(spacing[j])))
-      throw Failure("has an axis of length 0 in its header");
+      throw Failure("has an axis of length 0 in its header; correct it");
     for (int i = 0; i < 3; ++i)
       directions->SetElement(i, j, coordinate(i, j) / spacing[j]);
   }
@@ -186,30 +209,13 @@ std::vector<double> numbers_in(std::string text) {
   return std::vector<double>(std::istream_iterator<double>(in), std::istream_iterator<double>());
 }
 
-/// Returns the value of the first of some keys in the text header of a file; empty if there is
-/// none.
-std::string header_value(const std::string& path, char separator,
-                         std::initializer_list<const char*> keys) {
-  std::ifstream file(path, std::ios::binary);
-  for (std::string line; std::getline(file, line) && !line.empty() && line != "\r";) {
-    const std::size_t mark = line.find(separator);
-    std::string key = line.substr(0, mark);
-    key.erase(key.find_last_not_of(" \t") + 1);
-    if (mark != std::string::npos && std::find(keys.begin(), keys.end(), key) != keys.end())
-      return line.substr(mark + 1);
-    if (key == "ElementDataFile")
-      break;
-  }
-  return "";
-}
-
 /// Reads a MetaImage. VTK ignores its directions.
 Dataset read_meta_image(const std::string& path, Messages* messages) {
   Dataset result;
   result.data = read_image<vtkMetaImageReader>(path, messages);
   vtkImageData* const image = image_of(result);
   const std::vector<double> matrix =
-      numbers_in(header_value(path, '=', {"TransformMatrix", "Rotation", "Orientation"}));
+      numbers_in(header_value(path, '=', {"transformmatrix", "rotation", "orientation"}));
   if (matrix.size() != 9)
     return result;
   const auto coordinate = [&](int i, int j) {
@@ -222,12 +228,6 @@ Dataset read_meta_image(const std::string& path, Messages* messages) {
 
 /// Reads an image in the NRRD format. VTK ignores its directions.
 Dataset read_nrrd(const std::string& path, Messages* messages) {
-  // The reader of VTK does not end if the header does not end.
-  std::ifstream file(path, std::ios::binary);
-  std::string line = "NRRD";
-  while (!line.empty() && line != "\r")
-    if (!std::getline(file, line))
-      throw Failure("has a header without an empty line at its end; is it truncated?");
   Dataset result;
   result.data = read_image<vtkNrrdReader>(path, messages);
   const std::vector<double> vectors = numbers_in(header_value(path, ':', {"space directions"})),
@@ -253,6 +253,44 @@ std::map<int, std::string> names_in(vtkDataSet* data) {
          ++i)
       result.emplace(int(labels->GetTuple1(i)), names->GetValue(i));
   return result;
+}
+
+/// Checks lists of cells, which VTK reads as they are.
+void require_valid_cells(vtkCellArray* cells, vtkIdType points) {
+  const vtkIdType n = cells->GetNumberOfConnectivityIds();
+  vtkIdType last = 0;
+  for (vtkIdType i = 0; i <= cells->GetNumberOfCells(); ++i) {
+    const vtkIdType next = vtkIdType(cells->GetOffsetsArray()->GetTuple1(i));
+    if (next < last || next > n)
+      throw Failure("has cells with wrong offsets; is it damaged?");
+    last = next;
+  }
+  for (vtkIdType i = 0; i < n; ++i)
+    if (const double corner = cells->GetConnectivityArray()->GetTuple1(i);
+        !(corner >= 0 && corner < double(points)))
+      throw Failure("has a cell with an unknown vertex; is it damaged?");
+}
+
+void require_valid_cells(vtkDataSet* data) {
+  const vtkIdType points = data->GetNumberOfPoints();
+  if (vtkPolyData* const surface = vtkPolyData::SafeDownCast(data))
+    for (vtkCellArray* cells :
+         {surface->GetVerts(), surface->GetLines(), surface->GetPolys(), surface->GetStrips()})
+      require_valid_cells(cells, points);
+  vtkUnstructuredGrid* const grid = vtkUnstructuredGrid::SafeDownCast(data);
+  if (grid == nullptr || grid->GetNumberOfCells() == 0)
+    return;
+  require_valid_cells(grid->GetCells(), points);
+  std::map<int, vtkIdType> least; // numbers of corners
+  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i) {
+    const int type = grid->GetCellType(i);
+    const auto [place, is_new] = least.emplace(type, 0);
+    if (is_new)
+      if (const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type)))
+        place->second = cell->GetNumberOfPoints();
+    if (grid->GetCells()->GetCellSize(i) < place->second)
+      throw Failure("has a cell with too few vertices; is it damaged?");
+  }
 }
 
 /// Removes cells that other pieces of a file repeat.
@@ -281,9 +319,10 @@ Dataset read_dataset(const std::string& path, const std::string& folder) {
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // messages are reported below
   const vtkNew<Messages> messages;
   vtkOutputWindow::SetInstance(messages);
-  if (std::filesystem::is_directory(path))
-    throw Failure("is a folder; name a file in it (dcm2niix converts DICOM images to NIfTI)");
   const std::string format = format_of(path);
+  const Header header(path, format);
+  accept_content(header.content, header.bytes);
+  messages->bytes = header.bytes;
   require_complete(path, format);
   Dataset result;
   if (format == "vtu" || format == "vtp" || format == "vti" || format == "vtr" || format == "vts" ||
@@ -314,8 +353,7 @@ Dataset read_dataset(const std::string& path, const std::string& folder) {
   else
     throw Failure("is in no format that VTK, Gmsh or lib3mf reads: its extension is '" + format +
                   "'");
-  if (!messages->error.empty())
-    throw Failure("cannot be read by VTK: " + shortened(messages->error));
+  require_valid_cells(result.data);
   if (result.translation.names.empty())
     result.translation.names = names_in(result.data);
   remove_ghost_cells(result.data);

@@ -11,6 +11,7 @@
 #include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <initializer_list>
 #include <map>
 #include <string>
 
@@ -28,6 +29,35 @@ struct Dataset
 /// \param folder folder for copies, which exists
 /// \throws Failure if the format is unknown, the file cannot be read or is damaged
 Dataset read_dataset(const std::string& path, const std::string& folder);
+
+/// Prints the message of a failure and ends this process, for callbacks of libraries.
+[[noreturn]] void end_process(const std::string& message);
+
+/// What a file promises before it is read.
+struct Header
+{
+  double bytes;       ///< of the file and of the files that it names
+  double content = 0; ///< bytes of arrays of VTK, and of the parts of 3MF files
+
+  /// Reads the header of a file.
+  /// \throws Failure if it cannot be read, or names files that may not be read
+  Header(const std::string& path, const std::string& format);
+
+  /// Adds a file that a header names, and returns its path.
+  /// \throws Failure unless it is a regular file in the folder of the header, or below it
+  std::string add(const std::string& path, const std::string& file);
+};
+
+/// Limits the memory and the processor time of this process by the content of a file, in addition
+/// to the files before.
+/// \param content, bytes what the file promises, and its size, in bytes
+/// \throws Failure if the file promises too much, see `why_too_large()` in files.h
+void accept_content(double content, double bytes);
+
+/// Returns the value of the first of some keys in the text header of a file; empty if there is
+/// none. The keys are in lower case.
+std::string header_value(const std::string& path, char separator,
+                         std::initializer_list<const char*> keys);
 
 /// Returns the extension in lower case, without the dot; of compressed NIfTI files `nii.gz`.
 std::string format_of(const std::string& path);
@@ -59,7 +89,7 @@ vtkSmartPointer<vtkUnstructuredGrid> read_gmsh(const std::string& path, const st
 vtkSmartPointer<vtkUnstructuredGrid> read_meshb(const std::string& path, Translation& translation);
 
 /// Checks whether a file has all bytes that its header announces, for formats whose readers in VTK
-/// accept truncated files: MetaImage (.mha, .mhd), TIFF, and images of VTK in pieces.
+/// accept truncated files: MetaImage (.mha, .mhd) and TIFF. Checks the numbers of NIfTI headers.
 /// \throws Failure if bytes are missing
 void require_complete(const std::string& path, const std::string& format);
 

@@ -48,14 +48,14 @@ public:
     return result;
   }
 
-  /// Goes to a place of the file.
+  /// Goes forward to a place of the file.
   void go_to(std::uint64_t place) {
-    if (place > m_size)
+    if (place > m_size || place < std::uint64_t(m_file.tellg()))
       fail();
     m_file.seekg(std::streamoff(place));
   }
 
-  [[noreturn]] static void fail() { throw Failure("is truncated or damaged"); }
+  [[noreturn]] static void fail() { throw Failure("is truncated or damaged; write it again"); }
 
 private:
   template <class Number> Number number() {

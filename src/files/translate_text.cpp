@@ -348,7 +348,12 @@ Translation translate_geojson(const Options& options) {
   Output_file out(result.path);
   std::size_t others = 0;
   try {
-    const Json json = Json::parse(std::ifstream(options.input));
+    static constexpr int deepest = 64; // parts are written by recursion
+    const Json json = Json::parse(std::ifstream(options.input), [](int depth, auto, const Json&) {
+      if (depth > deepest)
+        throw Failure("is nested more than 64 levels deep; is it damaged?");
+      return true;
+    });
     const std::string type = json.at("type");
     if (json.dump().find("\"properties\":{\"") != std::string::npos)
       result.unused.push_back("properties of features");
@@ -358,8 +363,11 @@ Translation translate_geojson(const Options& options) {
     else
       others = write_geometry(type == "Feature" ? json.at("geometry") : json, out);
   } catch (const Json::exception& error) {
-    throw Failure(std::string("is not valid GeoJSON: ") + error.what());
+    const std::string message = error.what(); // begins with its number in brackets
+    throw Failure("is not valid GeoJSON: " + message.substr(message.find("] ") + 2));
   }
+  if (out.tellp() == std::streampos(0))
+    throw Failure("contains no polygons; give regions as polygons");
   result.leave_out(others, "geometry that is no polygon", "geometries that are no polygons");
   out.close();
   return result;

@@ -41,7 +41,7 @@ vtkDataArray* values_of(vtkImageData* image, bool& are_cells) {
     if (array != nullptr && array->GetNumberOfTuples() > 0)
       return array;
   }
-  throw Failure("contains an image without values");
+  throw Failure("contains an image without values; is its size in the header correct?");
 }
 
 std::vector<double> component(vtkDataArray* array, int which) {
@@ -56,6 +56,7 @@ std::vector<int> classes_of(const std::vector<double>& values, const std::string
                             Translation& result) {
   const std::vector<double> thresholds = thresholds_of(option, values);
   std::vector<int> labels;
+  labels.reserve(values.size());
   for (const double value : values) // not a number gets label 0
     labels.push_back(int(std::count_if(thresholds.begin(), thresholds.end(),
                                        [&](double threshold) { return value >= threshold; })));
@@ -76,6 +77,7 @@ std::vector<int> classes_of(const std::vector<double>& values, const std::string
 /// Returns the values as labels.
 std::vector<int> integers_of(const std::vector<double>& values) {
   std::vector<int> labels;
+  labels.reserve(values.size());
   for (const double value : values) {
     if (!(value == std::floor(value)))
       throw Failure("contains gray values, such as " + std::to_string(value) +
@@ -280,7 +282,7 @@ void write_inr(const Voxels<int>& labels, std::ostream& out) {
 void write_pgm(const Voxels<int>& labels, std::ostream& out) {
   const auto [least, largest] = std::minmax_element(labels.values.begin(), labels.values.end());
   if (*least < 0 || *largest > 65535)
-    throw Failure("contains labels of pixels outside 0 to 65535");
+    throw Failure("contains labels of pixels outside 0 to 65535; choose labels by --threshold");
   const bool is_wide = *largest > 255;
   const std::size_t width = labels.size[0], height = labels.size[1];
   out << "P5\n" << width << ' ' << height << '\n' << (is_wide ? 65535 : 255) << '\n';

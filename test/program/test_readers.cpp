@@ -217,7 +217,7 @@ TEST_F(Readers, tell_why_images_of_voxels_cannot_be_read) {
            {inr(inr_size + "TYPE=unsigned fixed\nPIXSIZE=64 bits\nCPU=decm\n", 0), "'64 bits'"},
            {inr(inr_size + "TYPE=complex\nPIXSIZE=8 bits\nCPU=decm\n", 0), "type 'complex'"},
            {inr(header + "VX=0\n", 8000), "VX is not positive"},
-           {inr("XDIM=0\nYDIM=20\nZDIM=20\n" + inr_type, 0), "has XDIM=0"},
+           {inr("XDIM=0\nYDIM=20\nZDIM=20\n" + inr_type, 0), "has XDIM='0'"},
            {with_line_ends(inr(header, 8000), "\r\n"), "Windows line endings"},
            {"OFF\n4 4 6\n" + off_numbers, "does not begin with #INRIMAGE-4#{"},
            {"#INRIMAGE-4#{\n" + header, "without the line ##}"}})

@@ -15,10 +15,12 @@
 #include <CGAL/Mesh_files/internal/text/files.h>
 #include <CGAL/Mesh_files/replace_file.h>
 
+#include <filesystem>
 #include <fstream>
 #include <ostream>
 #include <sstream>
 #include <string>
+#include <system_error>
 
 namespace CGAL::IO {
 
@@ -113,6 +115,9 @@ it cannot be read.
 */
 inline bool is_distributed_checkpoint(const std::string& path) {
   using namespace Deformable_simplicial_complexes::internal;
+  std::error_code error; // of a device, for example
+  if (!std::filesystem::is_regular_file(path, error))
+    return false;
   std::ifstream in(path, std::ios::binary);
   const std::string magic = checkpoint_magic_of(in);
   return is_old_magic_of_ranks(magic) || magic == checkpoint_magic(Checkpoint_kind::ranks, 2) ||

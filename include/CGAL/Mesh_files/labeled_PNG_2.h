@@ -73,14 +73,17 @@ public:
     result.width = png_get_image_width(m_png, m_info);
     result.height = png_get_image_height(m_png, m_info);
     const std::size_t row = png_get_rowbytes(m_png, m_info);
-    // Memory for the next row is allocated only after a row was read, since the file may announce
-    // more rows than it contains.
-    std::vector<std::vector<png_byte>> rows(passes > 1 ? result.height : 1);
+    if (std::string why =
+            why_too_large(double(row) * double(result.height), double(m_bytes.size()));
+        !why.empty())
+      throw Png_error(why);
+    std::vector<std::vector<png_byte>> rows(passes > 1 ? result.height : 1,
+                                            std::vector<png_byte>(row));
+    result.labels.reserve(result.width * result.height);
     for (int pass = 0; pass < passes; ++pass)
       for (std::size_t y = 0; y < result.height; ++y) {
         Progress_scope::check();
         auto& pixels = rows[passes > 1 ? y : 0];
-        pixels.resize(row);
         png_read_row(m_png, pixels.data(), nullptr);
         for (std::size_t x = 0; pass + 1 == passes && x < result.width; ++x)
           result.labels.push_back(is_wide ? 256 * pixels[2 * x] + pixels[2 * x + 1] : pixels[x]);

@@ -43,8 +43,9 @@ void print(const Statistics& statistics) {
   line(is_planar ? "interface segments" : "interface triangles", statistics.interface_facets)
       << '\n';
   for (const Label_statistics& label : statistics.labels)
-    std::cout << "label " << label.label << (label.name.empty() ? "" : " '" + label.name + "'")
-              << ": " << label.cells << ' ' << cells << ", " << (is_planar ? "area " : "volume ")
+    std::cout << "label " << label.label
+              << (label.name.empty() ? "" : " '" + printed_line(label.name) + "'") << ": "
+              << label.cells << ' ' << cells << ", " << (is_planar ? "area " : "volume ")
               << label.volume << ", interface " << (is_planar ? "length " : "area ") << label.area
               << ", components " << label.components << ", Euler characteristic "
               << label.euler_characteristic << '\n';
@@ -68,7 +69,7 @@ void print(const Surface_statistics& statistics) {
             << " degrees\n";
   for (const auto& [name, triangles] : statistics.parts)
     if (!name.empty() || statistics.parts.size() > 1)
-      std::cout << "part '" << name << "': " << triangles
+      std::cout << "part '" << printed_line(name) << "': " << triangles
                 << noun(triangles, " triangle\n", " triangles\n");
 }
 

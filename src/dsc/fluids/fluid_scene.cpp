@@ -7,6 +7,7 @@
 #include "fluids/fluid_scene_parts.h"
 #include "input/files.h"
 #include "input/nearest_name.h"
+#include "input/translations.h"
 #include "programs/errors.h"
 #include "scenes/json_fields.h"
 
@@ -335,7 +336,7 @@ Fluid_scene read_scene(const Json& json) {
                        "implicitness", "interface_tolerance", "adaptation_interval", "relaxation"});
   Fluid_scene result;
   result.json = json;
-  result.title = scene.text("title", "");
+  result.title = printed_line(scene.text("title", ""));
   result.dimension = read_dimension(scene);
   scene.set_dimension(result.dimension);
   result.domain = scene.box("domain");

@@ -13,10 +13,13 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -33,13 +36,14 @@ namespace internal = DSC::internal;
 class Inr_file
 {
 public:
-  explicit Inr_file(const std::string& path)
-      : m_path(path), m_file(gzopen(path.c_str(), "rb"), gzclose) {
-    std::error_code error;
-    if (std::filesystem::is_directory(path, error))
-      fail("is a folder; name a file in it");
+  explicit Inr_file(const std::string& path) : m_path(path), m_file(nullptr, gzclose) {
+    std::error_code error; // also for what is no regular file
+    m_bytes_of_file = double(std::filesystem::file_size(path, error));
+    if (!error)
+      m_file.reset(gzopen(path.c_str(), "rb"));
     if (m_file == nullptr)
-      throw Input_error("cannot open " + path + "; check that the file exists and is readable");
+      throw Input_error("cannot open " + path +
+                        "; check that it is a file, exists and is readable");
     read_header();
   }
 
@@ -47,27 +51,41 @@ public:
   /// \throws Input_error if the header is wrong, or the number of bytes differs from the header
   void check(std::size_t most_channels) {
     std::uint64_t announced = bytes_of_voxel();
-    for (const char* key : {"XDIM", "YDIM", "ZDIM"})
-      announced *= dimension(key);
+    std::array<std::uint64_t, 3> sizes;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      announced *= sizes[axis] = dimension(std::array{"XDIM", "YDIM", "ZDIM"}[axis]);
     const std::string channels = take("VDIM").value_or("1");
     const auto number_of_channels = internal::number_of_word<std::uint64_t>(channels);
     if (!number_of_channels || *number_of_channels == 0)
-      fail("has VDIM=" + channels + " in its header; write a number of 1 or more");
+      fail("has VDIM=" + internal::in_quotes(channels) +
+           " in its header; write a number of 1 or more");
     if (*number_of_channels > most_channels)
       fail(most_channels == 1 ? "has more than one value per voxel (VDIM); write only the label"
                               : "has too many values per voxel (VDIM); write at most " +
                                     std::to_string(most_channels));
     announced *= *number_of_channels;
-    for (const char* key : {"VX", "VY", "VZ"})
-      if (!(number(key, "1") > 0))
-        fail("has an invalid voxel size: " + std::string(key) +
-             " is not positive; correct the header");
+    static constexpr double largest_ratio = 1e4; // of sides of voxels; meshes are too large then
+    double least = std::numeric_limits<double>::infinity(), largest = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::string key = std::array{"VX", "VY", "VZ"}[axis];
+      const double side = number(key, "1");
+      if (!(side > 0))
+        fail("has an invalid voxel size: " + key + " is not positive; correct the header");
+      if (sizes[axis] > 1) {
+        least = std::min(least, side);
+        largest = std::max(largest, side);
+      }
+    }
+    if (largest > largest_ratio * least)
+      fail("has voxels that are more than 10000 times as long as wide; correct the header");
     for (const char* key : {"TX", "TY", "TZ"})
       number(key, "0");
     for (const char* key : {"RX", "RY", "RZ"})
       if (number(key, "0") != 0)
         fail("has a rotation (" + std::string(key) + "), which is not supported; remove it");
-    const std::uint64_t size = count_bytes();
+    if (std::string why = internal::why_too_large(double(announced), m_bytes_of_file); !why.empty())
+      fail(why);
+    const std::uint64_t size = count_bytes(announced + most_bytes_behind);
     if (size < announced)
       fail("lacks " + std::to_string(announced - size) + " of the " + std::to_string(announced) +
            " bytes that its header announces; is it truncated?");
@@ -113,8 +131,9 @@ private:
       const std::size_t mark = text->find('=');
       if (has_values && mark == std::string::npos)
         fail("has the header line " + internal::in_quotes(*text) + " without '='; correct it");
-      if (has_values)
-        m_values[text->substr(0, mark)] = text->substr(mark + 1);
+      if (has_values && !m_values.emplace(text->substr(0, mark), text->substr(mark + 1)).second)
+        fail("has the header line " + internal::in_quotes(*text) +
+             " for a second time; remove one of them");
     }
     fail("has a header without the line ##} at its end; is it truncated?");
   }
@@ -138,11 +157,11 @@ private:
 
   double number(const std::string& key, const std::string& otherwise) {
     const std::string text = take(key).value_or(otherwise);
-    const std::optional<double> value = internal::number_of_word<double>(text);
-    if (!value)
-      fail("has " + key + '=' + text + " in its header, which " +
-           internal::why_no_number<double>(text));
-    return *value;
+    const std::optional<float> value = internal::number_of_word<float>(text); // as CGAL stores it
+    if (!value || !std::isfinite(*value))
+      fail("has " + key + '=' + internal::in_quotes(text) + " in its header, which " +
+           internal::why_no_number<float>(text));
+    return double{*value};
   }
 
   std::uint64_t dimension(const std::string& key) {
@@ -150,7 +169,8 @@ private:
     const std::string text = need(key);
     const auto value = internal::number_of_word<std::uint64_t>(text);
     if (!value || *value == 0 || *value > largest)
-      fail("has " + key + '=' + text + " in its header; write a number from 1 to 1048576");
+      fail("has " + key + '=' + internal::in_quotes(text) +
+           " in its header; write a number from 1 to 1048576");
     return *value;
   }
 
@@ -164,7 +184,7 @@ private:
       fail("has the unknown voxel type " + internal::in_quotes(type) +
            "; write unsigned fixed, signed fixed or float");
     if (order != "decm" && order != "alpha" && order != "pc" && order != "sun" && order != "sgi")
-      fail("has the unknown byte order CPU=" + order + "; write decm or sun");
+      fail("has the unknown byte order CPU=" + internal::in_quotes(order) + "; write decm or sun");
     const std::array<std::uint64_t, 3> sizes = is_real ? std::array<std::uint64_t, 3>{32, 64, 64}
                                                        : std::array<std::uint64_t, 3>{8, 16, 32};
     for (const std::uint64_t bits : sizes)
@@ -174,14 +194,17 @@ private:
          (is_real ? "32 bits or 64 bits" : "8 bits, 16 bits or 32 bits"));
   }
 
+  static constexpr std::uint64_t most_bytes_behind = 1 << 26; // the last voxel
+
   /// Counts the bytes behind the header.
-  std::uint64_t count_bytes() {
+  std::uint64_t count_bytes(std::uint64_t most) {
     std::vector<char> buffer(1 << 20);
     std::uint64_t result = 0;
     int n = 0;
     while ((n = gzread(m_file.get(), buffer.data(), static_cast<unsigned>(buffer.size()))) > 0) {
       DSC::Progress_scope::check();
-      result += static_cast<std::uint64_t>(n);
+      if ((result += static_cast<std::uint64_t>(n)) > most)
+        fail("has more bytes than its header announces; is its header damaged?");
     }
     if (n < 0)
       fail("has damaged or truncated compressed data; copy the file again");
@@ -191,6 +214,7 @@ private:
   std::string m_path;
   std::unique_ptr<gzFile_s, int (*)(gzFile)> m_file;
   std::map<std::string, std::string> m_values;
+  double m_bytes_of_file = 0;
 };
 
 } // namespace

@@ -10,8 +10,10 @@
 
 #include <CGAL/Mesh_files/File_error.h>
 
+#include <filesystem>
 #include <fstream>
 #include <string>
+#include <system_error>
 
 namespace dsc {
 namespace {
@@ -47,8 +49,9 @@ bool has_colors(const std::string& path) {
 std::string native_file(const std::string& path, const std::string& labels,
                         const std::string& thresholds) {
   const std::string format = extension(path);
-  if (!is_foreign(path) && !exists(path))
-    return path;
+  std::error_code error;
+  if (!is_foreign(path) && !std::filesystem::is_regular_file(path, error))
+    return path; // an inequality, or what the reader of this program refuses
   if (!thresholds.empty() || is_foreign(path) || (format == "png" && has_colors(path)))
     return translate(path, labels, thresholds);
   if (format != "vtu" || is_native_grid(path, labels))

@@ -54,7 +54,7 @@ Surfaces read_surfaces(const Run_start& start) {
       labels.add(parts[i].label, names[i]);
       const std::string name = label_name(parts[i].label, labels.names);
       const std::string part = name.empty() ? "part without name" : "part '" + name + "'";
-      result.titles.push_back(parts.size() == 1 ? file : file + ", " + part);
+      result.titles.push_back(printed_line(parts.size() == 1 ? file : file + ", " + part));
       result.all.push_back(std::move(parts[i]));
     }
   }

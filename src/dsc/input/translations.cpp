@@ -152,7 +152,7 @@ void print_answer(const std::string& path, std::istream& answer) {
       std::string kind;
       std::getline(content, kind);
       unused.add(kind, number);
-    } else {
+    } else if (line.compare(0, note.size(), note) == 0) {
       print_note(path, line.substr(note.size()));
     }
   print_unused(path, unused);
@@ -172,11 +172,12 @@ std::string run_dsc_files(const std::string& path, std::vector<std::string> argu
   if (code == cannot_start)
     throw Input_error("cannot start the program dsc-files for " + path +
                       "; check that it is whole and that there is enough memory");
-  const std::string message = content_of(messages);
+  std::string message = content_of(messages); // libraries may print lines before the last
+  message.erase(message.find_last_not_of('\n') + 1);
   throw Input_error(path + ' ' +
                     (code < 0 || message.empty()
                          ? "crashes its reader or takes too long; is it damaged?"
-                         : message.substr(0, message.find('\n'))));
+                         : message.substr(message.rfind('\n') + 1)));
 }
 
 /// Translates a file by `dsc-files` with options, as pairs of a name and a value.
@@ -268,6 +269,21 @@ std::vector<std::string> with_user_names(const std::vector<std::string>& texts) 
   return result;
 }
 
+std::string printed_line(std::string text) {
+  static constexpr std::size_t begin = 1000, end = 500;
+  text = with_user_names(std::move(text));
+  if (text.size() > begin + end)
+    text.replace(begin, text.size() - begin - end, " ... ");
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto c = static_cast<unsigned char>(text[i]);
+    if (c == '\n' || c == '\t' || c == '\r')
+      text[i] = ' ';
+    else if (c < ' ' || c == 0x7f || (0x80 <= c && c < 0xa0 && i > 0 && text[i - 1] == '\xc2'))
+      text[i] = '?'; // also the control characters U+0080 to U+009F
+  }
+  return text;
+}
+
 void name_in_messages(const std::string& path, const std::string& name) {
   temporary_files().translations[name] = path;
 }
@@ -291,7 +307,7 @@ void remove_temporary_files() {
 
 void print_note(const std::string& path, const std::string& text) {
   static std::set<std::string> printed;
-  const std::string line = with_user_names(path + ": " + text);
+  const std::string line = printed_line(path + ": " + text);
   if (!is_silent && printed.insert(line).second)
     std::cerr << "dsc: " << line << '\n';
 }

@@ -29,10 +29,8 @@ namespace {
 
 enum Exit_code { bad_input = 1, bad_usage = 2, stopped = dsc::exit_code_of_interrupt };
 
-int fail(std::string message, Exit_code code) {
-  message = dsc::with_user_names(message);
-  std::replace(message.begin(), message.end(), '\n', ' ');
-  std::cerr << "dsc: " << message << '\n';
+int fail(const std::string& message, Exit_code code) {
+  std::cerr << "dsc: " << dsc::printed_line(message) << '\n';
   return code;
 }
 

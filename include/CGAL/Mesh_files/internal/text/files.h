@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <fstream>
 #include <ios>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -150,6 +151,19 @@ private:
 
   Input_buffer m_buffer;
 };
+
+// Returns why the content of a file is not accepted, as the end of a message about the file; empty
+// if it is. The content is what the file decompresses to, or what its header promises, in bytes. So
+// the size of the file bounds the memory.
+inline std::string why_too_large(double content, double bytes_of_file) {
+  if (content <= 64e6 + 100 * bytes_of_file)
+    return "";
+  std::ostringstream text;
+  text << "has " << content / 1e9 << " GB of content in " << bytes_of_file / 1e6
+       << " MB, more than is accepted (64 MB, and 100 times the file); write it without "
+          "compression, unless it is damaged";
+  return text.str();
+}
 
 // Returns a word of a file in quotes, shortened, for a message of one line.
 inline std::string in_quotes(std::string_view text) {
