@@ -37,6 +37,7 @@ class Bench:
         self.env = dict(os.environ, LC_ALL="C", ASAN_OPTIONS="detect_leaks=0")
         if options.python:
             self.env["PYTHONPATH"] = options.python
+        self.is_quick = options.quick
         self.report = options.failures and open(options.failures, "a", buffering=1)
         self.tries, self.failures, self.slowest = collections.Counter(), collections.Counter(), 0.0
         self.complaints = collections.defaultdict(list)
@@ -96,13 +97,10 @@ class Bench:
         self.failures[kind] += bool(faults)
         self.slowest = max(self.slowest, seconds)
         for complaint, detail in faults:
-            self.complain(kind, case, place, complaint, detail)
-
-    def complain(self, kind, case, place, complaint, detail):
-        places = self.complaints[kind, complaint]
-        places.append(f"{case.name if case else 'pair'}: {place}: {detail}".strip())
-        if self.report and len(places) <= 40:
-            self.report.write(f"{kind} | {complaint} | {places[-1]!r}\n")
+            places = self.complaints[kind, complaint]
+            places.append(f"{case.name if case else 'pair'}: {place}: {detail}".strip())
+            if self.report and len(places) <= 40:
+                self.report.write(f"{kind} | {complaint} | {places[-1]!r}\n")
 
     def print_table(self, examples):
         print(f"{'fault':<28}{'tries':>8}{'failures':>10}")
@@ -137,6 +135,8 @@ def main():
                 print("strace is missing, or may not trace: install it, or permit ptrace")
                 return 77
             run_all(bench, options)
+        except (KeyboardInterrupt, SystemExit):
+            print("stopped; the table has what was done")
         finally:
             bench.close()
         bench.print_table(options.examples)
