@@ -54,6 +54,8 @@ void require_writable(const std::string& path) {
 }
 
 void create_folder(const std::string& path) {
+  if (path == "-")
+    throw Usage_error("a folder cannot be -, which is standard output; choose a name");
   std::error_code error;
   fs::create_directories(path, error);
   if (error || !fs::is_directory(path, error))

@@ -15,8 +15,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
 #include <cctype>
 #include <cerrno>
 #include <chrono>
@@ -188,15 +186,6 @@ void require_program(const std::string& name, const std::string& file) {
                       "another format");
 }
 
-bool is_foreign(const std::string& path) {
-  static constexpr std::array extensions = {"csv", "geojson", "mha", "mhd", "meshb", "msh", "nhdr",
-                                            "nii", "nrrd",    "pcd", "ppm", "pvtu",  "tif", "tiff",
-                                            "vti", "vtk",     "vtm", "vtp", "vtr",   "vts", "3mf"};
-  const std::string format = extension(path);
-  return std::find(extensions.begin(), extensions.end(), format) != extensions.end() ||
-         (format == "gz" && extension(fs::path(path).stem().string()) == "nii");
-}
-
 std::string translate(const std::string& path, const std::string& labels,
                       const std::string& thresholds,
                       const std::function<bool(const std::string&)>& accepts) {
@@ -232,6 +221,16 @@ std::vector<std::string> with_user_names(const std::vector<std::string>& texts) 
   return result;
 }
 
+std::string one_line(std::string text) {
+  static constexpr std::size_t longest = 1000;
+  if (text.size() > longest)
+    text.replace(longest / 2, text.size() - longest, "...");
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < ' ' || c == '\177')
+      c = c == '\n' ? ' ' : '?';
+  return text;
+}
+
 void name_in_messages(const std::string& path, const std::string& name) {
   temporary_files().translations[name] = path;
 }
@@ -248,7 +247,7 @@ void remove_temporary_files() {
 
 void print_note(const std::string& path, const std::string& text) {
   static std::set<std::string> printed;
-  const std::string line = with_user_names(path + ": " + text);
+  const std::string line = one_line(with_user_names(path + ": " + text));
   if (!is_silent && printed.insert(line).second)
     std::cerr << "dsc: " << line << '\n';
 }

@@ -47,6 +47,10 @@ std::string translate_image(const std::string& path, bool has_channels);
 std::string with_user_names(std::string text);
 std::vector<std::string> with_user_names(const std::vector<std::string>& texts);
 
+/// Returns a message as one line without control characters, which files and arguments may contain.
+/// A long message loses its middle: the end says what to do.
+std::string one_line(std::string text);
+
 /// Writes a grid (.vtu), a surface (.ply) or an image (.vti) of this program in the format of
 /// another program. The file is complete or unchanged.
 /// \param like image whose axes a new image gets; empty for the axes of space

@@ -6,6 +6,7 @@
 
 #include "input/Inputs.h"
 #include "input/files.h"
+#include "input/formats.h"
 #include "input/functions_of_points.h"
 #include "input/translations.h"
 #include "motions/motion_list.h"
@@ -274,7 +275,7 @@ void Run::check_places() {
   require_place("--report", output.report, precious);
   precious.push_back(output.report);
   if (!output.picture.empty())
-    require_extension(output.picture, {"png"});
+    require_format(output.picture, Use::write, content::picture);
   require_place("--picture", output.picture, precious);
 }
 
