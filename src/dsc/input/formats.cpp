@@ -109,11 +109,16 @@ bool is_foreign(const std::string& path) {
 
 std::string format_of_content(const std::string& path) {
   static constexpr std::string_view signatures[][2] = {
-      {"\211DS", "dsc"},       {"{", "json"},
-      {"v ", "obj"},           {"POLYGON", "wkt"},
-      {"MULTIPOLYGON", "wkt"}, {"# vtk DataFile", "vtk"},
-      {"$MeshFormat", "msh"},  {"<VTKFile type=\"UnstructuredGrid\"", "vtu"}};
-  std::string begin(100, '\0');
+      {"\211DS", "dsc"},
+      {"{", "json"},
+      {"v ", "obj"},
+      {"solid\n", "stl"},
+      {"POLYGON", "wkt"},
+      {"MULTIPOLYGON", "wkt"},
+      {"# vtk DataFile", "vtk"},
+      {"$MeshFormat", "msh"},
+      {"<VTKFile type=\"UnstructuredGrid\"", "vtu"}};
+  std::string begin(512, '\0');
   std::ifstream file(path, std::ios::binary);
   begin.resize(std::size_t(file.read(&begin[0], std::streamsize(begin.size())).gcount()));
   static constexpr std::size_t header = 84, triangle = 50; // bytes of a binary STL file
@@ -131,8 +136,9 @@ std::string format_of_content(const std::string& path) {
     if (begin.compare(0, bytes.size(), bytes) == 0)
       return std::string(format);
   const DSC::internal::File_signature* const known = DSC::internal::find_signature(begin);
-  return std::string(known == nullptr || known->extension.empty() ? ""
-                                                                  : known->extension.substr(1));
+  if (known == nullptr)
+    return begin.find("\nv ") == std::string::npos ? "" : "obj"; // after comments
+  return known->extension.empty() ? "" : std::string(known->extension.substr(1));
 }
 
 } // namespace dsc
