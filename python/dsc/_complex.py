@@ -15,6 +15,7 @@ import numpy.typing as npt
 
 from . import _dsc
 from ._errors import VolumeWarning
+from ._files import _replace_file
 from ._film import Film
 from ._images import PlacedImage
 from ._labels import ByLabel, Label, _by_label, _integer, _label, _names_of, _pairs
@@ -414,15 +415,7 @@ class Complex:
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes a checkpoint (.dsc). The file is complete or unchanged."""
-        data = self.to_bytes()
-        temporary = f"{os.fspath(path)}.{os.getpid()}.part"
-        try:
-            with open(temporary, "wb") as file:
-                file.write(data)
-            os.replace(temporary, path)
-        finally:
-            if os.path.exists(temporary):
-                os.remove(temporary)
+        _replace_file(path, self.to_bytes())
 
     def copy(self: Self) -> Self:
         """Returns a copy, also of the values. Both give bitwise equal results."""

@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _dsc
+from ._files import _replace_file
 from ._labels import Label, _integer, _label
 from ._report import Report
 
@@ -92,9 +93,8 @@ class Film:
         return str(self._compiled.html())
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes the page into a file (.html)."""
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(self.html())
+        """Writes the page into a file (.html). The file is complete or unchanged."""
+        _replace_file(path, self.html().encode("utf-8"))
 
     def _repr_html_(self) -> str:
         page = html.escape(self.html(), quote=True)

@@ -145,6 +145,36 @@ def test_text_cannot_end_the_script():
     assert film_of(page)["title"] == "</script><script>alert(1)</script>"
 
 
+@pytest.mark.parametrize("text", ["<!--<script>", "</title>&quot;'\"", "\u2028\u2029\x1b", "\U0001f600"])
+def test_any_text_is_kept(text):
+    film = dsc.Film(text)
+    c = disk()
+    film.add(c, fields={text: np.zeros(c.number_of_vertices)})
+    page = film.html()
+    assert film_of(page)["title"] == text
+    assert "<!--" not in page.split('<script id="film"')[1]
+
+
+def test_a_file_is_replaced_only_when_whole(tmp_path, monkeypatch):
+    film = dsc.Film()
+    film.add(disk())
+    page = tmp_path / "film.html"
+    page.write_text("precious")
+
+    def full(_: int) -> None:
+        raise OSError(28, "No space left on device")
+
+    with monkeypatch.context() as patch:
+        patch.setattr(os, "fsync", full)
+        for target in (film, disk()):
+            with pytest.raises(OSError, match="space"):
+                target.save(page)
+    assert page.read_text() == "precious"
+    assert os.listdir(tmp_path) == ["film.html"]
+    film.save(page)
+    assert page.read_text(encoding="utf-8") == film.html()
+
+
 @pytest.mark.parametrize("fields", [{"f": [1.0]}, {"f": [[1.0]]}, {"f": "text"}])
 def test_wrong_fields(fields):
     with pytest.raises(ValueError):
@@ -219,13 +249,18 @@ PROGRAM = os.environ.get("DSC_PROGRAM")
 ALL_CASES = os.environ.get("DSC_ALL_CASES") == "1"  # see test/support/all_cases.h
 
 
-def verdict(page: Path) -> list[str]:
-    """Opens a page in Chromium with its self-test, and returns the lines of its verdict."""
+def dom_of(page: Path) -> str:
+    """Opens a page in Chromium with its self-test, and returns its elements."""
     assert CHROMIUM is not None
     command = [CHROMIUM, "--headless=new", "--no-sandbox", "--use-angle=swiftshader",
                "--enable-unsafe-swiftshader", "--dump-dom", f"--user-data-dir={page.parent}/profile",
                f"{page.as_uri()}#test"]  # fmt: skip
-    dom = subprocess.run(command, capture_output=True, text=True, timeout=300, check=False).stdout
+    return subprocess.run(command, capture_output=True, text=True, timeout=300, check=False).stdout
+
+
+def verdict(page: Path) -> list[str]:
+    """Returns the lines of the verdict of the self-test of a page."""
+    dom = dom_of(page)
     found = re.search(r'<pre id="verdict"[^>]*>(.*?)</pre>', dom, re.S)
     assert found, dom[-2000:]
     return [line for line in found[1].splitlines() if line]
@@ -235,6 +270,16 @@ def assert_shown(page: Path) -> None:
     lines = verdict(page)
     assert not [line for line in lines if "FAILED" in line], "\n".join(lines)
     assert any(re.match(r"viewer: all \d+ checks passed", line) for line in lines), "\n".join(lines)
+
+
+@pytest.mark.skipif(CHROMIUM is None, reason="Chromium is not installed")
+def test_a_page_that_is_cut_short_says_so(tmp_path):
+    film = dsc.Film()
+    film.add(disk())
+    html = film.html()
+    page = tmp_path / "cut.html"
+    page.write_text(html[: html.rindex("document.addEventListener")], encoding="utf-8")
+    assert re.search(r'<p id="message" role="status">[^<]* is incomplete', dom_of(page))
 
 
 @pytest.mark.skipif(CHROMIUM is None, reason="Chromium is not installed")

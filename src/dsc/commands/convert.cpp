@@ -6,15 +6,16 @@
 #include "commands/start_options.h"
 #include "input/Inputs.h"
 #include "input/files.h"
+#include "input/formats.h"
 #include "input/translations.h"
 #include "motions/tracked_complex.h"
 #include "programs/errors.h"
 #include "programs/interrupt.h"
 #include "programs/option_values.h"
+#include "programs/standard_streams.h"
 
 #include <CLI/CLI.hpp>
 
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -24,10 +25,7 @@ namespace {
 
 struct Convert_options
 {
-  std::string input;  ///< file; `-` for standard input
-  std::string output; ///< file; `-` for standard output
-  std::string from;   ///< extension of standard input
-  std::string to;     ///< extension of standard output
+  std::string input, output; ///< files
   std::string labels;
   std::string thresholds;
   std::string grid;     ///< image whose voxels get labels; empty for none
@@ -35,11 +33,12 @@ struct Convert_options
   bool quiet = false;
 };
 
-constexpr const char* standard = "-"; // input or output
-
 void convert_checkpoint(const Inputs& inputs, const Convert_options& options) {
   std::string metadata;
   const auto complex = inputs.resume(options.input, metadata);
+  if (has_format(options.output, Use::write, content::surface) &&
+      complex->statistics().interface_facets == 0)
+    throw Input_error(options.input + " has no interface to write; choose another format");
   if (options.subdivisions > 0)
     complex->write_subdivided(options.output, options.subdivisions);
   else
@@ -47,8 +46,7 @@ void convert_checkpoint(const Inputs& inputs, const Convert_options& options) {
 }
 
 void convert(const Inputs& inputs, const Convert_options& options) {
-  if (options.output != standard)
-    require_place("OUT", options.output, {options.input, options.grid});
+  require_place("OUT", options.output, {options.input, options.grid});
   if (!options.grid.empty())
     inputs.convert_to_image(options.input, options.output, options.grid);
   else if (extension(options.input) == "dsc")
@@ -57,68 +55,30 @@ void convert(const Inputs& inputs, const Convert_options& options) {
     inputs.convert(options.input, options.output, options.labels, options.thresholds);
 }
 
-/// Copies standard input to a temporary file, or a temporary file to standard output.
-void copy(std::istream& from, std::ostream& to) {
-  if (from.peek() != std::istream::traits_type::eof())
-    to << from.rdbuf();
-  if (!to.flush())
-    throw Input_error("cannot write all bytes; check that the disk is not full");
-}
-
-int execute(const Inputs& inputs, Convert_options options) {
+int execute(const Inputs& inputs, const Convert_options& options) {
   if (options.quiet)
     keep_silent_about_unused();
-  // Before standard input is read.
-  if (options.input == standard || extension(options.input) != "dsc" || !options.grid.empty())
+  if (extension(options.input) != "dsc" || !options.grid.empty())
     inputs.require_all();
   const Interruptible interruptible(options.quiet);
-  const bool prints = options.output == standard;
-  if (options.input == standard) {
-    options.input = temporary_file("input." + options.from);
-    name_in_messages(options.input, "standard input");
-    std::ofstream file(options.input, std::ios::binary);
-    copy(std::cin, file);
-  }
-  if (prints) {
-    options.output = temporary_file("output." + options.to);
-    name_in_messages(options.output, "standard output");
-  }
   convert(inputs, options);
-  if (prints) {
-    std::ifstream file(options.output, std::ios::binary);
-    copy(file, std::cout);
-  } else if (!options.quiet) {
+  if (!options.quiet && with_user_names(options.output) == options.output) // a file
     std::cout << "dsc: wrote " << options.output << '\n';
-  }
   return 0;
 }
 
-void require_surface_to_subdivide(const std::string& path) {
-  const std::string format = extension(path);
-  if (format != "off" && format != "obj" && format != "ply" && format != "stl")
-    throw Usage_error("--subdivide applies only to surfaces (.off, .obj, .ply, .stl); leave it "
-                      "out, or choose one of these formats for OUT");
-}
-
-/// Throws if a format is missing for `-`, or given for a file.
-void require_format(const std::string& file, const char* option, const std::string& format) {
-  if (file == standard && format.empty())
-    throw Usage_error(std::string(option) + " is missing; give the format of - like " + option +
-                      " off");
-  if (file != standard && !format.empty())
-    throw Usage_error(std::string(option) + " applies only to -; leave it out");
-}
+constexpr unsigned native_outputs =
+                       content::surface | content::tetrahedra | content::regions | content::picture,
+                   foreign_outputs = content::surface | content::tetrahedra | content::voxels;
 
 void check(const Convert_options& options) {
-  require_format(options.input, "--from", options.from);
-  require_format(options.output, "--to", options.to);
-  const std::string output = options.output == standard ? "output." + options.to : options.output,
-                    input = options.input == standard ? "input." + options.from : options.input;
-  const bool is_checkpoint = extension(input) == "dsc";
-  require_extension(output, {"off", "obj", "ply", "stl", "vtu", "mesh", "wkt", "poly", "svg", "png",
-                             "inr", "mha", "nii", "gz", "tif", "tiff", "vti", "vtk", "vtp"});
+  const bool is_checkpoint = extension(options.input) == "dsc";
+  require_format(options.output, Use::write, native_outputs, foreign_outputs);
   if (options.subdivisions > 0) {
-    require_surface_to_subdivide(output);
+    if (!has_format(options.output, Use::write, content::surface, 0))
+      throw Usage_error("--subdivide applies only to surfaces (" +
+                        formats_with(Use::write, content::surface) +
+                        "); leave it out, or choose one of these formats for OUT");
     if (!is_checkpoint)
       throw Usage_error("--subdivide applies only to a checkpoint; leave it out");
   }
@@ -134,24 +94,22 @@ void add_convert(CLI::App& app, const Inputs& inputs, int& exit_code) {
   const auto options = std::make_shared<Convert_options>();
   CLI::App* command =
       app.add_subcommand("convert", "Write a checkpoint, or another file, in another format");
-  command
-      ->add_option("IN", options->input,
-                   "Checkpoint (.dsc), or a surface, tetrahedra, an image or curves as for the "
-                   "other commands; - for standard input")
+  add_input(*command, "IN", options->input,
+            "Checkpoint (.dsc), or a surface, tetrahedra, an image or curves as for the other "
+            "commands; - for standard input")
       ->required();
-  command
-      ->add_option(
-          "OUT", options->output,
-          "Interface or surface (.off, .obj, .ply, .stl, .vtp), picture (.png), tetrahedra (.vtu, "
-          ".mesh, .vtk) or image (.inr, .mha, .nii, .nii.gz, .tif, .vti, .vtk); in the plane, "
-          "regions (.wkt, .poly), picture (.svg) or triangles (.vtu); - for standard output")
+  add_output(
+      *command, "OUT", options->output,
+      "Interface or surface (" + formats_with(Use::write, content::surface, content::surface) +
+          "), picture (" + formats_with(Use::write, content::picture) + "), tetrahedra (" +
+          formats_with(Use::write, content::tetrahedra, content::tetrahedra) + ") or image (" +
+          formats_with(Use::write, 0, content::voxels) + "); in the plane, regions (" +
+          formats_with(Use::write, content::regions) + "); - for standard output")
       ->required();
-  command->add_option("--from", options->from, "Format of standard input, like off");
-  command->add_option("--to", options->to, "Format of standard output, like stl");
   add_labels_option(*command, options->labels);
   add_threshold_option(*command, options->thresholds);
-  command->add_option("--grid", options->grid,
-                      "Write the labels of a checkpoint at the voxels of this image");
+  add_input(*command, "--grid", options->grid,
+            "Write the labels of a checkpoint at the voxels of this image");
   command
       ->add_option("--subdivide", options->subdivisions,
                    "Number of Loop subdivision steps of the interface; "

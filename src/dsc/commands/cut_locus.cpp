@@ -5,11 +5,13 @@
 #include "Geodesic_source.h"
 #include "commands/commands.h"
 #include "input/files.h"
+#include "input/formats.h"
 #include "input/functions_of_points.h"
 #include "output/report_json.h"
 #include "programs/add_value.h"
 #include "programs/errors.h"
 #include "programs/interrupt.h"
+#include "programs/standard_streams.h"
 
 #include <CGAL/number_utils.h>
 
@@ -201,10 +203,9 @@ void require_periods(const Cut_locus_options& options, bool are_given) {
 
 void check(const CLI::App& command, const Cut_locus_options& options) {
   require_periods(options, command.count("--periods") > 0);
-  if (!options.output.empty() && options.radius > 0)
-    require_extension(options.output, {"svg", "vtu"});
-  else if (!options.output.empty())
-    require_extension(options.output, {"svg"});
+  if (!options.output.empty())
+    require_format(options.output, Use::write,
+                   options.radius > 0 ? content::drawing | content::triangles : content::drawing);
 }
 
 } // namespace
@@ -234,9 +235,11 @@ void add_cut_locus(CLI::App& app, int& exit_code) {
   add_value(*command, "--step", options->step, positive,
             "Step of the geodesics, measured on the surface (default: half the spacing, "
             "converted to a length on the surface)");
-  command->add_option("-o,--output", options->output,
-                      "Picture of the chart (.svg); for a ball, also its triangles (.vtu)");
-  command->add_option("--report", options->report, "JSON file with vertices, distances and arcs");
+  add_output(*command, "-o,--output", options->output,
+             "Picture of the chart (.svg); for a ball, also its triangles (.vtu); - for standard "
+             "output");
+  add_output(*command, "--report", options->report, "JSON file with vertices, distances and arcs",
+             "json");
   command->add_flag("--quiet", options->quiet, "Print only errors");
   command->callback([command, options, &exit_code] {
     check(*command, *options);

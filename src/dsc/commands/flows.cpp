@@ -12,6 +12,7 @@
 #include "programs/add_value.h"
 #include "programs/errors.h"
 #include "programs/option_values.h"
+#include "programs/standard_streams.h"
 
 #include <CLI/CLI.hpp>
 
@@ -63,9 +64,9 @@ void add_output_options(CLI::App& command, Output_options& options) {
                   "number of Loop subdivision steps; only in space")
       ->check(CLI::Range(1, most_subdivisions))
       ->needs(output);
-  command.add_option("--picture", options.picture,
-                     "Picture of the interface at the end (.png); only in space");
-  command.add_option("--report", options.report, "JSON file with a report of each step");
+  add_output(command, "--picture", options.picture,
+             "Picture of the interface at the end (.png); only in space", "png");
+  add_output(command, "--report", options.report, "JSON file with a report of each step", "json");
   command.add_flag("--quiet", options.quiet,
                    "Print only errors and the checkpoint of an interrupted run");
 }
@@ -74,10 +75,9 @@ void add_output_options(CLI::App& command, Output_options& options) {
 void add_common_options(CLI::App& command, Run_command& options) {
   Run_options& run = options.run;
   CLI::Option* paths = add_inputs(command, run.start);
-  CLI::Option* resume = command.add_option("--resume", run.resume,
-                                           "Continue the run of a checkpoint instead of reading "
-                                           "an INPUT; options of the steps that are not given "
-                                           "keep their values");
+  CLI::Option* resume = add_input(command, "--resume", run.resume,
+                                  "Continue the run of a checkpoint instead of reading an INPUT; "
+                                  "options of the steps that are not given keep their values");
   resume->excludes(paths);
   command.add_option("--steps", run.steps, "Number of steps of this run")
       ->check(CLI::Range(1, INT_MAX))

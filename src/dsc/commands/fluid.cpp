@@ -11,7 +11,9 @@
 #include "fluids/fluid_scene.h"
 #include "fluids/fluid_start.h"
 #include "input/files.h"
+#include "input/formats.h"
 #include "input/translations.h"
+#include "output/label_titles.h"
 #include "output/output_folder.h"
 #include "output/progress_line.h"
 #include "output/report_json.h"
@@ -19,6 +21,7 @@
 #include "programs/errors.h"
 #include "programs/interrupt.h"
 #include "programs/option_values.h"
+#include "programs/standard_streams.h"
 
 #include <CGAL/Mesh_files/checkpoint.h>
 
@@ -128,7 +131,8 @@ private:
   double m_end = 0; // time
   Json m_steps = Json::array();
   Repetitions m_repetitions;
-  unsigned m_first = 0, m_done = 0; // numbers of steps
+  std::vector<std::string> m_vanished; // labels
+  unsigned m_first = 0, m_done = 0;    // numbers of steps
 };
 
 template <int dimension> void Reported_run<dimension>::check_places() {
@@ -139,7 +143,8 @@ template <int dimension> void Reported_run<dimension>::check_places() {
   if (dimension == 3 && !m_options.picture.cut && !m_options.picture.quantity.empty())
     throw Usage_error("--color needs a --cut in space, like --cut x=0.5");
   if (!m_options.picture.path.empty())
-    require_extension(m_options.picture.path, {dimension == 2 ? "svg" : "png"});
+    require_format(m_options.picture.path, Use::write,
+                   dimension == 2 ? content::drawing : content::picture);
   if (m_scene)
     require_contents(m_options.picture, *m_scene);
   if (!m_options.output.empty())
@@ -224,6 +229,10 @@ template <int dimension> void Reported_run<dimension>::advance() {
   ++m_done;
   m_steps.push_back(step_json<Complex>(fluid, m_run.scene, step(), report));
   m_repetitions.add(report.repetitions);
+  for (const auto& event : report.deformation.events)
+    if (event.after.empty() && m_run.complex->complex.number_of_components(event.label) == 0)
+      m_vanished.push_back(label_title(event.label, m_run.scene.names) + " (step " +
+                           std::to_string(step()) + ")");
   if (fluid.volumes().empty())
     throw std::runtime_error("no liquid remains after step " + std::to_string(step()) +
                              "; choose a smaller edge length or time step");
@@ -277,6 +286,9 @@ template <int dimension> int Reported_run<dimension>::finish() {
   std::string range; // of the colors
   if (!interrupted() && !m_options.picture.path.empty())
     range = draw_fluid<dimension>(m_options.picture, *m_run.complex, *m_run.fluid);
+  if (!m_options.quiet && !m_vanished.empty())
+    std::printf("dsc: %s %s vanished\n", noun(m_vanished.size(), "label", "labels"),
+                listed(m_vanished).c_str());
   if (!m_options.quiet)
     print_summary(m_run, m_done, m_repetitions, range, seconds_since(m_begin));
   return interrupted() ? exit_code_of_interrupt : 0;
@@ -327,7 +339,7 @@ void complete(const CLI::App& command, Fluid_options& options) {
   if (options.prints)
     require_alone(command, {"--print", "SCENE"});
   if (!options.picture.path.empty())
-    require_extension(options.picture.path, {"png", "svg"});
+    require_format(options.picture.path, Use::write, content::picture | content::drawing);
   if (!options.lists && options.scene.empty() == options.resume.empty())
     throw Usage_error("dsc fluid needs either a SCENE or --resume; see dsc fluid --list for "
                       "scenes");
@@ -346,8 +358,9 @@ void complete(const CLI::App& command, Fluid_options& options) {
 void add_fluid(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<Fluid_options>();
   CLI::App* command = app.add_subcommand("fluid", description_of_fluid);
-  command->add_option("SCENE", options->scene,
-                      "Scene file (.json), or the name of a scene of the program (see --list)");
+  add_input(*command, "SCENE", options->scene,
+            "Scene file (.json), or the name of a scene of the program (see --list); - for "
+            "standard input");
   command->add_flag("--list", options->lists,
                     "Print the names and titles of the scenes of the program");
   command->add_flag("--print", options->prints, "Print the scene as JSON");
@@ -376,13 +389,13 @@ void add_fluid(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(1, INT_MAX))
       ->needs(output)
       ->capture_default_str();
-  command->add_option("--resume", options->resume,
-                      "Continue from a checkpoint; the result is bitwise identical");
-  command->add_option("--report", options->report,
-                      "JSON file with energies, momenta, volumes and contacts of each step");
+  add_input(*command, "--resume", options->resume,
+            "Continue from a checkpoint; the result is bitwise identical");
+  add_output(*command, "--report", options->report,
+             "JSON file with energies, momenta, volumes and contacts of each step", "json");
   CLI::Option* picture =
-      command->add_option("--picture", options->picture.path,
-                          "Picture of the liquids at the end (.png in space, .svg in the plane)");
+      add_output(*command, "--picture", options->picture.path,
+                 "Picture of the liquids at the end (.png in space, .svg in the plane)");
   add_value(*command, "--cut", options->picture.cut, parse_cut,
             "Draw the section by a plane perpendicular to an axis, like x=0.5 (space only)")
       ->needs(picture);

@@ -5,11 +5,13 @@
 #include "Grain_run.h"
 #include "commands/commands.h"
 #include "input/files.h"
+#include "input/formats.h"
 #include "output/report_json.h"
 #include "programs/add_value.h"
 #include "programs/errors.h"
 #include "programs/interrupt.h"
 #include "programs/option_values.h"
+#include "programs/standard_streams.h"
 
 #include <CGAL/Mesh_files/Svg_canvas.h>
 
@@ -241,10 +243,10 @@ void complete(Grains_options& options, bool given_largest_angle) {
   else
     read_grains(run.resume, run);
   if (!options.plot.empty())
-    require_extension(options.plot, {"svg"});
+    require_format(options.plot, Use::write, content::drawing);
   if (run.picture.empty())
     return;
-  require_extension(run.picture, {"svg"});
+  require_format(run.picture, Use::write, content::drawing);
   if (run.dimension == 3)
     throw Usage_error("--picture applies only to --dimension 2; use --output");
 }
@@ -266,9 +268,9 @@ void add_grains(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<Grains_options>();
   Grain_run& run = options->run;
   CLI::App* command = app.add_subcommand("grains", description_of_grains);
-  CLI::Option* resume = command->add_option("--resume", run.resume,
-                                            "Checkpoint to continue; results equal those of an "
-                                            "uninterrupted run. Needs another --output");
+  CLI::Option* resume = add_input(*command, "--resume", run.resume,
+                                  "Checkpoint to continue; results equal those of an "
+                                  "uninterrupted run. Needs another --output");
   command->add_option("--number", run.number, "Number of grains at the beginning")
       ->check(CLI::Range(std::size_t(2), std::size_t(1000000)))
       ->capture_default_str();
@@ -323,12 +325,11 @@ void add_grains(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(1u, 2147483647u))
       ->needs(output)
       ->capture_default_str();
-  command->add_option("--picture", run.picture, "Picture at the end (.svg), in the plane");
-  command->add_option("--plot", options->plot,
-                      "Distributions of sizes, neighbors and misorientations at the end (.svg)");
-  command->add_option(
-      "--report", options->report,
-      "JSON file with all steps, and with sizes and neighbors of grains at the end");
+  add_output(*command, "--picture", run.picture, "Picture at the end (.svg), in the plane", "svg");
+  add_output(*command, "--plot", options->plot,
+             "Distributions of sizes, neighbors and misorientations at the end (.svg)", "svg");
+  add_output(*command, "--report", options->report,
+             "JSON file with all steps, and with sizes and neighbors of grains at the end", "json");
   command->add_flag("--quiet", options->quiet, "Print only errors");
   for (const char* name : {"--number", "--dimension", "--domain", "--energy", "--largest-angle",
                            "--particles", "--particle-radius", "--edges", "--step", "--seed"})

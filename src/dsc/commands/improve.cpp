@@ -5,6 +5,7 @@
 #include "commands/commands.h"
 #include "commands/start_options.h"
 #include "input/files.h"
+#include "input/formats.h"
 #include "input/mesh_content.h"
 #include "input/translations.h"
 #include "motions/mesh_at_rest.h"
@@ -13,6 +14,7 @@
 #include "programs/errors.h"
 #include "programs/interrupt.h"
 #include "programs/option_values.h"
+#include "programs/standard_streams.h"
 
 #include <CLI/CLI.hpp>
 
@@ -84,7 +86,8 @@ int execute(const Improve_options& options) {
 
   std::optional<Interruptible> interruptible(std::in_place, options.quiet);
   const std::string input = native_file(options.input, options.labels);
-  require_extension(input, {"mesh", "vtu"});
+  if (!has_format(input, Use::read, content::tetrahedra, 0))
+    throw Input_error(options.input + " contains no tetrahedra; name a file with tetrahedra");
   if (input != options.input && is_same_file(options.input, options.output))
     throw Input_error("'" + options.output +
                       "' was written by another program and would lose "
@@ -110,9 +113,8 @@ int execute(const Improve_options& options) {
 }
 
 void check(const Improve_options& options) {
-  if (!is_foreign(options.input))
-    require_extension(options.input, {"mesh", "vtu"});
-  require_extension(options.output, {"mesh", "vtu"});
+  require_format(options.input, Use::read, content::tetrahedra, content::tetrahedra);
+  require_format(options.output, Use::write, content::tetrahedra);
   require_file_with_arrays(options.input, options.labels);
 }
 
@@ -121,9 +123,14 @@ void check(const Improve_options& options) {
 void add_improve(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<Improve_options>();
   CLI::App* command = app.add_subcommand("improve", description_of_improve);
-  command->add_option("INPUT", options->input, "Labeled tetrahedra (.mesh, .vtu, .vtk, .msh)")
+  add_input(*command, "INPUT", options->input,
+            "Labeled tetrahedra (" +
+                formats_with(Use::read, content::tetrahedra, content::tetrahedra) +
+                "); - for standard input")
       ->required();
-  command->add_option("-o,--output", options->output, "Output file (.mesh, .vtu); may be INPUT")
+  add_output(*command, "-o,--output", options->output,
+             "Output file (" + formats_with(Use::write, content::tetrahedra) +
+                 "); may be INPUT; - for standard output")
       ->required();
   add_labels_option(*command, options->labels);
   add_threads_option(*command, options->improvement.threads);
@@ -136,7 +143,8 @@ void add_improve(CLI::App& app, int& exit_code) {
             "Optimize only tetrahedra of lower quality. The quality is the least sine of a "
             "dihedral angle relative to the regular tetrahedron; sines of obtuse angles "
             "are multiplied by 0.7 (default: 0.25, with --aggressive 0.46)");
-  command->add_option("--report", options->report, "JSON file with the state before and after");
+  add_output(*command, "--report", options->report, "JSON file with the state before and after",
+             "json");
   command->add_flag("--quiet", options->quiet, "Print only errors");
   command->callback([options, &exit_code] {
     check(*options);

@@ -5,6 +5,7 @@
 #include "commands/commands.h"
 #include "commands/start_options.h"
 #include "input/files.h"
+#include "input/formats.h"
 #include "input/labeled_tetrahedra.h"
 #include "input/translations.h"
 #include "input/voxel_images.h"
@@ -13,7 +14,7 @@
 #include "motions/tracked_complex.h"
 #include "programs/errors.h"
 #include "programs/interrupt.h"
-#include "programs/option_values.h"
+#include "programs/standard_streams.h"
 
 #include <CLI/CLI.hpp>
 
@@ -106,18 +107,16 @@ int execute(const Info_options& options) {
   } else if (dimension_of(start) == 2) {
     print(track_figure(start, std::nullopt)->statistics());
   } else {
-    if (format == "xyz" || format == "pwn")
+    if (!has_format(file, Use::read, content::surface, 0))
       throw Input_error(options.file + " contains points; dsc reconstruct reads them");
-    require_extension(file, {"off", "obj", "ply", "stl"});
     print(surface_statistics(file));
   }
   return 0;
 }
 
 void check(const Info_options& options) {
-  if (!is_foreign(options.file))
-    require_extension(options.file, {"off", "obj", "ply", "stl", "wkt", "poly", "pgm", "png", "dsc",
-                                     "mesh", "vtu", "inr", "gz"});
+  require_format(options.file, Use::read, content::starts | content::complex | content::points,
+                 content::all);
   require_file_with_arrays(options.file, options.labels);
 }
 
@@ -126,12 +125,9 @@ void check(const Info_options& options) {
 void add_info(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<Info_options>();
   CLI::App* command = app.add_subcommand("info", description_of_info);
-  command
-      ->add_option(
-          "FILE", options->file,
-          "Surface (.off, .obj, .ply, .stl), planar curves or image (.wkt, .poly, .pgm, .png), "
-          "image of voxels (.inr), checkpoint (.dsc) or mesh (.mesh, .vtu), or a file of another "
-          "program (.vtk, .vtp, .vti, .msh, .nii, .mha, .nrrd, .tif)")
+  add_input(*command, "FILE", options->file,
+            "Checkpoint (.dsc), or a file that other commands read (" +
+                formats_with(Use::read, content::starts, content::all) + "); - for standard input")
       ->required();
   add_labels_option(*command, options->labels);
   add_threshold_option(*command, options->thresholds);

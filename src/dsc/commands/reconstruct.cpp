@@ -4,6 +4,7 @@
 
 #include "commands/commands.h"
 #include "input/files.h"
+#include "input/formats.h"
 #include "input/translations.h"
 #include "motions/tracked_complex_3.h"
 #include "output/progress_line.h"
@@ -13,8 +14,10 @@
 #include "programs/errors.h"
 #include "programs/interrupt.h"
 #include "programs/option_values.h"
+#include "programs/standard_streams.h"
 
 #include <CGAL/Mesh_files/labeled_surface_3.h>
+#include <CGAL/Solid_reconstruction_3/Invalid_points_error.h>
 #include <CGAL/Solid_reconstruction_3/reconstruct_sheet_3.h>
 
 #include <CGAL/Mesh_files/point_set_3.h>
@@ -256,7 +259,7 @@ int reconstruct_open_sheet(const Reconstruct_options& options,
   return tell_completeness(report, points);
 }
 
-int execute(const Reconstruct_options& options) {
+int reconstruct(const Reconstruct_options& options) {
   if (options.quiet)
     keep_silent_about_unused();
   // An interrupt ends the command before anything is written: the result is complete or missing.
@@ -271,7 +274,8 @@ int execute(const Reconstruct_options& options) {
 
   Unused_content unused;
   const std::string input = native_file(options.input);
-  require_extension(input, {"xyz", "pwn", "ply", "off"});
+  if (!has_format(input, Use::read, content::points, 0))
+    throw Input_error(options.input + " contains no points; name a file with points");
   std::vector<Point_and_normal_3> points = CGAL::IO::read_point_set(input, &unused);
   leave_out_points(points, unused);
   const std::size_t normals = number_of_normals(points);
@@ -316,14 +320,20 @@ int execute(const Reconstruct_options& options) {
   return tell_completeness(report);
 }
 
+int execute(const Reconstruct_options& options) {
+  try {
+    return reconstruct(options);
+  } catch (const DSC::Invalid_points_error& error) {
+    throw Input_error(options.input + ": " + error.what());
+  }
+}
+
 void check(const Reconstruct_options& options) {
-  if (!is_foreign(options.input))
-    require_extension(options.input, {"xyz", "pwn", "ply", "off"});
-  require_extension(options.output, {"off", "obj", "ply", "stl", "vtu", "mesh"});
+  require_format(options.input, Use::read, content::points, content::points);
+  require_format(options.output, Use::write,
+                 options.is_open ? content::surface : content::surface | content::tetrahedra);
   if (!options.picture.empty())
-    require_extension(options.picture, {"png"});
-  if (options.is_open)
-    require_extension(options.output, {"off", "obj", "ply", "stl"});
+    require_format(options.picture, Use::write, content::picture);
 }
 
 } // namespace
@@ -331,13 +341,14 @@ void check(const Reconstruct_options& options) {
 void add_reconstruct(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<Reconstruct_options>();
   CLI::App* command = app.add_subcommand("reconstruct", description_of_reconstruct);
-  command
-      ->add_option("POINTS", options->input,
-                   "Points, with or without normals (.xyz, .pwn, .ply, .off, .csv, .pcd, .vtp)")
+  add_input(*command, "POINTS", options->input,
+            "Points, with or without normals (" +
+                formats_with(Use::read, content::points, content::points) +
+                "); - for standard input")
       ->required();
-  command
-      ->add_option("-o", options->output,
-                   "Surface (.off, .obj, .ply, .stl) or tetrahedra (.vtu, .mesh)")
+  add_output(*command, "-o", options->output,
+             "Surface (" + formats_with(Use::write, content::surface) + ") or tetrahedra (" +
+                 formats_with(Use::write, content::tetrahedra) + "); - for standard output")
       ->required();
   add_value(*command, "--tolerance", options->tolerance, positive,
             "Tolerance of triangles to their points, in mean distances of a point from its "
@@ -352,10 +363,10 @@ void add_reconstruct(CLI::App& app, int& exit_code) {
   add_threads_option(*command, options->threads);
   command->add_option("--output", options->folder,
                       "Folder for ParaView files of all steps; created if necessary");
-  command->add_option(
-      "--report", options->report,
-      "JSON file with distances, components, and points and triangles that do not fit");
-  command->add_option("--picture", options->picture, "Picture of the surface (.png)");
+  add_output(*command, "--report", options->report,
+             "JSON file with distances, components, and points and triangles that do not fit",
+             "json");
+  add_output(*command, "--picture", options->picture, "Picture of the surface (.png)", "png");
   command->add_flag("--quiet", options->quiet, "Print only errors");
   for (const char* name : {"--tolerance", "--steps", "--output", "--picture"})
     open->excludes(command->get_option(name));

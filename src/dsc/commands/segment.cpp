@@ -4,6 +4,7 @@
 
 #include "commands/commands.h"
 #include "input/files.h"
+#include "input/formats.h"
 #include "input/translations.h"
 #include "input/voxel_images.h"
 #include "motions/mesh_at_rest.h"
@@ -17,6 +18,7 @@
 #include "programs/errors.h"
 #include "programs/interrupt.h"
 #include "programs/option_values.h"
+#include "programs/standard_streams.h"
 
 #include <CGAL/Complex_construction/sample_labels.h>
 #include <CGAL/Image_segmentation/compiled_2.h>
@@ -89,13 +91,7 @@ DSC::Segmentation_options<d> options_of(const Segment_options& options, std::siz
 }
 
 bool is_label_image(const std::string& path) {
-  const std::string format = extension(path);
-  if (format == "gz" && !is_foreign(path))
-    throw Usage_error("'" + path + "' is no name of an image; write .nii.gz");
-  for (const char* const known : {"gz", "inr", "mha", "nii", "png", "tif", "tiff", "vti", "vtk"})
-    if (format == known)
-      return true;
-  return false;
+  return has_format(path, Use::write, 0, content::voxels | content::pixels);
 }
 
 /// Draws the image with the boundaries of phases; in space, the boundaries alone.
@@ -284,23 +280,18 @@ void check_files(const Segment_options& options, bool is_planar) {
   for (const std::string& output : options.outputs) {
     if (is_label_image(output))
       require_program("dsc-files", output);
-    if (is_planar)
-      require_extension(output, {"png", "tif", "tiff", "inr", "mha", "nii", "gz", "vti", "vtk",
-                                 "svg", "wkt", "poly", "vtu", "dsc"});
-    else
-      require_extension(output, {"inr", "mha", "nii", "gz", "tif", "tiff", "vti", "vtk", "vtu",
-                                 "mesh", "ply", "off", "obj", "stl", "dsc"});
+    require_format(output, Use::write,
+                   content::complex |
+                       (is_planar ? content::regions : content::tetrahedra | content::surface),
+                   is_planar ? content::pixels : content::voxels);
     check("--output", output);
   }
   if (!options.mesh.empty()) {
-    if (is_planar)
-      require_extension(options.mesh, {"vtu"});
-    else
-      require_extension(options.mesh, {"vtu", "mesh"});
+    require_format(options.mesh, Use::write, is_planar ? content::triangles : content::tetrahedra);
     check("--mesh", options.mesh);
   }
   if (!options.picture.empty())
-    require_extension(options.picture, {"png"});
+    require_format(options.picture, Use::write, content::picture);
   check("--picture", options.picture);
   check("--report", options.report);
 }
@@ -342,13 +333,16 @@ int execute(const Segment_options& options) {
 void add_segment(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<Segment_options>();
   CLI::App* command = app.add_subcommand("segment", description_of_segment);
-  command->add_option("image", options->input, "Image of pixels or voxels, gray or with colors")
+  add_input(*command, "image", options->input,
+            "Image of pixels or voxels, gray or with colors; - for standard input")
       ->required();
-  command
-      ->add_option("-o,--output", options->outputs,
-                   "File: labels of pixels (.png, .tif, .nii, .mha, .vti, .inr), cells (.vtu, "
-                   ".mesh), boundaries (.ply, .off, .obj, .stl; .svg, .wkt), a complex (.dsc); can "
-                   "be repeated")
+  add_output(*command, "-o,--output", options->outputs,
+             "File: labels of pixels (" + formats_with(Use::write, 0, content::pixels) +
+                 "), cells (" + formats_with(Use::write, content::tetrahedra) + "), boundaries (" +
+                 formats_with(Use::write, content::surface) + "; in the plane " +
+                 formats_with(Use::write, content::regions) +
+                 "), a complex (.dsc); can be repeated; - for "
+                 "standard output")
       ->take_all();
   command->add_option("--phases", options->phases, "Number of phases (default: 2)")
       ->check(CLI::Range(2u, 64u));
@@ -359,26 +353,27 @@ void add_segment(CLI::App& app, int& exit_code) {
             "by the smallest contrast)");
   add_value(*command, "--noise", options->noise, positive,
             "Standard deviation of the noise (default: estimated)");
-  command->add_option("--mask", options->mask, "Mask image; pixels with the value 0 are ignored");
+  add_input(*command, "--mask", options->mask, "Mask image; pixels with the value 0 are ignored");
   command->add_flag("--color", options->has_channels, "Use the channels of a color image");
   add_value(*command, "--longest-edge", options->longest_edge, positive,
             "Edges at the beginning, in pixels (default: 5, in space 10)");
   add_value(*command, "--shortest-edge", options->shortest_edge, positive,
             "Edges of boundaries at the end, in pixels (default: 2.5, in space 3)");
-  command->add_option("--start", options->start,
-                      "Complex (.dsc) to begin with; its labels are indices of phases");
+  add_input(*command, "--start", options->start,
+            "Complex (.dsc) to begin with; its labels are indices of phases");
   command->add_flag("--keep-topology", options->keeps_topology,
                     "Keep the topology of --start, or of the labels of the first mesh");
   command
       ->add_option("--connected", options->connected,
                    "Labels of which only the largest component stays, like 1,2 or names of --start")
       ->allow_extra_args(false);
-  command->add_option("--mesh", options->mesh,
-                      "File (.vtu, .mesh) of cells that are improved for simulations");
-  command->add_option("--picture", options->picture,
-                      "Picture (.png) of the image with boundaries; in space, of the boundaries");
-  command->add_option("--report", options->report,
-                      "JSON file with phases, boundaries, energies and statistics");
+  add_output(*command, "--mesh", options->mesh,
+             "File (" + formats_with(Use::write, content::tetrahedra) +
+                 ") of cells that are improved for simulations");
+  add_output(*command, "--picture", options->picture,
+             "Picture (.png) of the image with boundaries; in space, of the boundaries", "png");
+  add_output(*command, "--report", options->report,
+             "JSON file with phases, boundaries, energies and statistics", "json");
   add_threads_option(*command, options->threads);
   command->add_flag("--quiet", options->quiet, "Print only errors");
   command->callback([options, &exit_code] { exit_code = execute(*options); });

@@ -5,10 +5,12 @@
 #include "commands/start_options.h"
 
 #include "input/files.h"
+#include "input/formats.h"
 #include "input/functions_of_points.h"
 #include "input/translations.h"
 #include "programs/add_value.h"
 #include "programs/errors.h"
+#include "programs/standard_streams.h"
 
 #include <climits>
 
@@ -21,12 +23,12 @@ void require_inputs(const Run_options& run, const Default_start& defaults, bool 
     throw Usage_error("INPUT is missing; give at least one surface, or a checkpoint by --resume");
   if (!has_input && run.start.repairs)
     throw Usage_error("--repair needs a surface; give at least one INPUT");
+  constexpr unsigned planar = content::regions | content::pixels;
   for (const std::string& input : run.start.inputs)
     if (is_planar)
-      require_extension(input, {"wkt", "poly", "pgm", "png"});
+      require_format(input, Use::read, planar, planar);
     else if (input_kind(run.start) != Input_kind::inequalities)
-      require_extension(input, {"off", "obj", "ply", "stl", "mesh", "vtu", "inr", "gz", "wkt",
-                                "poly", "pgm", "png"});
+      require_format(input, Use::read, content::starts, content::starts);
 }
 
 /// Throws if an option is given that has no meaning in this dimension.
@@ -109,14 +111,18 @@ void require_space(const Run_options& run, bool is_planar,
 }
 
 CLI::Option* add_inputs(CLI::App& command, Run_start& start) {
-  return command.add_option(
-      "INPUT", start.inputs,
-      "Closed surfaces (.off, .obj, .ply, .stl), inequalities like 'x^2+y^2+z^2<1' or, in the "
-      "plane, polygons (.wkt), which get the labels 1, 2, ...; or labeled tetrahedra (.mesh, "
-      ".vtu) or a labeled image (.inr, .inr.gz); in the plane, a labeled image (.pgm, .png) or "
-      "segments (.poly). Named parts of a surface, such as solids (.stl) and objects (.obj), get a "
-      "label each. Files of other programs are read through VTK, Gmsh and lib3mf: .vtk, .vtm, "
-      ".vtp, .vti, .msh, .3mf, .nii, .nii.gz, .mha, .mhd, .nrrd, .tif");
+  return add_input(
+      command, "INPUT", start.inputs,
+      "Closed surfaces (" + formats_with(Use::read, content::surface, 0) +
+          "), inequalities like 'x^2+y^2+z^2<1' or, in the plane, polygons (.wkt), which get the "
+          "labels 1, 2, ...; or labeled tetrahedra (" +
+          formats_with(Use::read, content::tetrahedra, 0) + ") or a labeled image (" +
+          formats_with(Use::read, content::voxels, 0) + "); in the plane, a labeled image (" +
+          formats_with(Use::read, content::pixels, 0) +
+          ") or segments (.poly). Named parts of a surface, such as solids (.stl) and objects "
+          "(.obj), get a label each. - is standard input. Files of other programs are read through "
+          "VTK, Gmsh and lib3mf: " +
+          formats_with(Use::read, 0, content::starts));
 }
 
 void add_start_options(CLI::App& command, Run_start& start, std::string& domain,

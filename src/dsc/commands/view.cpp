@@ -5,13 +5,15 @@
 #include "commands/commands.h"
 #include "film.h"
 #include "input/files.h"
+#include "input/formats.h"
+#include "input/translations.h"
 #include "output/frame_of_vtu.h"
 #include "output/label_titles.h"
 #include "output/output_folder.h"
 #include "output/report_json.h"
 #include "programs/errors.h"
 #include "programs/interrupt.h"
-#include "programs/option_values.h"
+#include "programs/standard_streams.h"
 
 #include <CGAL/Mesh_files/replace_file.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
@@ -185,7 +187,8 @@ std::string film_of_run(const View_options& options) {
     if (!film) {
       dimension = read.dimension;
       content = read.content;
-      film.emplace(fs::path(options.run).lexically_normal().string(), dimension, content);
+      film.emplace(with_user_names(fs::path(options.run).lexically_normal().string()), dimension,
+                   content);
       film->hide(0);
       for (const Read_frame& earlier : waiting)
         add(earlier);
@@ -211,7 +214,7 @@ int execute(const View_options& options) {
   const Interruptible interruptible(options.quiet);
   const std::string html = film_of_run(options);
   DSC::replace_file(options.output, [&](std::ostream& out) { out << html; });
-  if (!options.quiet)
+  if (!options.quiet && with_user_names(options.output) == options.output) // a file
     std::cout << "dsc: wrote " << options.output << " (" << (html.size() + 999) / 1000
               << " kB); open it in a browser\n";
   return 0;
@@ -223,13 +226,15 @@ void add_view(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<View_options>();
   CLI::App* command =
       app.add_subcommand("view", "Write the states of a run as a page for a browser");
-  command
-      ->add_option("RUN", options->run,
-                   "Folder of a run (its --output), collection (.pvd) or mesh (.vtu)")
+  add_input(*command, "RUN", options->run,
+            "Folder of a run (its --output), collection (.pvd) or mesh (.vtu; - for standard "
+            "input)")
       ->required();
-  command->add_option("-o,--output", options->output, "Page (.html)")->required();
-  command->add_option("--report", options->report,
-                      "Report of the run (its --report), for charts and events");
+  add_output(*command, "-o,--output", options->output, "Page (.html; - for standard output)",
+             "html")
+      ->required();
+  add_input(*command, "--report", options->report,
+            "Report of the run (its --report), for charts and events");
   command->add_option("--every", options->every, "Show every N-th state and the last one")
       ->check(CLI::Range(1, INT_MAX))
       ->capture_default_str();
@@ -241,7 +246,7 @@ void add_view(CLI::App& app, int& exit_code) {
                     "Show the interface only; the page is smaller");
   command->add_flag("--quiet", options->quiet, "Print only errors");
   command->callback([options, &exit_code] {
-    require_extension(options->output, {"html"});
+    require_format(options->output, Use::write, content::page);
     exit_code = execute(*options);
   });
 }

@@ -8,8 +8,10 @@
 #include "fluids/fluid_scene.h"
 #include "fluids/fluid_shapes.h"
 #include "input/domain_box.h"
+#include "input/start_complex.h"
 #include "input/start_curves.h"
 #include "input/surface.h"
+#include "output/label_titles.h"
 #include "programs/errors.h"
 
 #include <CGAL/Bbox_2.h>
@@ -234,23 +236,47 @@ template <class Boundary> std::vector<Boundary> Scene_boundaries<Boundary>::all(
   return result;
 }
 
+/// Throws an error that names the label and the files of a boundary.
+template <class Boundary>
+[[noreturn]] void refuse(const Fluid_scene& scene, const std::vector<Boundary>& boundaries,
+                         const DSC::Invalid_surface_error& error) {
+  const int label = boundaries[error.surface()].label;
+  std::string name = "the boundary of label " + label_title(label, scene.names) + " of the scene";
+  for (const auto& [other, shape] : shapes_of(scene))
+    if (const auto* const file = std::get_if<File_shape>(shape); file && other == label)
+      name += ", '" + file->file + "'";
+  throw Input_error(name + ": " + message_of(error));
+}
+
 template <class Complex>
 Complex complex_of_boundaries(const Fluid_scene& scene, const std::string& folder) {
   // Scenes give the length of edges.
   const auto domain = parameters::enclosing_box(box_of_dimension<Complex::dimension>(scene.domain))
                           .edge_per_thickness(0.);
   if constexpr (Complex::dimension == 2) {
-    const Scene_boundaries<Curve> boundaries(
-        scene, [&](const auto& shape) { return curve_of_shape(shape, scene.edge, folder); },
-        curves_of_boxes);
-    return DSC::make_deformable_simplicial_complex_2<Complex>(
-        boundaries.all(), domain.spacing_per_segment(DSC::Construction_options<2>::fine_spacing));
+    const auto boundaries =
+        Scene_boundaries<Curve>(
+            scene, [&](const auto& shape) { return curve_of_shape(shape, scene.edge, folder); },
+            curves_of_boxes)
+            .all();
+    try {
+      return DSC::make_deformable_simplicial_complex_2<Complex>(
+          boundaries, domain.spacing_per_segment(DSC::Construction_options<2>::fine_spacing));
+    } catch (const DSC::Invalid_surface_error& error) {
+      refuse(scene, boundaries, error);
+    }
   } else {
-    const Scene_boundaries<Surface> boundaries(
-        scene, [&](const auto& shape) { return surface_of_shape(shape, scene.edge, folder); },
-        surfaces_of_boxes);
-    return DSC::make_deformable_simplicial_complex_3<Complex>(
-        boundaries.all(), CGAL::Tetgen_tetrahedralizer_3(), domain);
+    const auto boundaries =
+        Scene_boundaries<Surface>(
+            scene, [&](const auto& shape) { return surface_of_shape(shape, scene.edge, folder); },
+            surfaces_of_boxes)
+            .all();
+    try {
+      return DSC::make_deformable_simplicial_complex_3<Complex>(
+          boundaries, CGAL::Tetgen_tetrahedralizer_3(), domain);
+    } catch (const DSC::Invalid_surface_error& error) {
+      refuse(scene, boundaries, error);
+    }
   }
 }
 

@@ -54,6 +54,8 @@ void require_writable(const std::string& path) {
 }
 
 void create_folder(const std::string& path) {
+  if (path == "-")
+    throw Usage_error("a folder cannot be -, which is standard output; choose a name");
   std::error_code error;
   std::vector<fs::path> parents; // of new folders
   for (fs::path folder = path; !folder.empty() && !fs::exists(folder, error);

@@ -11,6 +11,7 @@
 #include <CGAL/Mesh_files/labeled_surface_3.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -68,9 +69,13 @@ Surface read_part(const std::string& path, const std::string& name) {
   std::vector<std::string> names;
   std::vector<Surface> parts = parts_of_file(path, true, 1, names);
   const auto found = std::find(names.begin(), names.end(), name);
+  const bool has_names =
+      std::any_of(names.begin(), names.end(), [](const auto& n) { return !n.empty(); });
   if (found == names.end())
-    throw Input_error(path + ": no part has the name '" + name + "'; its parts are " +
-                      listed(names));
+    throw Input_error(path + ": no part has the name '" + name + "'; " +
+                      (has_names
+                           ? "its parts are " + listed(names)
+                           : std::string("leave out the name, which gives the whole surface")));
   Surface& part = parts[std::size_t(found - names.begin())];
   part.label = 1;
   return std::move(part);
@@ -80,6 +85,12 @@ Surface read_surface(const std::string& path, DSC::Surface_parts* parts) {
   Unused_content unused;
   Surface result = CGAL::IO::read_labeled_surface<Surface_point>(path, 1, &unused, parts);
   print_unused(path, unused);
+  static constexpr double largest = 1e90; // of which volumes have a cube that is a number
+  for (const Surface_point& p : result.points)
+    if (std::max({std::abs(p.x()), std::abs(p.y()), std::abs(p.z())}) > largest)
+      throw Input_error(path +
+                        " has coordinates greater than 1e90, so that its volume is no number; "
+                        "scale it");
   return result;
 }
 

@@ -73,9 +73,14 @@ std::unique_ptr<Tracked_complex> track_in_space(const Run_options& options) {
 }
 
 std::string message_of(const DSC::Invalid_surface_error& error) {
-  const std::string text = error.what(),
-                    number = "surface " + std::to_string(error.surface()) + ' ';
-  return text.rfind(number, 0) == 0 ? "the surface " + text.substr(number.size()) : text;
+  std::string text = error.what();
+  for (const std::string kind : {"surface ", "curve "})
+    for (const std::size_t i : {error.surface(), error.other_surface()}) {
+      const std::string name = kind + std::to_string(i) + ' ';
+      if (const std::size_t at = text.find(name); at != std::string::npos)
+        text.replace(at, name.size(), (i == error.surface() ? "the " : "another ") + kind);
+    }
+  return text;
 }
 
 int checkpoint_dimension(const std::string& path) {

@@ -69,13 +69,21 @@ track_in_mesh(const std::string& path, const Labeled_tetrahedra& mesh, const Run
 std::unique_ptr<Tracked_complex_3>
 track_in_box(const std::string& path, const Labeled_tetrahedra& mesh, const Run_options& options) {
   try {
-    return std::make_unique<Tracked_complex_3>(DSC::make_deformable_simplicial_complex_3<Complex>(
-        mesh.points, mesh.tetrahedra, mesh.labels, CGAL::Tetgen_tetrahedralizer_3(),
-        normalized(options.domain, options.start.thin_parts)));
+    auto result =
+        std::make_unique<Tracked_complex_3>(DSC::make_deformable_simplicial_complex_3<Complex>(
+            mesh.points, mesh.tetrahedra, mesh.labels, CGAL::Tetgen_tetrahedralizer_3(),
+            normalized(options.domain, options.start.thin_parts)));
+    if (result->complex.interface_facets().empty())
+      throw Input_error(path + ": all tetrahedra have the label 0, so there is no interface; give "
+                               "other --labels");
+    return result;
   } catch (const DSC::Invalid_cells_error& error) {
     throw Input_error(path + ": " + error.what() + place_of(error, mesh));
   } catch (const DSC::Invalid_surface_error& error) {
-    throw Input_error(path + ": the boundary of the tetrahedra is invalid: " + error.what());
+    if (error.reason() == DSC::Invalid_surface_error::Reason::outside_enclosing_box)
+      throw Input_error(path +
+                        ": the tetrahedra are not strictly inside the domain; enlarge --domain");
+    throw Input_error(path + ": the boundary of the tetrahedra is invalid: " + message_of(error));
   }
 }
 

@@ -17,8 +17,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
 #include <cctype>
 #include <cerrno>
 #include <chrono>
@@ -28,6 +26,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -225,15 +224,6 @@ void require_program(const std::string& name, const std::string& file) {
                       "another format");
 }
 
-bool is_foreign(const std::string& path) {
-  static constexpr std::array extensions = {"csv", "geojson", "mha", "mhd", "meshb", "msh", "nhdr",
-                                            "nii", "nrrd",    "pcd", "ppm", "pvtu",  "tif", "tiff",
-                                            "vti", "vtk",     "vtm", "vtp", "vtr",   "vts", "3mf"};
-  const std::string format = extension(path);
-  return std::find(extensions.begin(), extensions.end(), format) != extensions.end() ||
-         (format == "gz" && extension(fs::path(path).stem().string()) == "nii");
-}
-
 std::string translate(const std::string& path, const std::string& labels,
                       const std::string& thresholds,
                       const std::function<bool(const std::string&)>& accepts) {
@@ -285,7 +275,10 @@ std::string printed_line(std::string text) {
 }
 
 void name_in_messages(const std::string& path, const std::string& name) {
-  temporary_files().translations[name] = path;
+  auto& names = temporary_files().translations;
+  for (auto other = names.begin(); other != names.end();)
+    other = other->second == path ? names.erase(other) : std::next(other);
+  names[name] = path;
 }
 
 std::string temporary_file(const std::string& name) {

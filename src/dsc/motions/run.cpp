@@ -6,6 +6,7 @@
 
 #include "input/Inputs.h"
 #include "input/files.h"
+#include "input/formats.h"
 #include "input/functions_of_points.h"
 #include "input/translations.h"
 #include "motions/motion_list.h"
@@ -267,7 +268,7 @@ void Run::check_places() {
   if (!output.folder.empty())
     m_folder.emplace(output.folder, output.subdivisions);
   if (!output.picture.empty())
-    require_extension(output.picture, {"png"});
+    require_format(output.picture, Use::write, content::picture);
   m_options.inputs->run_once([&] {
     std::vector<std::string> precious = with_user_names(m_options.start.inputs);
     precious.push_back(m_options.resume);

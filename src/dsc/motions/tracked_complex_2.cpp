@@ -6,6 +6,7 @@
 
 #include "input/domain_box.h"
 #include "input/files.h"
+#include "input/formats.h"
 #include "input/start_complex.h"
 #include "input/start_curves.h"
 #include "input/translations.h"
@@ -13,7 +14,6 @@
 #include "output/angle_statistics.h"
 #include "output/label_titles.h"
 #include "programs/errors.h"
-#include "programs/option_values.h"
 
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Mesh_files/SVG_2.h>
@@ -106,8 +106,11 @@ std::unique_ptr<Tracked_complex> track_figure(const Run_start& start,
     check_bounds(curves, start.inputs.empty() ? "the figure" : start.inputs[0], result->complex);
     return result;
   } catch (const DSC::Invalid_surface_error& error) {
-    throw Input_error((curves.seeded ? start.inputs[0] : curves.names[error.surface()]) + ": " +
-                      error.what());
+    std::string place = start.inputs.empty() ? "the figure" : start.inputs[0];
+    if (!curves.seeded && !start.inputs.empty())
+      place = curves.names[error.surface()] + ", region with the label " +
+              std::to_string(error.surface() + 1);
+    throw Input_error(place + ": " + (curves.seeded ? error.what() : message_of(error)));
   } catch (const DSC::Error& error) {
     throw Input_error((start.inputs.empty() ? "the figure" : start.inputs[0]) + std::string(": ") +
                       error.what());
@@ -136,7 +139,7 @@ Statistics Tracked_complex_2::statistics() const {
 }
 
 void Tracked_complex_2::write(const std::string& path) const {
-  require_extension(path, {"wkt", "poly", "svg", "vtu"});
+  require_format(path, Use::write, content::regions);
   tell_lost_names(path, label_names);
   const std::string format = extension(path);
   if (format == "wkt")

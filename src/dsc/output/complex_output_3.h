@@ -6,11 +6,11 @@
 #define DSC_COMPLEX_OUTPUT_3_H
 
 #include "input/files.h"
+#include "input/formats.h"
 #include "output/angle_statistics.h"
 #include "output/label_titles.h"
 #include "output/picture.h"
 #include "output/statistics.h"
-#include "programs/option_values.h"
 
 #include <CGAL/Interface_remeshing/extract_interface_3.h>
 #include <CGAL/Mesh_files/MEDIT_3.h>
@@ -59,7 +59,7 @@ template <class Complex> void write_picture_png(const std::string& path, const C
 template <class Complex>
 void write_complex(const std::string& path, const Complex& complex,
                    const DSC::Mesh_arrays& arrays) {
-  require_extension(path, {"off", "obj", "ply", "stl", "vtu", "mesh", "png"});
+  require_format(path, Use::write, content::surface | content::tetrahedra | content::picture);
   tell_lost_names(path, arrays.label_names);
   const std::string format = extension(path);
   if (format == "vtu")

@@ -4,6 +4,7 @@
 
 #include "input/Inputs.h"
 #include "input/files.h"
+#include "input/formats.h"
 #include "input/labeled_tetrahedra.h"
 #include "input/run_start.h"
 #include "input/surface.h"
@@ -12,12 +13,11 @@
 #include "motions/mesh_at_rest.h"
 #include "motions/tracked_complex_3.h"
 #include "output/label_titles.h"
-#include "programs/option_values.h"
+#include "programs/errors.h"
 
 #include <CGAL/Interface_remeshing/extract_interface_3.h>
 #include <CGAL/Mesh_files/labeled_surface_3.h>
 
-#include <algorithm>
 #include <fstream>
 #include <optional>
 #include <utility>
@@ -29,24 +29,16 @@ namespace {
 using Complex = Tracked_complex_3::Complex;
 using Grid = DSC::Sampling_grid<3>;
 
-bool is_one_of(const std::string& format, std::initializer_list<const char*> formats) {
-  return std::find(formats.begin(), formats.end(), format) != formats.end();
-}
-
-void require_format(const std::string& input, const std::string& content, const std::string& output,
-                    std::initializer_list<const char*> formats) {
-  if (is_one_of(extension(output), formats))
-    return;
-  std::string known;
-  for (const std::string format : formats)
-    known += (known.empty() ? "." : ", .") + (format == "gz" ? "nii.gz" : format);
-  throw Usage_error(input + " contains " + content + ", which '" + output +
-                    "' cannot contain; write " + known);
+void require_output(const std::string& input, const std::string& what, const std::string& output,
+                    unsigned native, unsigned foreign) {
+  if (!has_format(output, Use::write, native, foreign))
+    throw Usage_error(input + " contains " + what + ", which '" + output +
+                      "' cannot contain; write " + formats_with(Use::write, native, foreign));
 }
 
 void convert_surface(const std::string& input, const std::string& output,
                      const std::string& labels) {
-  require_format(input, "a surface", output, {"off", "obj", "ply", "stl", "vtp", "vtk"});
+  require_output(input, "a surface", output, content::surface, content::surface);
   DSC::Surface_parts parts;
   const Surface surface = read_surface(input, labels == "none" ? nullptr : &parts);
   DSC::Interface_surface_3<Complex> result;
@@ -61,7 +53,7 @@ void convert_surface(const std::string& input, const std::string& output,
   for (std::size_t i = 0; i < parts.of_triangles.size(); ++i)
     result.labels[i][0] = int(parts.of_triangles[i]) + 1;
   tell_lost_names(output, names);
-  const bool is_foreign_format = is_one_of(extension(output), {"vtp", "vtk"});
+  const bool is_foreign_format = has_format(output, Use::write, 0, content::surface);
   const std::string path = is_foreign_format ? temporary_file("surface.ply") : output;
   CGAL::IO::write_named_interface(path, result, names);
   if (is_foreign_format)
@@ -70,12 +62,19 @@ void convert_surface(const std::string& input, const std::string& output,
 
 void convert_tetrahedra(const std::string& input, const std::string& output,
                         const std::string& labels) {
-  require_format(input, "tetrahedra", output,
-                 {"vtu", "mesh", "off", "obj", "ply", "stl", "png", "vtk"});
+  require_output(input, "tetrahedra", output,
+                 content::tetrahedra | content::surface | content::picture,
+                 content::tetrahedra | content::surface);
   Labeled_tetrahedra mesh = read_tetrahedra(input, labels);
   const Mesh_at_rest complex(input, mesh);
-  const bool is_foreign_format = extension(output) == "vtk";
-  const std::string path = is_foreign_format ? temporary_file("cells.vtu") : output;
+  const bool has_cells = has_format(output, Use::write, content::tetrahedra, content::tetrahedra);
+  if (!has_cells && complex.statistics().interface_facets == 0)
+    throw Input_error(input +
+                      ": all tetrahedra have the same label, so there is no interface; write " +
+                      formats_with(Use::write, content::tetrahedra, content::tetrahedra));
+  const bool is_foreign_format = has_format(output, Use::write, 0, content::surface);
+  const std::string path =
+      is_foreign_format ? temporary_file(has_cells ? "cells.vtu" : "surface.ply") : output;
   Unused_content unused;
   const Mesh_content content = complex.content(std::move(mesh), extension(path), unused);
   print_unused(input, unused);
@@ -85,8 +84,7 @@ void convert_tetrahedra(const std::string& input, const std::string& output,
 }
 
 void convert_image(const std::string& input, const std::string& output) {
-  require_format(input, "an image", output,
-                 {"inr", "mha", "nii", "gz", "tif", "tiff", "vti", "vtk"});
+  require_output(input, "an image", output, 0, content::voxels);
   std::vector<int> labels;
   const Grid grid = read_label_image(input, labels);
   write_label_image(output, grid, labels);
@@ -102,10 +100,10 @@ void All_inputs::convert(const std::string& input, const std::string& output,
   if (!std::ifstream(native))
     throw Input_error("cannot open " + input + "; check that the file exists and is readable");
   if (dimension_of(start) == 2) {
-    require_format(input, "regions in the plane", output, {"wkt", "poly", "svg", "vtu"});
+    require_output(input, "regions in the plane", output, content::regions, 0);
     return track_figure(start, std::nullopt)->write(output);
   }
-  require_extension(native, {"off", "obj", "ply", "stl", "mesh", "vtu", "inr", "gz"});
+  require_format(native, Use::read, content::starts, content::starts);
   switch (input_kind(native)) {
   case Input_kind::tetrahedra:
     return convert_tetrahedra(native, output, labels);
@@ -118,8 +116,7 @@ void All_inputs::convert(const std::string& input, const std::string& output,
 
 void All_inputs::convert_to_image(const std::string& checkpoint, const std::string& output,
                                   const std::string& grid) const {
-  require_format(checkpoint, "a complex", output,
-                 {"inr", "mha", "nii", "gz", "tif", "tiff", "vti", "vtk"});
+  require_output(checkpoint, "a complex", output, 0, content::voxels);
   std::string metadata;
   const auto tracked = track_checkpoint(checkpoint, metadata);
   const auto* const in_space = dynamic_cast<const Tracked_complex_3*>(tracked.get());

@@ -24,7 +24,7 @@ std::string label_name(int label, const Label_names& names) {
 }
 
 std::string label_title(int label, const Label_names& names) {
-  const std::string name = label_name(label, names);
+  const std::string name = printed_line(label_name(label, names)); // of any bytes
   return std::to_string(label) + (name.empty() ? "" : " '" + name + "'");
 }
 

@@ -4,6 +4,7 @@
 
 #include "output/report_json.h"
 
+#include "input/translations.h"
 #include "output/label_titles.h"
 
 #include <CGAL/Mesh_files/internal/text/files.h>
@@ -77,7 +78,7 @@ Json statistics_json(const Statistics& statistics) {
 
 void write_json(const std::string& path, const Json& json) {
   DSC::replace_file(path, [&](std::ostream& out) {
-    out << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    out << with_user_names(json.dump(2, ' ', false, Json::error_handler_t::replace)) << '\n';
   });
 }
 

@@ -4,7 +4,7 @@
 
 #include "programs/option_values.h"
 
-#include "input/files.h"
+#include <CGAL/Mesh_files/internal/text/files.h>
 
 #include <CLI/CLI.hpp>
 #include <sched.h>
@@ -16,6 +16,8 @@
 namespace dsc {
 namespace {
 
+using DSC::internal::in_quotes;
+
 /// Returns the number at the beginning of `text`, and removes it from `text`.
 double take_number(std::string& text, const std::string& option) {
   if (!text.empty() && text[0] == '+')
@@ -24,15 +26,16 @@ double take_number(std::string& text, const std::string& option) {
   const char* end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, number);
   if (error != std::errc() || !std::isfinite(number))
-    throw Usage_error(option + " needs a finite number, not '" + text +
-                      "'; write a number like 1, -0.5 or 2e-3");
+    throw Usage_error(option + " needs a finite number, not " + in_quotes(text) +
+                      "; write a number like 1, -0.5 or 2e-3");
   text.erase(0, rest - text.data());
   return number;
 }
 
 void require_end(const std::string& text, const std::string& option, const std::string& form) {
   if (!text.empty())
-    throw Usage_error(option + " ends with unexpected text '" + text + "'; write it like " + form);
+    throw Usage_error(option + " ends with unexpected text " + in_quotes(text) +
+                      "; write it like " + form);
 }
 
 template <std::size_t n>
@@ -134,20 +137,9 @@ Cut parse_cut(const std::string& text, const std::string& option) {
   static const std::string axes = "xyz", form = "x=0.5";
   const std::size_t axis = text.empty() ? std::string::npos : axes.find(text[0]);
   if (axis == std::string::npos || text.size() < 2 || text[1] != '=')
-    throw Usage_error(option + " needs an axis and a coordinate, not '" + text +
-                      "'; write it like " + form);
+    throw Usage_error(option + " needs an axis and a coordinate, not " + in_quotes(text) +
+                      "; write it like " + form);
   return {axis, parse_numbers<1>(text.substr(2), option, form)[0]};
-}
-
-void require_extension(const std::string& path, const std::initializer_list<const char*>& known) {
-  const std::string found = extension(path);
-  if (std::find(known.begin(), known.end(), found) != known.end())
-    return;
-  std::string list;
-  for (const char* name : known)
-    list += std::string(list.empty() ? "." : ", .") + name;
-  throw Usage_error("the extension of '" + path +
-                    "' is not supported; supported extensions: " + list);
 }
 
 unsigned default_number_of_threads() {

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <initializer_list>
 #include <map>
 #include <string>
 #include <vector>
@@ -98,8 +97,6 @@ const std::string& name_of(const std::map<std::string, Value>& names, const Valu
                       [&](const auto& named) { return named.second == value; })
       ->first;
 }
-
-void require_extension(const std::string& path, const std::initializer_list<const char*>& known);
 
 /// Returns the number of cores, clamped to the range of the option `--threads`.
 unsigned default_number_of_threads();

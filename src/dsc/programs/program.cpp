@@ -8,6 +8,7 @@
 #include "input/translations.h"
 #include "programs/errors.h"
 #include "programs/interrupt.h"
+#include "programs/standard_streams.h"
 
 #include <CGAL/assertions.h>
 
@@ -17,7 +18,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <exception>
 #include <iostream>
@@ -50,18 +50,6 @@ std::string execute(const dsc::Other_program& other, char** argv) {
   execv(program.c_str(), argv);
   return "cannot execute " + program + ", which contains " + other.content + ": " +
          std::strerror(errno) + "; build or install it";
-}
-
-/// Flushes the output. Returns whether all output was written.
-bool flush_output() {
-  std::cout.flush();
-  std::fflush(stdout);
-  return std::cout.good() && std::ferror(stdout) == 0;
-}
-
-std::string one_line(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return text;
 }
 
 /// Returns the names of the commands of an app, or of its options, with leading dashes.
@@ -122,7 +110,7 @@ void run_command_line(CLI::App& app, int argc, char** argv) {
       command += " " + chosen->get_name();
     const std::string help = "; see " + command + " --help",
                       message = message_on_arguments(app, argc, argv, help);
-    throw dsc::Usage_error(message.empty() ? one_line(error.what()) + help : message);
+    throw dsc::Usage_error(message.empty() ? error.what() + help : message);
   }
 }
 
@@ -144,11 +132,9 @@ int dsc::run_program(int argc, char** argv,
     app.require_subcommand(1);
     int exit_code = 0;
     add_commands(app, exit_code);
+    dsc::Standard_streams streams(app);
     run_command_line(app, argc, argv);
-    if (!flush_output())
-      return fail("cannot write to standard output; check that the disk is not full and that the "
-                  "program that reads the output is running",
-                  bad_input);
+    streams.write_output();
     return exit_code;
   } catch (const dsc::Other_program& other) {
     if (dsc::interrupted()) // the other program would not know

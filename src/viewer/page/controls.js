@@ -312,6 +312,7 @@ async function show(modes) {
     viewer = new Viewer(film, element('canvas'));
   } catch (error) {
     await Tables.show(film, error.message);
+    showMessage('');
     return;
   }
   window.viewer = viewer;
