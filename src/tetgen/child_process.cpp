@@ -16,9 +16,6 @@
 #include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#ifdef __linux__
-#include <sys/prctl.h>
-#endif
 
 #include <cerrno>
 #include <cmath>
@@ -110,9 +107,6 @@ extern "C" void exit_without_caller(int) {
 // Ends the child if the caller was killed, because nobody reads the result. Checks once per second
 // of processor time.
 void watch_caller() {
-#ifdef __linux__
-  prctl(PR_SET_PDEATHSIG, SIGKILL); // at once
-#endif
   struct sigaction action = {};
   action.sa_handler = exit_without_caller;
   sigemptyset(&action.sa_mask);

@@ -523,7 +523,7 @@ def test_errors_name_the_file(tmp_path):
         result = run("info", tmp_path / name)
         assert result.returncode == 1
         assert name in result.stderr
-    assert run("info", tmp_path).returncode == 2  # a folder
+    assert run("info", tmp_path).returncode == 1  # a folder
 
 
 def test_no_temporary_files_are_left(tmp_path):

@@ -344,7 +344,7 @@ TEST_F(Inputs, that_make_no_sense_are_refused) {
   expect_refusal(mesh + " " + mesh, 2, "more than one INPUT");
   expect_refusal(mesh + " --triangles 100", 2, "--triangles");
   expect_refusal(mesh + " --edge 0.1", 2, "--edge");
-  expect_refusal(mesh + " --domain 0,0,0,2,2,2", 1, "enclosing box");
+  expect_refusal(mesh + " --domain 0,0,0,2,2,2", 1, "enlarge --domain");
   expect_refusal(path("cut.inr").string(), 1, "is it truncated?");
   expect_refusal(path("missing.inr").string(), 1, "cannot open");
   expect_refusal(path("empty.inr").string(), 1, "all voxels have the same label");

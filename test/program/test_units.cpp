@@ -130,7 +130,7 @@ TEST_F(Any_unit, motions_of_surfaces) {
             return "mean-curvature a.off" + options +
                    (tells_dt ? " --dt " + digits(.02 * u * u) : "") + moving;
           },
-          "c.off", in_space + squared_time);
+          "c.mesh", in_space + squared_time);
 }
 
 TEST_F(Any_unit, other_outputs) {

@@ -117,6 +117,7 @@ std::string save_run(std::optional<Output_folder>& folder, const std::string& st
                      const std::string& metadata) {
   if (folder)
     try {
+      folder->require(complex); // it can have been removed after the checkpoint was written
       folder->save(complex, position, metadata);
       return folder->checkpoint();
     } catch (const std::runtime_error&) { // the other place may do
