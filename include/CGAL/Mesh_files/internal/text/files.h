@@ -156,12 +156,14 @@ private:
 // if it is. The content is what the file decompresses to, or what its header promises, in bytes. So
 // the size of the file bounds the memory.
 inline std::string why_too_large(double content, double bytes_of_file) {
-  if (content <= 256e6 + 100 * bytes_of_file)
+  static constexpr double always = 256e6;      // bytes; read and converted within a gigabyte
+  static constexpr double most_per_byte = 100; // compressed images of labels have less or are small
+  if (content <= always + most_per_byte * bytes_of_file)
     return "";
   std::ostringstream text;
   text << "has " << content / 1e9 << " GB of content in " << bytes_of_file / 1e6
-       << " MB, more than is accepted (256 MB, and 100 times the file); write it without "
-          "compression, unless it is damaged";
+       << " MB, more than is accepted (" << always / 1e6 << " MB, and " << most_per_byte
+       << " times the file); write it without compression, unless it is damaged";
   return text.str();
 }
 
