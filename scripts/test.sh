@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 jobs=$(nproc)
 
-scripts/install_dependencies.sh chromium clang lib3mf-dev libopenmpi-dev libptscotch-dev libvtk9-dev mypy openmpi-bin pybind11-dev python3-dev python3-mypy python3-numpy python3-pytest
+scripts/install_dependencies.sh chromium clang lib3mf-dev libopenmpi-dev libptscotch-dev libvtk9-dev mypy openmpi-bin pybind11-dev python3-dev python3-mypy python3-numpy python3-pytest strace
 
 # One build for the headers, the program, the Python module and the installed package. Clang takes two
 # thirds of the time of GCC, with which scripts/main_job.sh and scripts/check_more.sh build. -O1, because the tests are too

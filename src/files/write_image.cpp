@@ -17,6 +17,7 @@
 #include <limits>
 #include <set>
 #include <sstream>
+#include <utility>
 
 namespace dsc_files {
 namespace {
@@ -75,10 +76,11 @@ std::vector<int> classes_of(const std::vector<double>& values, const std::string
 }
 
 /// Returns the values as labels.
-std::vector<int> integers_of(const std::vector<double>& values) {
+std::vector<int> integers_of(vtkDataArray* array) {
   std::vector<int> labels;
-  labels.reserve(values.size());
-  for (const double value : values) {
+  labels.reserve(std::size_t(array->GetNumberOfTuples()));
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i) {
+    const double value = array->GetComponent(i, 0);
     if (!(value == std::floor(value)))
       throw Failure("contains gray values, such as " + std::to_string(value) +
                     ", and no labels; choose labels by --threshold");
@@ -150,7 +152,7 @@ std::vector<int> label_values(vtkDataArray* array, const Options& options, Trans
   if (components > 1 && !has_colors(array))
     throw Failure("contains " + std::to_string(components) + " values for each voxel; write one");
   if (options.thresholds.empty())
-    return components == 1 ? integers_of(component(array, 0)) : palette_of(array, result);
+    return components == 1 ? integers_of(array) : palette_of(array, result);
   return classes_of(luminance_of(array, result), options.thresholds, result);
 }
 
@@ -196,8 +198,8 @@ bool find_axes(vtkImageData* image, std::array<int, 3>& sources, std::array<doub
 
 /// Returns the values along the axes of space, which the axes of the image permute and reverse.
 template <class Value>
-Voxels<Value> along_axes_of_space(vtkImageData* image, bool are_cells,
-                                  const std::vector<Value>& values, Translation& translation) {
+Voxels<Value> along_axes_of_space(vtkImageData* image, bool are_cells, std::vector<Value> values,
+                                  Translation& translation) {
   std::array<int, 3> sources;
   std::array<double, 3> signs;
   if (!find_axes(image, sources, signs))
@@ -226,6 +228,10 @@ Voxels<Value> along_axes_of_space(vtkImageData* image, bool are_cells,
     steps[a] = direction < 0 ? -std::ptrdiff_t(strides[j]) : std::ptrdiff_t(strides[j]);
     if (direction < 0)
       first += std::ptrdiff_t(strides[j] * (size[j] - 1));
+  }
+  if (sources == std::array<int, 3>{0, 1, 2} && first == 0) { // large images are not copied
+    result.values = std::move(values);
+    return result;
   }
   result.values.reserve(values.size());
   for (std::size_t z = 0; z < result.size[2]; ++z)
