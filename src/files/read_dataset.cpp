@@ -60,6 +60,9 @@ std::string shortened(std::string message) {
   return end_of_address == std::string::npos ? message : message.substr(end_of_address + 3);
 }
 
+/// What errors of VTK mean: the file is damaged, or the disk is full.
+const char *complaint = "cannot be read by VTK: ", *advice = "; is it damaged?";
+
 /// Receives the messages that VTK prints. The first error or warning ends this process: readers of
 /// VTK warn about truncated files, and may crash if they continue, or are destroyed, after an
 /// error.
@@ -70,7 +73,7 @@ public:
   vtkTypeMacro(Messages, vtkOutputWindow);
 
   void DisplayErrorText(const char* text) override {
-    end_process("cannot be read by VTK: " + shortened(text) + "; is it damaged?");
+    end_process(complaint + shortened(text) + advice);
   }
   void DisplayWarningText(const char* text) override { DisplayErrorText(text); }
   void DisplayGenericWarningText(const char* text) override { DisplayErrorText(text); }
@@ -113,7 +116,7 @@ template <class Reader> vtkSmartPointer<vtkDataSet> run(Reader* reader, Messages
   accept_content(content_of_image(reader->GetOutputInformation(0)), messages->bytes);
   reader->Update();
   if (reader->GetErrorCode() != vtkErrorCode::NoError)
-    throw Failure(std::string("cannot be read by VTK: ") +
+    throw Failure(std::string(complaint) +
                   vtkErrorCode::GetStringFromErrorCode(reader->GetErrorCode()));
   return only_dataset(reader->GetOutputDataObject(0));
 }
@@ -302,6 +305,11 @@ void remove_ghost_cells(vtkDataSet* data) {
 }
 
 } // namespace
+
+void expect_errors_of_disk() {
+  complaint = "cannot be written: ";
+  advice = "; check that the folder for temporary files (TMPDIR) is not full";
+}
 
 std::string format_of(const std::string& path) {
   std::string name = std::filesystem::path(path).filename().string();

@@ -59,6 +59,9 @@ void accept_content(double content, double bytes);
 std::string header_value(const std::string& path, char separator,
                          std::initializer_list<const char*> keys);
 
+/// From now on, errors of VTK are told as errors of a disk on which this program writes.
+void expect_errors_of_disk();
+
 /// Returns the extension in lower case, without the dot; of compressed NIfTI files `nii.gz`.
 std::string format_of(const std::string& path);
 

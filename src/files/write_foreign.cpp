@@ -175,6 +175,7 @@ bool is_complete(vtkDataSet* written, const std::string& path, const std::string
 } // namespace
 
 void write_foreign(const std::string& input, const std::string& output, const std::string& like) {
+  expect_errors_of_disk();
   const std::string folder = std::filesystem::path(output).parent_path().string();
   const vtkSmartPointer<vtkDataSet> written = write_dataset(input, output, like, folder);
   // The writers of VTK do not notice all errors of the disk; those of compressed images do.

@@ -236,6 +236,7 @@ std::string translate_image(const std::string& path, bool has_channels) {
 
 void write_foreign(const std::string& input, const std::string& output, const std::string& like) {
   const std::string written = new_folder() + '/' + fs::path(output).filename().string();
+  name_in_messages(written, output);
   std::vector<std::string> arguments = {"--write", input, written};
   if (!like.empty())
     arguments.push_back(like);
