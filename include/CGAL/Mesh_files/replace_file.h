@@ -81,16 +81,14 @@ public:
     ::close(m_file);
   }
 
-  // Replaces the target. After a loss of power, there is either the old or the new file, and the
-  // new one if there was an old one.
+  // Replaces the target. After a loss of power, there is the new file or, during this function, the
+  // old one.
   void replace_target() {
     write_buffer();
-    const bool is_new = ::access(m_target.c_str(), F_OK) != 0;
     if (::fsync(m_file) != 0 || ::rename(m_path.c_str(), m_target.c_str()) != 0)
       fail();
     m_path.clear();
-    if (!is_new)
-      flush_folder(folder_of(m_target));
+    flush_folder(folder_of(m_target));
   }
 
 protected:
