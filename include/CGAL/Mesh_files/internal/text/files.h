@@ -156,7 +156,7 @@ private:
 // if it is. The content is what the file decompresses to, or what its header promises, in bytes. So
 // the size of the file bounds the memory.
 inline std::string why_too_large(double content, double bytes_of_file) {
-  static constexpr double always = 256e6;      // bytes; read and converted within a gigabyte
+  static constexpr double always = 160e6;      // bytes; images of labels need five times as much
   static constexpr double most_per_byte = 100; // compressed images of labels have less or are small
   if (content <= always + most_per_byte * bytes_of_file)
     return "";
