@@ -20,6 +20,10 @@ timespec time_of_first = {};
 Process_group* group = nullptr; // null if interrupts are not shared
 bool have_agreed = false;       // to stop
 
+// The signals that ask the program to end. Batch systems announce the end of a job by the last
+// three.
+constexpr int signals[] = {SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGUSR2, SIGXCPU};
+
 constexpr char advice[] =
     "dsc: stopping; if no line follows, mpirun ended the processes before they wrote a checkpoint: "
     "stop them by the signal USR1 to mpirun, or use mpirun --mca odls_base_sigkill_timeout 30\n";
@@ -48,10 +52,14 @@ void catch_signals() {
   action.sa_handler = raise_flag;
   sigemptyset(&action.sa_mask);
   action.sa_flags = SA_RESTART;
-  // Batch systems announce the end of a job by the last three.
-  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGUSR2, SIGXCPU})
+  for (const int number : signals)
     sigaction(number, &action, nullptr);
   for (const int number : {SIGXFSZ, SIGPIPE})
+    std::signal(number, SIG_IGN);
+}
+
+void ignore_signals() {
+  for (const int number : signals)
     std::signal(number, SIG_IGN);
 }
 

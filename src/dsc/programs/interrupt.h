@@ -39,6 +39,9 @@ public:
 /// write operations fail, and no longer end the program.
 void catch_signals();
 
+/// Ignores signals that ask the program to end from now on: it has nothing left to stop.
+void ignore_signals();
+
 /// Returns whether the flag is raised. If interrupts are shared, returns the result of the last
 /// call of `agree_on_interrupts()` instead.
 bool interrupted();

@@ -85,6 +85,7 @@ public:
   /// Prints the messages of this process if the others do not fail.
   /// \param code the exit code of this process
   void end(int code) {
+    ignore_signals(); // mpirun sends them to all processes after the first one failed
     std::cerr.rdbuf(m_terminal);
     // After an interrupt or an error that all processes meet, the first one can write for long.
     const bool is_common =
