@@ -101,8 +101,10 @@ void write_checkpoint_blocks(const std::string& path, const Distributed_mesh<Com
                              const std::string& metadata) {
   Communicator& communicator = *mesh.communicator;
   std::vector<Communicator::Message> own(1); // before the others wait for it: memory can be short
-  const std::string piece = encoded_piece(mesh);
-  own[0].bytes.assign(piece.begin(), piece.end());
+  {
+    const std::string piece = encoded_piece(mesh);
+    own[0].bytes.assign(piece.begin(), piece.end());
+  }
   int sent = 0; // pieces
   // Returns the next piece, on the first rank.
   const auto next_piece = [&] {

@@ -119,7 +119,6 @@ private:
   bool is_over() const;
   unsigned step() const { return m_first + m_done; }
   void write_files();
-  std::string save_after(const std::exception& error);
   void write_report() const;
   std::string save(const char* name);
 
@@ -259,21 +258,9 @@ template <int dimension> void Reported_run<dimension>::do_steps() {
   } catch (const std::exception& error) {
     progress.clear();
     all_processes_fail(); // they wait while the first one writes
-    throw std::runtime_error(save_after(error));
+    throw std::runtime_error(message_after_saving(
+        error, step(), [&] { return save("dsc_failed"); }, [&] { write_report(); }));
   }
-}
-
-/// After an error of any kind in a step, keeps the previous steps. Returns the message.
-template <int dimension>
-std::string Reported_run<dimension>::save_after(const std::exception& error) {
-  std::string message = error_message(error);
-  try {
-    message += "; the state after step " + std::to_string(step()) + " is in " + save("dsc_failed");
-    write_report();
-  } catch (const std::exception& second) {
-    message += "; " + error_message(second);
-  }
-  return message;
 }
 
 template <int dimension> int Reported_run<dimension>::finish() {

@@ -8,7 +8,6 @@
 #include "input/translations.h"
 #include "programs/errors.h"
 
-#include <CGAL/Mesh_files/internal/text/files.h>
 #include <CGAL/Mesh_files/replace_file.h>
 
 #include <fcntl.h>
@@ -22,6 +21,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <system_error>
 
 namespace dsc {
 namespace {

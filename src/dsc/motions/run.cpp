@@ -241,7 +241,6 @@ public:
 private:
   void advance();
   void write_files(bool writes_state);
-  std::string save_after(const std::exception& error);
   void write_report();
   std::string metadata() const {
     return to_metadata(m_position, m_options.step, m_complex->label_names);
@@ -378,23 +377,15 @@ void Run::do_steps() {
     progress.clear();
     if (!all_processes_fail())
       throw;
-    throw std::runtime_error(save_after(error));
+    const auto save = [&] {
+      m_complex->go_back();
+      return m_folder || m_done > 0
+                 ? save_run(m_folder, "dsc_failed", *m_complex, m_position, metadata())
+                 : std::string();
+    };
+    throw std::runtime_error(
+        message_after_saving(error, m_position.step, save, [&] { write_report(); }));
   }
-}
-
-/// After an error of any kind in a step, keeps the previous steps. Returns the message.
-std::string Run::save_after(const std::exception& error) {
-  std::string message = error_message(error);
-  try {
-    m_complex->go_back();
-    if (m_folder || m_done > 0)
-      message += "; the state after step " + std::to_string(m_position.step) + " is in " +
-                 save_run(m_folder, "dsc_failed", *m_complex, m_position, metadata());
-    write_report();
-  } catch (const std::exception& second) {
-    message += "; " + error_message(second);
-  }
-  return message;
 }
 
 void Run::write_report() {

@@ -56,7 +56,6 @@ Output_folder::Output_folder(const std::string& path, int subdivisions)
 
 void Output_folder::claim(const std::string& resume) {
   m_claim.emplace(m_path);
-  require_writable(checkpoint());
   if (exists(checkpoint()) && !is_same_file(checkpoint(), resume))
     throw Input_error("the folder '" + m_path +
                       "' contains the results of another run; choose another "
@@ -131,6 +130,20 @@ std::string save_run(std::optional<Output_folder>& folder, const std::string& st
     throw;
   }
   return result;
+}
+
+std::string message_after_saving(const std::exception& error, unsigned step,
+                                 const std::function<std::string()>& save,
+                                 const std::function<void()>& write_report) {
+  std::string message = error_message(error);
+  try {
+    if (const std::string checkpoint = save(); !checkpoint.empty())
+      message += "; the state after step " + std::to_string(step) + " is in " + checkpoint;
+    write_report();
+  } catch (const std::exception& second) {
+    message += "; " + error_message(second);
+  }
+  return message;
 }
 
 std::vector<Moment> moments_of_collection(const std::string& collection) {

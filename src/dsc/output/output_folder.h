@@ -11,6 +11,8 @@
 
 #include <CGAL/Mesh_files/PVD_series.h>
 
+#include <exception>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -69,6 +71,13 @@ private:
 std::string save_run(std::optional<Output_folder>& folder, const std::string& stem,
                      const Tracked_complex& complex, const Run_position& position,
                      const std::string& metadata);
+
+/// Saves a run after an error of any kind in a step, so that the previous steps are kept. Returns
+/// the message, which also tells where they are, or why they could not be saved.
+/// \param save returns the name of the checkpoint; empty if there is nothing to save
+std::string message_after_saving(const std::exception& error, unsigned step,
+                                 const std::function<std::string()>& save,
+                                 const std::function<void()>& write_report);
 
 /// Time, and file of the state.
 using Moment = std::pair<double, std::string>;

@@ -32,7 +32,6 @@ public:
     if (exists(m_volume.path()))
       throw Input_error("the folder '" + path +
                         "' contains the steps of another run; choose another folder");
-    require_writable(m_volume.path());
   }
 
   /// \throws Input_error if the folder no longer belongs to this run
