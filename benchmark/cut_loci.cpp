@@ -33,7 +33,7 @@ namespace dsc_benchmark {
 namespace {
 
 using Domain = CGAL::Deformable_simplicial_complexes::Torus_domain<2>;
-using Point = CGAL::Simple_cartesian<double>::Point_2;
+using Point = CGAL::Epick::Point_2;
 using geodesic_fan::Vector;
 using Triple = std::array<double, 3>;
 

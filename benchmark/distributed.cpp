@@ -42,8 +42,8 @@ namespace {
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Distributed = DSC::Distributed_complex<Complex>;
-using Point = Complex::Approximate_point_3;
-using Vector = Complex::Approximate_vector_3;
+using Point = Complex::Point_3;
+using Vector = Complex::Vector_3;
 using Operation = DSC::Communicator::Operation;
 
 /// Returns a number of /proc/self/status in MB; 0 if it is unknown.

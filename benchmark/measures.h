@@ -24,8 +24,8 @@ namespace DSC = CGAL::Deformable_simplicial_complexes;
 namespace dsc_benchmark {
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
-using Point = Complex::Approximate_point_3;
-using Vector = Complex::Approximate_vector_3;
+using Point = Complex::Point_3;
+using Vector = Complex::Vector_3;
 
 constexpr double degree = CGAL_PI / 180;
 

@@ -37,10 +37,9 @@ namespace {
 
 using namespace CGAL::Deformable_simplicial_complexes;
 using Planar = CGAL::Deformable_simplicial_complex_2<>;
-using Torus = CGAL::Deformable_simplicial_complex_2<CGAL::Deformable_simplicial_complex_traits_2<>,
-                                                    CGAL::Default, Torus_domain<2>>;
-using Point = Planar::Approximate_point_2;
-using Vector = Planar::Approximate_vector_2;
+using Torus = CGAL::Deformable_simplicial_complex_2<CGAL::Epick, CGAL::Default, Torus_domain<2>>;
+using Point = Planar::Point_2;
+using Vector = Planar::Vector_2;
 using Field = std::vector<Vector>; // displacements in the order of `interface_vertices()`
 
 constexpr double size = 2; // side length of the domains

@@ -29,8 +29,7 @@ namespace {
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 using Complex =
-    CGAL::Deformable_simplicial_complex_3<CGAL::Deformable_simplicial_complex_traits_3<>,
-                                          CGAL::Default, DSC::Biased_minimum_sine_3>;
+    CGAL::Deformable_simplicial_complex_3<CGAL::Epick, CGAL::Default, DSC::Biased_minimum_sine_3>;
 
 // The dihedral angles of all cells, and of the free cells. The fixed interface determines angles of
 // cells with two facets on it, and of cells with a facet whose smallest angle is below a bound. The

@@ -17,7 +17,7 @@ using Fluid = CGAL::Incompressible_fluid_3<Complex>;
 int main() {
   // Label 1 in a ball of radius 0.5, label 0 around it. The domain extends below the floor, so the
   // floor is not a boundary of the domain.
-  const auto label_at = [](const Complex::Approximate_point& p) {
+  const auto label_at = [](const Complex::Point& p) {
     return (p - CGAL::ORIGIN).squared_length() < .25 ? 1 : 0;
   };
   Complex complex = DSC::make_deformable_simplicial_complex_3<Complex>(

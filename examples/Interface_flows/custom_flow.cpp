@@ -16,8 +16,8 @@
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
-using Point = Complex::Approximate_point_3;
-using Vector = Complex::Approximate_vector_3;
+using Point = Complex::Point_3;
+using Vector = Complex::Vector_3;
 using Mesh = CGAL::Surface_mesh<Complex::Point_3>;
 
 // A model of `InterfaceVelocity`. The velocity of a vertex is the direction of steepest descent of

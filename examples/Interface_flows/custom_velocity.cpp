@@ -13,8 +13,8 @@
 #include <iostream>
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
-using Point = Complex::Approximate_point_3;
-using Vector = Complex::Approximate_vector_3;
+using Point = Complex::Point_3;
+using Vector = Complex::Vector_3;
 using Mesh = CGAL::Surface_mesh<Complex::Point_3>;
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;

@@ -24,10 +24,9 @@
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 using Domain = CGAL::Deformable_simplicial_complexes::Torus_domain<3>;
-using Complex =
-    CGAL::Deformable_simplicial_complex_3<CGAL::Deformable_simplicial_complex_traits_3<>,
-                                          CGAL::Default, DSC::Volume_length_ratio_3, Domain>;
-using Point = Complex::Approximate_point_3;
+using Complex = CGAL::Deformable_simplicial_complex_3<CGAL::Epick, CGAL::Default,
+                                                      DSC::Volume_length_ratio_3, Domain>;
+using Point = Complex::Point_3;
 
 struct Angles
 {

@@ -20,10 +20,8 @@
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 using Domain = CGAL::Deformable_simplicial_complexes::Torus_domain<2>;
-using Complex =
-    CGAL::Deformable_simplicial_complex_2<CGAL::Deformable_simplicial_complex_traits_2<>,
-                                          CGAL::Default, Domain>;
-using Point = Complex::Approximate_point_2;
+using Complex = CGAL::Deformable_simplicial_complex_2<CGAL::Epick, CGAL::Default, Domain>;
+using Point = Complex::Point_2;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 // Returns the label of the nearest seed.

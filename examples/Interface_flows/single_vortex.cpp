@@ -17,7 +17,7 @@ using Complex = CGAL::Deformable_simplicial_complex_2<>;
 namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
 
 const double pi = std::acos(-1.), radius = .15;
-const Complex::Approximate_point_2 center(.5, .75);
+const Complex::Point_2 center(.5, .75);
 
 double length(const Complex& dsc) {
   double sum = 0;

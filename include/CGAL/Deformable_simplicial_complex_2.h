@@ -11,7 +11,6 @@
 
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
-#include <CGAL/Deformable_simplicial_complex_traits_2.h>
 #include <CGAL/Deformable_simplicial_complexes/Ball_domain.h>
 #include <CGAL/Deformable_simplicial_complexes/Labeled_complex.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Space_2.h>
@@ -35,7 +34,7 @@ triangles, and the facets are edges.
 \tparam Tds_ a `Triangulation_data_structure_2` with the vertices and faces of this package
 \tparam Domain_ `Ball_domain`, or `Torus_domain<2>`
 */
-template <class Traits_ = Deformable_simplicial_complex_traits_2<>, class Tds_ = Default,
+template <class Traits_ = Exact_predicates_inexact_constructions_kernel, class Tds_ = Default,
           class Domain_ = Deformable_simplicial_complexes::Ball_domain>
 class Deformable_simplicial_complex_2
     : public Deformable_simplicial_complexes::Labeled_complex<
@@ -51,12 +50,10 @@ class Deformable_simplicial_complex_2
 public:
   using typename Base::Label;
 
-  /// Position as stored; predicates use this type.
+  /// Position of a vertex.
   using Point_2 = typename Base::Point;
-  /// Position with coordinates of type `double`; measures use this type.
-  using Approximate_point_2 = typename Base::Approximate_point;
-  /// Difference of two approximate positions.
-  using Approximate_vector_2 = typename Base::Approximate_vector;
+  /// Difference of two positions.
+  using Vector_2 = typename Base::Vector;
 
   /// Constructs an empty complex.
   explicit Deformable_simplicial_complex_2(const Traits_& traits = Traits_(),

@@ -11,7 +11,6 @@
 
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
-#include <CGAL/Deformable_simplicial_complex_traits_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Ball_domain.h>
 #include <CGAL/Deformable_simplicial_complexes/Labeled_complex.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Space_3.h>
@@ -26,9 +25,8 @@ A tetrahedralized domain; each cell carries a label. The *interface* is the set 
 cells of different labels; it may be non-manifold, and any number of labels may meet. The domain is
 a ball or a flat torus. In most cases, the ball is a box whose sides are known to the complex.
 
-Everything that holds in any dimension is inherited from `Labeled_complex`. `Point_3`,
-`Approximate_point_3` and `Approximate_vector_3` are other names of its types `Point`,
-`Approximate_point` and `Approximate_vector`.
+Everything that holds in any dimension is inherited from `Labeled_complex`. `Point_3` and
+`Vector_3` are other names of its types `Point` and `Vector`.
 
 \tparam Traits_ model of `DeformableSimplicialComplexTraits_3`
 \tparam Tds_ a `Triangulation_data_structure_3` whose items are models of
@@ -36,7 +34,7 @@ Everything that holds in any dimension is inherited from `Labeled_complex`. `Poi
 \tparam QualityMeasure_ model of `TetrahedronQualityMeasure_3`; the quality cached in cells
 \tparam Domain_ `Ball_domain`, or `Torus_domain<3>`
 */
-template <class Traits_ = Deformable_simplicial_complex_traits_3<>, class Tds_ = Default,
+template <class Traits_ = Exact_predicates_inexact_constructions_kernel, class Tds_ = Default,
           class QualityMeasure_ = Deformable_simplicial_complexes::Volume_length_ratio_3,
           class Domain_ = Deformable_simplicial_complexes::Ball_domain>
 class Deformable_simplicial_complex_3
@@ -59,12 +57,10 @@ public:
   using typename Base::Quality_measure;
   using typename Base::Vertex_handle;
 
-  /// Position as stored; predicates use this type.
+  /// Position of a vertex.
   using Point_3 = typename Base::Point;
-  /// Position with coordinates of type `double`; measures use this type.
-  using Approximate_point_3 = typename Base::Approximate_point;
-  /// Difference of two approximate positions.
-  using Approximate_vector_3 = typename Base::Approximate_vector;
+  /// Difference of two positions.
+  using Vector_3 = typename Base::Vector;
   /// Cell and the indices of the two vertices of the edge.
   using Edge = typename Base::Triangulation::Edge;
 

@@ -192,7 +192,7 @@ private:
 class Geodesic_source
 {
 public:
-  using Point = CGAL::Simple_cartesian<double>::Point_2; ///< of the chart
+  using Point = CGAL::Epick::Point_2; ///< of the chart
 
   /// A distance ball.
   struct Ball

@@ -303,7 +303,7 @@ Complex first_grains(const Grain_run& run, const DSC::Interface_energy& energy, 
   }
   // The interface is fitted to the particles before the grains get their labels, so that particles
   // are round.
-  using Point = typename Complex::Approximate_point;
+  using Point = typename Complex::Point;
   const Particles<d> particles(run);
   Complex result =
       make(edge, [&](const Point& p) { return particles.contain(p) ? particle_label : 1; });

@@ -22,8 +22,8 @@ namespace dsc_python {
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
-using Point_3 = CGAL::Simple_cartesian<double>::Point_3;
-using Vector_3 = CGAL::Simple_cartesian<double>::Vector_3;
+using Point_3 = CGAL::Epick::Point_3;
+using Vector_3 = CGAL::Epick::Vector_3;
 
 /// A fluid with its own complex. The fluid refers to the complex, so the complex does not move.
 template <class Complex> struct Owned_fluid

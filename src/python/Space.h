@@ -29,8 +29,8 @@ template <class Complex> class Space
 {
 public:
   static constexpr int d = Complex::dimension;
-  using Point = typename Complex::Approximate_point;
-  using Vector = typename Complex::Approximate_vector;
+  using Point = typename Complex::Point;
+  using Vector = typename Complex::Vector;
 
   explicit Space(const Complex& complex) : m_normalization(complex.normalization()) {}
 

@@ -17,7 +17,7 @@ template <class Complex> class Vertex_images
 {
 public:
   static constexpr int d = Complex::dimension;
-  using Point = typename Complex::Approximate_point;
+  using Point = typename Complex::Point;
 
   /// \param vertices handles; the first points are their positions
   template <class Vertices>

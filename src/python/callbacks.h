@@ -39,8 +39,8 @@ private:
 template <class Complex> class Velocity_function
 {
 public:
-  using Point = typename Complex::Approximate_point;
-  using Vector = typename Complex::Approximate_vector;
+  using Point = typename Complex::Point;
+  using Vector = typename Complex::Vector;
 
   Velocity_function(py::function function, const Space<Complex>& space)
       : m_function(std::move(function)), m_space(space) {}
@@ -72,7 +72,7 @@ private:
 template <class Complex> class Label_function : private Shared_function
 {
 public:
-  using Point = typename Complex::Approximate_point;
+  using Point = typename Complex::Point;
 
   using Shared_function::Shared_function;
 

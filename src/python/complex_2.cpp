@@ -67,7 +67,7 @@ auto from_image(const py::array& labels, std::size_t width, std::size_t height, 
     Complex complex = DSC::make_deformable_simplicial_complex_2<Complex>(image, edge / spacing);
     // Pixels have the side 1, and the origin is the lower left corner of the image.
     complex.set_normalization(
-        {Complex::Approximate_vector(origin[0] - spacing / 2, origin[1] - spacing / 2), spacing});
+        {Complex::Vector(origin[0] - spacing / 2, origin[1] - spacing / 2), spacing});
     return complex;
   });
 }

@@ -85,7 +85,7 @@ auto from_image(const py::array& labels, const std::array<std::size_t, 3>& size,
     Complex complex = DSC::make_complex_from_labeled_image_3<Complex>(image, edge, construction);
     Complex::Normalization normalization = complex.normalization();
     normalization.translation =
-        normalization.translation + Complex::Approximate_vector(origin[0], origin[1], origin[2]);
+        normalization.translation + Complex::Vector(origin[0], origin[1], origin[2]);
     complex.set_normalization(normalization);
     return complex;
   });

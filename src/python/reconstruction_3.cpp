@@ -17,7 +17,7 @@ namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Report = DSC::Reconstruction_report_3<Complex>;
-using Normal = CGAL::Simple_cartesian<double>::Vector_3;
+using Normal = CGAL::Epick::Vector_3;
 
 /// \param array coordinates of vectors, shape (n, 3), or None
 std::vector<Normal> normals_of(const py::object& array, std::size_t points) {

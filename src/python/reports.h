@@ -49,7 +49,7 @@ template <class Report> void add_changes(const Report& report, py::dict& result)
 template <class Complex>
 py::dict report_to_dict(const DSC::Deformation_report<Complex>& report, const Complex& complex) {
   const Space<Complex> space(complex);
-  std::vector<typename Complex::Approximate_point> positions;
+  std::vector<typename Complex::Point> positions;
   for (const auto& vertex : report.unfinished)
     positions.push_back(complex.position(vertex.vertex));
   py::list labels, events;

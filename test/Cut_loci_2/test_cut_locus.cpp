@@ -8,7 +8,7 @@ namespace test_cut_locus {
 
 using CGAL::Deformable_simplicial_complexes::Error;
 using Domain = CGAL::Deformable_simplicial_complexes::Torus_domain<2>;
-using Point = CGAL::Simple_cartesian<double>::Point_2;
+using Point = CGAL::Epick::Point_2;
 
 constexpr double pi = 3.14159265358979324;
 

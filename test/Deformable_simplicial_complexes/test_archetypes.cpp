@@ -31,9 +31,7 @@ struct Ratio
     return DSC::Volume_length_ratio_3()(p, q, r, s);
   }
 };
-using Complex =
-    CGAL::Deformable_simplicial_complex_3<CGAL::Deformable_simplicial_complex_traits_3<>,
-                                          CGAL::Default, Ratio>;
+using Complex = CGAL::Deformable_simplicial_complex_3<CGAL::Epick, CGAL::Default, Ratio>;
 
 small_meshes::Labeled_mesh ball() { return small_meshes::grid(4, small_meshes::ball); }
 

@@ -50,10 +50,10 @@ std::vector<Point> random_destinations(const Complex& dsc, Abuse abuse, Random& 
       p = i % 5 == chosen % 5 ? CGAL::ORIGIN + huge * rough : p + rough;
       break;
     case Abuse::not_finite:
-      p = i == chosen ? Complex::Approximate_point_3(p.x(), std::nan(""), p.z()) : p + rough;
+      p = i == chosen ? Complex::Point_3(p.x(), std::nan(""), p.z()) : p + rough;
       break;
     }
-    result.push_back(mesh_helpers::exact_point(dsc, p));
+    result.push_back(p);
   }
   return result;
 }

@@ -33,8 +33,7 @@ State flow(unsigned number_of_threads) {
         dsc,
         [&](Complex::Vertex_handle v) {
           const auto p = dsc.position(v);
-          return mesh_helpers::exact_point(
-              dsc, p + .1 * Complex::Approximate_vector_3(p.x() - p.y(), p.x() + p.y(), p.z()));
+          return p + .1 * Complex::Vector_3(p.x() - p.y(), p.x() + p.y(), p.z());
         },
         parameters::number_of_threads(number_of_threads));
   DSC::improve_mesh(dsc);
@@ -161,7 +160,7 @@ Complex solid(int (*label)(const small_meshes::Point&)) {
 TEST(Threads, change_no_bit_of_flows_in_space) {
   const Complex ball = solid(small_meshes::ball);
   const double edge = ball.mean_interface_edge();
-  const DSC::Rigid_rotation_3 rotation(CGAL::ORIGIN, Complex::Approximate_vector_3(0, 0, 1), .05);
+  const DSC::Rigid_rotation_3 rotation(CGAL::ORIGIN, Complex::Vector_3(0, 0, 1), .05);
   expect_same_bits(ball, rotation, 1);
   expect_same_bits(ball, DSC::Normal_offset{edge / 4}, 1);
   expect_same_bits(ball, DSC::Face_offset_3{edge / 4}, 1);
@@ -222,7 +221,7 @@ TEST(Threads, change_no_bit_of_flows_in_the_plane) {
   const auto disks = plane::disks_in_a_square({{-.3, 0, .25, 1}, {.3, .1, .25, 2}}, 200, 1, 40);
   ASSERT_GT(disks.number_of_cells(), 3000u);
   const double edge = disks.mean_interface_edge();
-  const DSC::Rigid_rotation_2 rotation(plane::Complex::Approximate_point_2(0, 0), .05);
+  const DSC::Rigid_rotation_2 rotation(plane::Complex::Point_2(0, 0), .05);
   expect_same_bits(disks, rotation, 1);
   expect_same_bits(disks, DSC::Normal_offset{2 * edge}, 1);
   expect_same_bits(disks, DSC::Mean_curvature_flow(), edge * edge);

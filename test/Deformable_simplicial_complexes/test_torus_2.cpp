@@ -14,7 +14,7 @@ using torus::Complex;
 using torus::Domain;
 using torus::Point;
 using Vertex_handle = Complex::Vertex_handle;
-using Vector = Complex::Approximate_vector_2;
+using Vector = Complex::Vector_2;
 
 template <class Point_2> double distance_on_unit_torus(const Point_2& p, const Point& q) {
   const auto along = [](double difference) { return difference - std::round(difference); };
@@ -150,7 +150,7 @@ TEST(Torus, moves_a_vertex_across_the_seam) {
 struct Translation
 {
   Vector velocity;
-  Vector operator()(const Complex::Approximate_point_2&, double) const { return velocity; }
+  Vector operator()(const Complex::Point_2&, double) const { return velocity; }
 };
 
 TEST(Torus, carries_a_disk_once_around) {
@@ -229,7 +229,7 @@ public:
            {amplitude(random), amplitude(random)},
            10 * amplitude(random)};
   }
-  Vector operator()(const Complex::Approximate_point_2& p, double) const {
+  Vector operator()(const Complex::Point_2& p, double) const {
     static const double two_pi = 2 * std::acos(-1.);
     Vector result(CGAL::NULL_VECTOR);
     for (const Wave& w : m_waves)
@@ -263,7 +263,7 @@ TEST(Torus, stays_valid_whatever_happens) {
 // exactly horizontal.
 struct Squeeze
 {
-  Vector operator()(const Complex::Approximate_point_2& p, double) const {
+  Vector operator()(const Complex::Point_2& p, double) const {
     return Vector(std::sin(2 * std::acos(-1.) * p.x()), 0);
   }
 };
@@ -275,7 +275,7 @@ class Four_phases : public testing::Test
 protected:
   Four_phases()
       : dsc(DSC::make_deformable_simplicial_complex_2<Complex>(
-            Domain(), .05, [](const Complex::Approximate_point_2& p) {
+            Domain(), .05, [](const Complex::Point_2& p) {
               const double x = p.x() - .5, y = p.y() - .5;
               if (std::abs(x) > std::abs(y) + .1)
                 return x < 0 ? 3 : 4;
@@ -323,7 +323,7 @@ TEST_F(Four_phases, keep_their_neighbors_where_that_is_wanted) {
 
 TEST(Curve_shortening, shrinks_a_circle_on_the_seams_at_its_rate) {
   Complex dsc = DSC::make_deformable_simplicial_complex_2<Complex>(
-      Domain(), .05, [](const Complex::Approximate_point_2& p) {
+      Domain(), .05, [](const Complex::Point_2& p) {
         return distance_on_unit_torus(p, Point(0, 0)) < .3 ? 1 : 0;
       });
   const double two_pi = 2 * std::acos(-1.), dt = .001;
@@ -336,7 +336,7 @@ TEST(Curve_shortening, shrinks_a_circle_on_the_seams_at_its_rate) {
 
 TEST(Curve_shortening, brings_a_bubble_of_a_kept_area_to_rest) {
   Complex dsc = DSC::make_deformable_simplicial_complex_2<Complex>(
-      Domain(), .05, [](const Complex::Approximate_point_2& p) {
+      Domain(), .05, [](const Complex::Point_2& p) {
         return std::abs(p.x() - .5) < .3 && std::abs(p.y() - .5) < .15 ? 1 : 0;
       });
   const double area = dsc.area(1), radius = std::sqrt(area / std::acos(-1.));

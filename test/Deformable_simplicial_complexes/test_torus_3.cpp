@@ -13,11 +13,10 @@
 namespace {
 
 using Domain = CGAL::Deformable_simplicial_complexes::Torus_domain<3>;
-using Complex =
-    CGAL::Deformable_simplicial_complex_3<CGAL::Deformable_simplicial_complex_traits_3<>,
-                                          CGAL::Default, DSC::Volume_length_ratio_3, Domain>;
-using Position = Complex::Approximate_point_3;
-using Vector = Complex::Approximate_vector_3;
+using Complex = CGAL::Deformable_simplicial_complex_3<CGAL::Epick, CGAL::Default,
+                                                      DSC::Volume_length_ratio_3, Domain>;
+using Position = Complex::Point_3;
+using Vector = Complex::Vector_3;
 
 double distance_on_unit_torus(const Position& p, const Position& q) {
   const auto along = [](double difference) { return difference - std::round(difference); };

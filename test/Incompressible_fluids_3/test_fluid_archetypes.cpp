@@ -13,8 +13,7 @@ public:
   Floor(const Floor&) = default;
   Floor& operator=(const Floor&) = delete;
 
-  void walls(const CGAL::Simple_cartesian<double>::Point_3& p, double,
-             std::vector<DSC::Wall_3>& result) const {
+  void walls(const CGAL::Epick::Point_3& p, double, std::vector<DSC::Wall_3>& result) const {
     result.push_back({p.z() - m_height, DSC::Wall_3::Vector(0, 0, 1)});
   }
 

@@ -201,7 +201,7 @@ TEST(Periodic_fluid, has_sources_across_the_seams) {
 TEST(Periodic_fluid, capillary_waves_run_across_the_seam) {
   static constexpr double amplitude = .01, depth = .2;
   Complex complex = DSC::make_deformable_simplicial_complex_2<Complex>(
-      Domain(), 1. / 24, [](const Complex::Approximate_point_2& p) {
+      Domain(), 1. / 24, [](const Complex::Point_2& p) {
         return std::abs(p.y() - .5) < depth + amplitude * std::cos(two_pi * p.x()) ? 1 : 0;
       });
   Fluid fluid(complex, one_liquid(0, 1));
@@ -334,9 +334,8 @@ TEST(Periodic_fluid, continues_with_the_same_bits) {
 // In space, a liquid that fills the torus has no constrained velocity.
 TEST(Periodic_fluid, vortices_decay_in_space) {
   using Domain_3 = DSC::Torus_domain<3>;
-  using Complex_3 =
-      CGAL::Deformable_simplicial_complex_3<CGAL::Deformable_simplicial_complex_traits_3<>,
-                                            CGAL::Default, DSC::Volume_length_ratio_3, Domain_3>;
+  using Complex_3 = CGAL::Deformable_simplicial_complex_3<CGAL::Epick, CGAL::Default,
+                                                          DSC::Volume_length_ratio_3, Domain_3>;
   static constexpr double viscosity = .05, dt = .01;
   static constexpr int steps = 6;
   Complex_3 complex = DSC::make_deformable_simplicial_complex_3<Complex_3>(

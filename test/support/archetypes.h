@@ -4,11 +4,9 @@
 #include "small_meshes.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complex_traits_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/quality_measures.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Triangulation_data_structure_3.h>
 #include <CGAL/Triangulation_ds_cell_base_3.h>
 #include <CGAL/Triangulation_ds_vertex_base_3.h>
@@ -30,23 +28,13 @@ namespace archetypes {
 
 class Traits
 {
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
 public:
-  using Approximate_point_3 = CGAL::Simple_cartesian<double>::Point_3;
-  using Approximate_vector_3 = CGAL::Simple_cartesian<double>::Vector_3;
-
-  // copyable, assignable and comparable; its coordinates are private
-  class Point_3
-  {
-  public:
-    Point_3() = default;
-    friend bool operator==(const Point_3& a, const Point_3& b) { return a.m_point == b.m_point; }
-
-  private:
-    friend class Traits;
-    explicit Point_3(const Approximate_point_3& p) : m_point(p) {}
-
-    Approximate_point_3 m_point;
-  };
+  using FT = double;
+  using Point_3 = Kernel::Point_3;
+  using Vector_3 = Kernel::Vector_3;
+  using Orientation_3 = Kernel::Orientation_3;
 
   // names that Triangulation_3 mentions but does not use here
   class Segment_3;
@@ -54,47 +42,7 @@ public:
   class Tetrahedron_3;
   class Construct_point_3;
 
-  class Orientation_3
-  {
-  public:
-    CGAL::Orientation operator()(const Point_3& p, const Point_3& q, const Point_3& r,
-                                 const Point_3& s) const {
-      const auto exact = [](const Point_3& x) {
-        return Kernel::Point_3(x.m_point.x(), x.m_point.y(), x.m_point.z());
-      };
-      return Kernel().orientation_3_object()(exact(p), exact(q), exact(r), exact(s));
-    }
-  };
-
-  class Construct_approximate_point_3
-  {
-  public:
-    Approximate_point_3 operator()(const Point_3& p) const { return p.m_point; }
-  };
-
-  class Construct_exact_point_3
-  {
-  public:
-    Point_3 operator()(const Approximate_point_3& p) const { return Point_3(p); }
-  };
-
-  class Compute_approximate_volume_3
-  {
-  public:
-    double operator()(const Approximate_point_3& p, const Approximate_point_3& q,
-                      const Approximate_point_3& r, const Approximate_point_3& s) const {
-      return Model().compute_approximate_volume_3_object()(p, q, r, s);
-    }
-  };
-
   Orientation_3 orientation_3_object() const { return {}; }
-  Construct_approximate_point_3 construct_approximate_point_3_object() const { return {}; }
-  Construct_exact_point_3 construct_exact_point_3_object() const { return {}; }
-  Compute_approximate_volume_3 compute_approximate_volume_3_object() const { return {}; }
-
-private:
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  using Model = CGAL::Deformable_simplicial_complex_traits_3<Kernel>;
 };
 
 // DeformableSimplicialComplexVertexBase_3
@@ -176,9 +124,8 @@ private:
 class Quality_measure
 {
 public:
-  double operator()(const Traits::Approximate_point_3& p, const Traits::Approximate_point_3& q,
-                    const Traits::Approximate_point_3& r,
-                    const Traits::Approximate_point_3& s) const {
+  double operator()(const Traits::Point_3& p, const Traits::Point_3& q, const Traits::Point_3& r,
+                    const Traits::Point_3& s) const {
     return DSC::Volume_length_ratio_3()(p, q, r, s);
   }
 };
@@ -212,15 +159,14 @@ public:
 // The destination of a vertex, InterfaceFlowMap, VelocityField, InterfaceVelocity, and
 // InterfaceStep: all displace by the same small vector.
 
-inline Traits::Approximate_vector_3 small_vector() { return {.03, .02, .01}; }
+inline Traits::Vector_3 small_vector() { return {.03, .02, .01}; }
 
 template <class Complex> class Destination
 {
 public:
   explicit Destination(const Complex& dsc) : m_complex(dsc) {}
   typename Complex::Point_3 operator()(typename Complex::Vertex_handle v) const {
-    return m_complex.geom_traits().construct_exact_point_3_object()(m_complex.position(v) +
-                                                                    small_vector());
+    return m_complex.position(v) + small_vector();
   }
 
 private:
@@ -230,8 +176,7 @@ private:
 class Flow_map
 {
 public:
-  Traits::Approximate_point_3 operator()(const Traits::Approximate_point_3& p, double,
-                                         double dt) const {
+  Traits::Point_3 operator()(const Traits::Point_3& p, double, double dt) const {
     return p + dt * small_vector();
   }
 };
@@ -239,17 +184,15 @@ public:
 class Velocity_field
 {
 public:
-  Traits::Approximate_vector_3 operator()(const Traits::Approximate_point_3&, double) const {
-    return small_vector();
-  }
+  Traits::Vector_3 operator()(const Traits::Point_3&, double) const { return small_vector(); }
 };
 
 template <class Complex> class Interface_velocity
 {
 public:
   void operator()(const DSC::Interface_snapshot<Complex>&,
-                  const std::vector<Traits::Approximate_point_3>& positions, double,
-                  std::vector<Traits::Approximate_vector_3>& velocities) const {
+                  const std::vector<Traits::Point_3>& positions, double,
+                  std::vector<Traits::Vector_3>& velocities) const {
     velocities.assign(positions.size(), small_vector());
   }
 };
@@ -258,9 +201,9 @@ template <class Complex> class Interface_step
 {
 public:
   void operator()(const DSC::Interface_snapshot<Complex>&,
-                  const std::vector<Traits::Approximate_point_3>& positions, double, double dt,
-                  std::vector<Traits::Approximate_point_3>& destinations) const {
-    for (const Traits::Approximate_point_3& p : positions)
+                  const std::vector<Traits::Point_3>& positions, double, double dt,
+                  std::vector<Traits::Point_3>& destinations) const {
+    for (const Traits::Point_3& p : positions)
       destinations.push_back(p + dt * small_vector());
   }
 };
@@ -272,8 +215,7 @@ inline Complex make_complex(const small_meshes::Labeled_mesh& mesh) {
   Complex dsc;
   std::vector<Traits::Point_3> points;
   for (const auto& p : mesh.points)
-    points.push_back(dsc.geom_traits().construct_exact_point_3_object()(
-        Traits::Approximate_point_3(p.x(), p.y(), p.z())));
+    points.emplace_back(p.x(), p.y(), p.z());
   dsc.assign(points, mesh.tetrahedra, mesh.labels);
   return dsc;
 }

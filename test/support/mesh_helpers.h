@@ -23,7 +23,7 @@ public:
   // in 0, ..., n - 1
   std::size_t below(std::size_t n) { return m_engine() % n; }
 
-  template <class Complex> typename Complex::Approximate_vector_3 vector(double bound) {
+  template <class Complex> typename Complex::Vector_3 vector(double bound) {
     const double x = (*this)(-bound, bound), y = (*this)(-bound, bound);
     return {x, y, (*this)(-bound, bound)};
   }
@@ -32,17 +32,11 @@ private:
   std::mt19937 m_engine;
 };
 
-template <class Complex>
-typename Complex::Point_3 exact_point(const Complex& dsc,
-                                      const typename Complex::Approximate_point_3& p) {
-  return dsc.geom_traits().construct_exact_point_3_object()(p);
-}
-
 // Moves each vertex by a random vector, as far as its star permits.
 template <class Complex> void jitter(Complex& dsc, double bound, unsigned seed) {
   Random random(seed);
   for (auto v : dsc.vertices())
-    dsc.move_vertex(v, exact_point(dsc, dsc.position(v) + random.vector<Complex>(bound)));
+    dsc.move_vertex(v, dsc.position(v) + random.vector<Complex>(bound));
 }
 
 // A grid of n^3 cubes whose vertices are displaced randomly by up to a fraction of the side length.
@@ -59,7 +53,7 @@ inline small_meshes::Complex sphere(std::size_t n, double r) {
   auto dsc = small_meshes::make_complex(small_meshes::grid(n, small_meshes::cube));
   DSC::deform_interface(dsc, [&](small_meshes::Complex::Vertex_handle v) {
     const auto x = dsc.position(v) - CGAL::ORIGIN;
-    return exact_point(dsc, CGAL::ORIGIN + r / std::sqrt(x.squared_length()) * x);
+    return CGAL::ORIGIN + r / std::sqrt(x.squared_length()) * x;
   });
   return dsc;
 }
@@ -105,8 +99,7 @@ std::vector<double> qualities_with(const Complex& dsc,
                                    const std::vector<typename Complex::Point_3>& points) {
   const auto position_of = [&](auto v) {
     const auto i = std::find(vertices.begin(), vertices.end(), v) - vertices.begin();
-    return dsc.approximate(i == std::ptrdiff_t(points.size()) ? v->point()
-                                                              : dsc.rounded(points[i]));
+    return i == std::ptrdiff_t(points.size()) ? v->point() : dsc.canonical(points[i]);
   };
   std::vector<double> result;
   for (auto c : cells)

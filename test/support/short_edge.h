@@ -11,11 +11,11 @@
 namespace short_edge {
 
 using namespace operation_helpers;
-using Approximate_point = Complex::Approximate_point_3;
+using Point = Complex::Point_3;
 
 inline int half_space(const Point& p) { return p.x() < 0 ? 1 : 0; }
 
-inline Vertex_handle vertex_at(const Complex& dsc, const Approximate_point& p) {
+inline Vertex_handle vertex_at(const Complex& dsc, const Point& p) {
   for (Vertex_handle v : dsc.vertices())
     if (dsc.position(v) == p)
       return v;

@@ -15,8 +15,8 @@ namespace small_meshes {
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Point = Complex::Point_3;
-using Position = Complex::Approximate_point_3;
-using Vector = Complex::Approximate_vector_3;
+using Position = Complex::Point_3;
+using Vector = Complex::Vector_3;
 using Vertex_handle = Complex::Vertex_handle;
 using Cell_handle = Complex::Cell_handle;
 

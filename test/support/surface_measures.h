@@ -12,7 +12,7 @@ using small_meshes::Complex;
 // Returns a complex whose user coordinates reveal a loss of digits.
 template <class Label> Complex complex_with_long_coordinates(Label label) {
   Complex dsc = small_meshes::make_complex(small_meshes::grid(4, label));
-  dsc.set_normalization({Complex::Approximate_vector_3(0.1, -100, 1e-7), 1. / 3});
+  dsc.set_normalization({Complex::Vector_3(0.1, -100, 1e-7), 1. / 3});
   return dsc;
 }
 

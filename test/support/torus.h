@@ -9,9 +9,7 @@
 namespace torus {
 
 using Domain = CGAL::Deformable_simplicial_complexes::Torus_domain<2>;
-using Complex =
-    CGAL::Deformable_simplicial_complex_2<CGAL::Deformable_simplicial_complex_traits_2<>,
-                                          CGAL::Default, Domain>;
+using Complex = CGAL::Deformable_simplicial_complex_2<CGAL::Epick, CGAL::Default, Domain>;
 using Point = Complex::Point_2;
 
 // n times n squares of two triangles each, with the labels of their barycenters.

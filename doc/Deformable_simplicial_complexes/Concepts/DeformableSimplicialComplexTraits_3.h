@@ -2,10 +2,10 @@
 \ingroup PkgDeformableSimplicialComplexesConcepts
 \cgalConcept
 
-The geometric traits of `CGAL::Deformable_simplicial_complex_3`. Predicates are exact: the orientation, and the facet of
-its star that a moving vertex meets first. Measures are approximate: volumes and qualities are computed from points with
-coordinates of type `double`. Only construction from surfaces and file input and output access the coordinates of
-`Point_3`.
+The geometric traits of `CGAL::Deformable_simplicial_complex_3`. Predicates are exact: the
+orientation, and the facet of its star that a moving vertex meets first. Measures are approximate:
+volumes and qualities are computed from points with coordinates of type `double`. Only construction
+from surfaces and file input and output access the coordinates of `Point_3`.
 
 \cgalRefines `DefaultConstructible`, `CopyConstructible`, `Assignable`
 
@@ -23,16 +23,16 @@ public:
   /// `EqualityComparable`. Two points are equal if and only if their coordinates are equal.
   typedef unspecified_type Point_3;
 
-  /// `CGAL::Simple_cartesian<double>::%Point_3`
-  typedef unspecified_type Approximate_point_3;
+  /// `CGAL::Epick::%Point_3`
+  typedef unspecified_type Point_3;
 
-  /// `CGAL::Simple_cartesian<double>::%Vector_3`
-  typedef unspecified_type Approximate_vector_3;
+  /// `CGAL::Epick::%Vector_3`
+  typedef unspecified_type Vector_3;
 
   /// @}
   /// \name Types Named by CGAL::Triangulation_3
-  /// The triangulation of a complex names these types. A complex does not use them, so incomplete types
-  /// are sufficient.
+  /// The triangulation of a complex names these types. A complex does not use them, so incomplete
+  /// types are sufficient.
   /// @{
 
   /// any type
@@ -54,26 +54,26 @@ public:
 
   /// A function object with
   /// `CGAL::Orientation operator()(const Point_3& p, const Point_3& q, const Point_3& r, const
-  /// Point_3& s) const`, which returns the exact sign of the volume of a tetrahedron. The result is invariant
-  /// under even permutations of the points.
+  /// Point_3& s) const`, which returns the exact sign of the volume of a tetrahedron. The result is
+  /// invariant under even permutations of the points.
   typedef unspecified_type Orientation_3;
 
   /// @}
   /// \name Constructions
   /// @{
 
-  /// A function object with `Approximate_point_3 operator()(const Point_3& p) const`. It returns the point with
+  /// A function object with `Point_3 operator()(const Point_3& p) const`. It returns the point with
   /// coordinates of type `double` that is nearest to `p`, up to rounding. For a point that
   /// `Construct_exact_point_3` made from `q`, it returns `q`.
   typedef unspecified_type Construct_approximate_point_3;
 
-  /// A function object with `Point_3 operator()(const Approximate_point_3& p) const`. It returns the point with
+  /// A function object with `Point_3 operator()(const Point_3& p) const`. It returns the point with
   /// exactly the same coordinates.
   typedef unspecified_type Construct_exact_point_3;
 
   /// A function object with
-  /// `double operator()(const Approximate_point_3& p, const Approximate_point_3& q, const
-  /// Approximate_point_3& r, const Approximate_point_3& s) const`. It returns the volume of a tetrahedron up
+  /// `double operator()(const Point_3& p, const Point_3& q, const
+  /// Point_3& r, const Point_3& s) const`. It returns the volume of a tetrahedron up
   /// to rounding. The volume is positive for a positively oriented tetrahedron.
   typedef unspecified_type Compute_approximate_volume_3;
 

@@ -2,12 +2,12 @@
 \ingroup PkgDeformableSimplicialComplexesConcepts
 \cgalConcept
 
-A function object that returns the quality of a tetrahedron. Mesh optimization raises the quality of the worst
-tetrahedra. The function is called often, so its cost dominates mesh optimization.
+A function object that returns the quality of a tetrahedron. Mesh optimization raises the quality of
+the worst tetrahedra. The function is called often, so its cost dominates mesh optimization.
 
-A model can have a member `gradient(p, q, r, s)` with the same arguments. It returns the derivative of the quality
-with respect to the position of p, an `Approximate_vector_3`. Without this member, the optimization uses finite
-differences.
+A model can have a member `gradient(p, q, r, s)` with the same arguments. It returns the derivative
+of the quality with respect to the position of p, an `Vector_3`. Without this member, the
+optimization uses finite differences.
 
 \cgalRefines `DefaultConstructible`, `CopyConstructible`, `Assignable`
 
@@ -22,13 +22,14 @@ class TetrahedronQualityMeasure_3
 {
 public:
   /*!
-  Returns the quality of a tetrahedron, up to rounding. The quality is 1 for a regular tetrahedron, between 0 and 1 for a
-  positively oriented one, 0 for a flat one, and negative for a negatively oriented one. The quality is continuous where the volume is not
-  zero. It is invariant under similarities and under even permutations of the vertices, up to rounding. It is a
-  deterministic function of the arguments.
+  Returns the quality of a tetrahedron, up to rounding. The quality is 1 for a regular tetrahedron,
+  between 0 and 1 for a positively oriented one, 0 for a flat one, and negative for a negatively
+  oriented one. The quality is continuous where the volume is not zero. It is invariant under
+  similarities and under even permutations of the vertices, up to rounding. It is a deterministic
+  function of the arguments.
   */
-  double operator()(const DeformableSimplicialComplexTraits_3::Approximate_point_3& p,
-                    const DeformableSimplicialComplexTraits_3::Approximate_point_3& q,
-                    const DeformableSimplicialComplexTraits_3::Approximate_point_3& r,
-                    const DeformableSimplicialComplexTraits_3::Approximate_point_3& s) const;
+  double operator()(const DeformableSimplicialComplexTraits_3::Point_3& p,
+                    const DeformableSimplicialComplexTraits_3::Point_3& q,
+                    const DeformableSimplicialComplexTraits_3::Point_3& r,
+                    const DeformableSimplicialComplexTraits_3::Point_3& s) const;
 };

@@ -39,6 +39,6 @@ public:
   */
   void
   operator()(const CGAL::Deformable_simplicial_complexes::Interface_snapshot<Complex>& snapshot,
-             const std::vector<Complex::Approximate_point>& positions, double t, double dt,
-             std::vector<Complex::Approximate_point>& destinations) const;
+             const std::vector<Complex::Point>& positions, double t, double dt,
+             std::vector<Complex::Point>& destinations) const;
 };

@@ -66,10 +66,10 @@ inline State<3> finite_state(State<3> state) {
 // Returns positions of a domain that is large enough to compute volumes and qualities. Throws
 // `Invalid_cells_error` if it is not, or if a point has no cell.
 template <class Complex>
-std::vector<typename Complex::Approximate_point>
+std::vector<typename Complex::Point>
 positions_of_solid(const std::vector<typename Complex::Point_3>& points,
                    const std::vector<std::array<std::size_t, 4>>& tetrahedra) {
-  std::vector<typename Complex::Approximate_point> result;
+  std::vector<typename Complex::Point> result;
   for (const auto& p : points)
     result.push_back(point_at<Complex>(coordinates(p)));
   if (!extent_of<3>(result).is_measurable())
@@ -89,14 +89,14 @@ positions_of_solid(const std::vector<typename Complex::Point_3>& points,
 // Returns the state of labeled tetrahedra, along Hilbert curves.
 // \param rank receives the index of the vertex of each position in the state
 template <class Complex>
-State<3> state_of_solid(const std::vector<typename Complex::Approximate_point>& positions,
+State<3> state_of_solid(const std::vector<typename Complex::Point>& positions,
                         const std::vector<std::array<std::size_t, 4>>& tetrahedra,
                         const std::vector<typename Complex::Label>& labels,
                         std::vector<std::size_t>& rank) {
   using Space = typename Complex::Space;
-  std::vector<typename Complex::Approximate_point> barycenters;
+  std::vector<typename Complex::Point> barycenters;
   for (const auto& tetrahedron : tetrahedra) {
-    typename Complex::Approximate_vector sum(CGAL::NULL_VECTOR);
+    typename Complex::Vector sum(CGAL::NULL_VECTOR);
     for (const std::size_t v : tetrahedron)
       sum = sum + (positions[v] - CGAL::ORIGIN);
     barycenters.push_back(CGAL::ORIGIN + sum / 4);

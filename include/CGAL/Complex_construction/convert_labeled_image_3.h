@@ -41,8 +41,8 @@ namespace internal {
 template <class Complex> class Stairs_smoother_3
 {
 public:
-  using Point = typename Complex::Approximate_point;
-  using Vector = typename Complex::Approximate_vector;
+  using Point = typename Complex::Point;
+  using Vector = typename Complex::Vector;
 
   // The displacement of a vertex from its initial position is bounded, along each axis, by half its
   // shortest edge. Vertices stay on the sides of the domain that they lie on.
@@ -153,13 +153,11 @@ public:
     if (m_components.fill_domain())
       mesh.remove(0);
     Complex result;
-    const auto construct_point = result.geom_traits().construct_exact_point_3_object();
     std::vector<typename Complex::Point> points;
     points.reserve(mesh.points.size());
     for (const auto& p : mesh.points)
-      points.push_back(
-          construct_point({m_frame.coordinate(octree, 0, p[0]), m_frame.coordinate(octree, 1, p[1]),
-                           m_frame.coordinate(octree, 2, p[2])}));
+      points.emplace_back(m_frame.coordinate(octree, 0, p[0]), m_frame.coordinate(octree, 1, p[1]),
+                          m_frame.coordinate(octree, 2, p[2]));
     result.assign(points, mesh.tetrahedra, mesh.labels);
     const auto& t = m_frame.translation;
     result.set_normalization({{t[0], t[1], t[2]}, m_frame.scale});

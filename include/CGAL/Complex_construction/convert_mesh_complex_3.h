@@ -25,7 +25,6 @@ template <class Complex> struct Labeled_tetrahedra_3
   std::vector<typename Complex::Label> labels;
 
   template <class MeshComplex> explicit Labeled_tetrahedra_3(const MeshComplex& mesh) {
-    const auto construct_point = typename Complex::Geom_traits().construct_exact_point_3_object();
     // never iterated over, so results do not depend on addresses
     std::unordered_map<const void*, std::size_t> numbers;
     for (auto c = mesh.cells_in_complex_begin(); c != mesh.cells_in_complex_end(); ++c) {
@@ -35,7 +34,7 @@ template <class Complex> struct Labeled_tetrahedra_3
         const auto [known, is_new] = numbers.emplace(&*v, points.size());
         if (is_new) {
           const auto& p = v->point(); // a weighted point of the triangulation
-          points.push_back(construct_point({to_double(p.x()), to_double(p.y()), to_double(p.z())}));
+          points.emplace_back(to_double(p.x()), to_double(p.y()), to_double(p.z()));
         }
         tetrahedron[i] = known->second;
       }

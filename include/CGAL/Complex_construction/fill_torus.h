@@ -28,10 +28,10 @@ Complex fill_grid(Complex result, const Grid<Complex::dimension>& grid, const La
                   const NamedParameters& np) {
   std::vector<typename Complex::Point> points;
   for (const auto& p : grid.points)
-    points.push_back(result.exact(point_at<Complex>(p)));
+    points.push_back(point_at<Complex>(p));
   result.assign(points, grid.cells, std::vector<typename Complex::Label>(grid.cells.size(), 0));
   const auto cells = result.cells();
-  std::vector<typename Complex::Approximate_point> barycenters;
+  std::vector<typename Complex::Point> barycenters;
   for (auto c : cells)
     barycenters.push_back(barycenter(result, c));
   const auto labels = labels_at(result, label_at, std::move(barycenters));
@@ -58,7 +58,7 @@ Linear in the number of cells.
 \tparam Complex a complex with the domain `Torus_domain`
 \param domain the torus
 \param edge approximate edge length, positive; there are at least three edges in each direction
-\param label_at `label_at(p)` returns the label at an `Approximate_point` in the box of the torus; or
+\param label_at `label_at(p)` returns the label at an `Point` in the box of the torus; or
        `label_at(points)` returns the labels at a vector of such points
 \param np named parameters or `Deformation_options` of `deform_interface()`, for `fit_interface()`
 \throws Error if `edge` is not positive, or is less than a millionth of a period

@@ -25,7 +25,7 @@ namespace internal {
 template <class Complex> struct Changes_of_label
 {
   std::vector<std::size_t> facets; // indices of facets of the interface
-  std::vector<typename Complex::Approximate_point> places;
+  std::vector<typename Complex::Point> places;
 };
 
 // Finds points where the label given by a function changes, by bisection between the barycenters of
@@ -34,7 +34,7 @@ template <class Complex> struct Changes_of_label
 template <class Complex, class LabelAt>
 Changes_of_label<Complex> changes_of_label(const Complex& complex, const LabelAt& label_at) {
   static constexpr int halvings = 40; // reduces the interval to a trillionth
-  std::vector<typename Complex::Approximate_point> behind, in_front;
+  std::vector<typename Complex::Point> behind, in_front;
   const auto facets = complex.interface_facets();
   for (const auto& facet : facets) {
     behind.push_back(barycenter(complex, facet.first));
@@ -44,7 +44,7 @@ Changes_of_label<Complex> changes_of_label(const Complex& complex, const LabelAt
   const auto labels_behind = labels_at(complex, label_at, behind),
              labels_in_front = labels_at(complex, label_at, in_front);
   Changes_of_label<Complex> result;
-  std::vector<typename Complex::Approximate_point> to;
+  std::vector<typename Complex::Point> to;
   for (std::size_t i = 0; i < facets.size(); ++i)
     if (labels_behind[i] == facets[i].first->label() &&
         labels_in_front[i] == facets[i].first->neighbor(facets[i].second)->label()) {
@@ -53,7 +53,7 @@ Changes_of_label<Complex> changes_of_label(const Complex& complex, const LabelAt
       to.push_back(in_front[i]);
     }
   for (int k = 0; k < halvings; ++k) {
-    std::vector<typename Complex::Approximate_point> middle;
+    std::vector<typename Complex::Point> middle;
     for (std::size_t i = 0; i < to.size(); ++i)
       middle.push_back(result.places[i] + (to[i] - result.places[i]) / 2);
     const auto labels = labels_at(complex, label_at, middle);
@@ -67,11 +67,11 @@ Changes_of_label<Complex> changes_of_label(const Complex& complex, const LabelAt
 // position is the mean of the points of change at the incident facets. Vertices without such a
 // point stay.
 template <class Complex, class LabelAt>
-std::vector<typename Complex::Approximate_point>
+std::vector<typename Complex::Point>
 changes_of_labels(const Complex& complex, const LabelAt& label_at,
                   const Interface_snapshot<Complex>& interface_) {
   const auto positions = interface_.positions(complex);
-  std::vector<typename Complex::Approximate_vector> sums(positions.size(), NULL_VECTOR);
+  std::vector<typename Complex::Vector> sums(positions.size(), NULL_VECTOR);
   std::vector<std::size_t> numbers(positions.size(), 0);
   const Changes_of_label<Complex> changes = changes_of_label(complex, label_at);
   for (std::size_t i = 0; i < changes.facets.size(); ++i)
@@ -79,7 +79,7 @@ changes_of_labels(const Complex& complex, const LabelAt& label_at,
       sums[v] = sums[v] + (complex.domain().near(positions[v], changes.places[i]) - positions[v]);
       ++numbers[v];
     }
-  std::vector<typename Complex::Approximate_point> result = positions;
+  std::vector<typename Complex::Point> result = positions;
   for (std::size_t v = 0; v < result.size(); ++v)
     if (numbers[v] > 0)
       result[v] = result[v] + sums[v] / double(numbers[v]);
@@ -104,7 +104,7 @@ The function calls `label_at` about 40 times for each facet in each of three rep
 times in space, 50 times in the plane, in each of at most five more.
 
 \param dsc the complex
-\param label_at `label_at(p)` returns the label at an `Approximate_point` of the domain; or
+\param label_at `label_at(p)` returns the label at an `Point` of the domain; or
        `label_at(points)` returns the labels at a vector of them
 \param np the named parameters of `deform_interface()`
 \return the report of the last deformation

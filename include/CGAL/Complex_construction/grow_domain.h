@@ -39,7 +39,7 @@ public:
   Box_layer(const Complex& complex, const State& state, const Extent<d>& box, double factor)
       : m_complex(complex), m_box(box), m_factor(factor), m_images(state.points.size(), none) {
     for (const auto& p : state.points)
-      m_points.push_back(m_complex.exact(point_at<Complex>(p)));
+      m_points.push_back(point_at<Complex>(p));
     for (std::size_t c = 0; c < state.cells.size(); ++c)
       if (std::count(state.cells[c].begin(), state.cells[c].end(), 0u) == 0) {
         Cell cell;
@@ -99,7 +99,7 @@ private:
       coordinates[axis] = center + m_factor * (p[axis] - center);
     }
     m_images[v] = m_points.size();
-    m_points.push_back(m_complex.exact(point_at<Complex>(coordinates)));
+    m_points.push_back(point_at<Complex>(coordinates));
     return m_images[v];
   }
 
@@ -156,7 +156,7 @@ interface and of the boundary.
 */
 template <class Complex>
 bool leaves_domain(const Complex& dsc, const Interface_vertices<Complex>& interface_,
-                   const std::vector<typename Complex::Approximate_point>& destinations) {
+                   const std::vector<typename Complex::Point>& destinations) {
   require_finite(destinations, "a destination"); // or the domain would grow up to the largest one
   return !internal::Domain_box<Complex>(dsc).leaving(interface_.vertices, destinations).empty();
 }

@@ -315,7 +315,7 @@ make_deformable_simplicial_complex_3(const std::vector<typename Complex::Point_3
   auto all_labels = labels;
   all_labels.resize(mesh.tetrahedra.size(), 0);
   Complex dsc;
-  dsc.assign(internal::exact_points<Complex>(mesh), mesh.tetrahedra, all_labels);
+  dsc.assign(internal::mesh_points<Complex>(mesh), mesh.tetrahedra, all_labels);
   internal::complete_in_frame(dsc, boxed.frame, options);
   return dsc;
 }
@@ -331,7 +331,7 @@ to the places where labels change. Linear in the number of tetrahedra.
 
 \param box the domain, of positive size
 \param edge approximate edge length, positive
-\param label_at `label_at(p)` returns the label at an `Approximate_point_3` in the box; or
+\param label_at `label_at(p)` returns the label at an `Point_3` in the box; or
        `label_at(points)` returns the labels at a vector of such points
 \param np the named parameters of `deform_interface()`, for `fit_interface()`
 

@@ -58,7 +58,7 @@ template <class Complex> class Cell_sampler
 public:
   static constexpr int d = Complex::dimension;
   using Cell_handle = typename Complex::Cell_handle;
-  using Point = typename Complex::Approximate_point;
+  using Point = typename Complex::Point;
   using Index = std::array<std::size_t, d>;
 
   Cell_sampler(const Complex& complex, const Sampling_grid<d>& grid)
@@ -116,7 +116,7 @@ private:
     for (int axis = 0; axis < d; ++axis)
       x[axis] =
           (coordinate(axis, index[axis]) - normalization.translation[axis]) / normalization.scale;
-    const auto p = m_complex.exact(point_at<Complex>(x));
+    const auto p = point_at<Complex>(x);
     std::array<typename Complex::Point, d + 1> corners;
     for (int i = 0; i <= d; ++i)
       corners[i] = c->vertex(i)->point();

@@ -42,9 +42,8 @@ public:
   /// the torus of the chart
   using Domain = Torus_domain<2>;
   /// the type of the complex in the chart
-  using Complex =
-      Deformable_simplicial_complex_2<Deformable_simplicial_complex_traits_2<>, Default, Domain>;
-  using Point_2 = typename Complex::Approximate_point_2; ///< a point of the chart
+  using Complex = Deformable_simplicial_complex_2<Epick, Default, Domain>;
+  using Point_2 = typename Complex::Point_2;             ///< a point of the chart
   using Vertex_handle = typename Complex::Vertex_handle; ///< a vertex of the complex
   using State = internal::Geodesic_state;                ///< u, v, u', v' of a geodesic
 
@@ -187,7 +186,7 @@ private:
   void move() {
     const auto destination = [&](Vertex_handle v) {
       const Ray& ray = m_rays.at(v->time_stamp());
-      return ray.is_stopped ? v->point() : m_complex.exact(point(ray.state));
+      return ray.is_stopped ? v->point() : point(ray.state);
     };
     // Relabeling would close the folds of the front, so it is turned off. Flat facets are kept, and
     // there are two passes only, so that the front keeps its edges.

@@ -12,8 +12,8 @@
 
 #include <CGAL/Cut_loci_2/Riemannian_metric_2.h>
 #include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Mesh_support/Error.h>
-#include <CGAL/Simple_cartesian.h>
 
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
@@ -81,10 +81,10 @@ class Sphere_like_surface_2
   using Chart = internal::Stereographic_embedding_2<Embedding>;
 
 public:
-  using Direction = std::array<double, 3>;           ///< a vector to a point of the unit sphere
-  using Metric = Differentiated<Chart>;              ///< the metric of one of the charts
-  using Domain = Torus_domain<2>;                    ///< the type of the box
-  using Point_2 = Simple_cartesian<double>::Point_2; ///< a point of the chart
+  using Direction = std::array<double, 3>; ///< a vector to a point of the unit sphere
+  using Metric = Differentiated<Chart>;    ///< the metric of one of the charts
+  using Domain = Torus_domain<2>;          ///< the type of the box
+  using Point_2 = Epick::Point_2;          ///< a point of the chart
 
   /// \param embedding the embedding, which is copied
   /// \param source the direction whose image is the source of the geodesics, of any length

@@ -34,8 +34,8 @@ struct Cut_locus_2
   /// A point of the cut locus.
   struct Vertex
   {
-    Simple_cartesian<double>::Point_2 point; ///< in the chart, in the box of the torus
-    double distance;                         ///< length of the shortest geodesics to the point
+    Epick::Point_2 point;     ///< in the chart, in the box of the torus
+    double distance;          ///< length of the shortest geodesics to the point
     std::size_t multiplicity; ///< number of edges at the vertex. It is the number of shortest
                               ///< geodesics, except at an end: its multiplicity is 1, because two
                               ///< shortest geodesics coincide
@@ -134,7 +134,7 @@ vertex.
 */
 template <class Metric>
 Cut_locus_2 cut_locus_2(const Metric& metric, const Torus_domain<2>& domain,
-                        const Simple_cartesian<double>::Point_2& point, double spacing, double step,
+                        const Epick::Point_2& point, double spacing, double step,
                         double longest_distance = std::numeric_limits<double>::infinity()) {
   return internal::cut_locus_of_geodesics(internal::Geodesics_2<Metric>(metric, domain, point),
                                           domain, spacing, step, longest_distance);

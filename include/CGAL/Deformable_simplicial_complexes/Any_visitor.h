@@ -23,8 +23,8 @@ A change of connected components of a label in a pass of a deformation, and its 
 */
 template <class Complex> struct Topology_event : public Component_event
 {
-  typename Complex::Approximate_point where; ///< place of one of the cells that changed their label
-  unsigned pass;                             ///< pass of the deformation; the first one is 1
+  typename Complex::Point where; ///< place of one of the cells that changed their label
+  unsigned pass;                 ///< pass of the deformation; the first one is 1
 };
 
 /*!

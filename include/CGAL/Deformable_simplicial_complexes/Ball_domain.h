@@ -115,10 +115,10 @@ typename Complex::Point Ball_domain::admissible(const Complex& complex,
   if (Boundary_class::fixes_all(sides, d))
     return v->point();
   std::array<double, d> coordinates;
-  const auto from = complex.position(v), to = complex.approximate(q);
+  const auto from = complex.position(v), to = q;
   for (int axis = 0; axis < d; ++axis)
     coordinates[axis] = Boundary_class::fixes(sides, axis) ? from[axis] : to[axis];
-  return complex.exact(point_at<Complex>(coordinates));
+  return point_at<Complex>(coordinates);
 }
 
 template <class Complex> void Ball_domain::classify_boundary(const Complex& complex) const {

@@ -50,11 +50,10 @@ geometric test is needed.
 template <class Complex> class Cavity
 {
 public:
-  static constexpr int corners = Complex::dimension + 1;         ///< number of vertices of a cell
-  using Vertex_handle = typename Complex::Vertex_handle;         ///< vertex of the complex
-  using Cell_handle = typename Complex::Cell_handle;             ///< cell of the complex
-  using Point = typename Complex::Point;                         ///< point of the complex
-  using Approximate_point = typename Complex::Approximate_point; ///< as in the complex
+  static constexpr int corners = Complex::dimension + 1; ///< number of vertices of a cell
+  using Vertex_handle = typename Complex::Vertex_handle; ///< vertex of the complex
+  using Cell_handle = typename Complex::Cell_handle;     ///< cell of the complex
+  using Point = typename Complex::Point;                 ///< point of the complex
   using Index = std::uint32_t; ///< index of a vertex within the cavity, into `vertices()`
   static constexpr Index none = Index(-1);    ///< no vertex
   using Indices = std::array<Index, corners>; ///< vertices of a planned cell
@@ -63,8 +62,7 @@ public:
   struct Vertex
   {
     Vertex_handle handle;        ///< null until the vertex is created
-    Point point;                 ///< position after the replacement
-    Approximate_point position;  ///< `point` with coordinates of type `double`
+    Point position;              ///< position after the replacement
     std::uint8_t boundary_class; ///< see `Boundary_class`
   };
 
@@ -110,9 +108,9 @@ public:
     if (const Index known = index_of(v); known != none)
       return known;
     if (m_complex->is_infinite(v)) // the infinite vertex has no position
-      m_vertices.push_back({v, Point(), Approximate_point(), v->boundary_class()});
+      m_vertices.push_back({v, Point(), v->boundary_class()});
     else
-      m_vertices.push_back({v, v->point(), m_complex->position(v), v->boundary_class()});
+      m_vertices.push_back({v, v->point(), v->boundary_class()});
     const Index index = Index(m_vertices.size() - 1);
     try {
       m_indices.insert(v->id(), index);
@@ -123,21 +121,18 @@ public:
     return index;
   }
 
-  /// Adds v to the vertices of the cavity, to be moved to p, rounded. Returns its index. Call this
+  /// Adds v to the vertices of the cavity, to be moved to p. Returns its index. Call this
   /// function before cells are planned.
   /// \pre all cells of v are removed, or p is the position of v
   Index add(Vertex_handle v, const Point& p) {
     const Index index = add(v);
-    m_vertices[index].point = m_complex->rounded(p);
-    m_vertices[index].position = m_complex->approximate(m_vertices[index].point);
+    m_vertices[index].position = m_complex->canonical(p);
     return index;
   }
 
-  /// Adds a vertex to be created at p, rounded. Returns its index.
+  /// Adds a vertex to be created at p. Returns its index.
   Index add(const Point& p, std::uint8_t boundary_class) {
-    const Point rounded = m_complex->rounded(p);
-    m_vertices.push_back(
-        {Vertex_handle(), rounded, m_complex->approximate(rounded), boundary_class});
+    m_vertices.push_back({Vertex_handle(), m_complex->canonical(p), boundary_class});
     return Index(m_vertices.size() - 1);
   }
 
@@ -176,7 +171,7 @@ public:
       return std::numeric_limits<double>::infinity();
     return m_complex->domain().template apply<Complex>(
         m_complex->quality_measure(),
-        [&](int i) -> const Approximate_point& { return m_vertices[cell[i]].position; });
+        [&](int i) -> const Point& { return m_vertices[cell[i]].position; });
   }
 
   /// Returns whether all finite planned cells are positively oriented, exactly.
@@ -196,7 +191,7 @@ public:
   /// Returns whether a cell of finite cavity vertices is positively oriented, exactly.
   bool is_positive(const Indices& cell) const {
     return m_complex->domain().orientation(*m_complex, [&](int i) -> const Point& {
-      return m_vertices[cell[i]].point;
+      return m_vertices[cell[i]].position;
     }) == POSITIVE;
   }
 

@@ -41,10 +41,10 @@ paper" is the one by Misztal and B&aelig;rentzen, see \ref dsc_mb "[1]" in the u
 */
 template <class Complex> struct Deformation_options
 {
-  using Vertex_handle = typename Complex::Vertex_handle;         ///< a vertex
-  using Cell_handle = typename Complex::Cell_handle;             ///< a cell
-  using Label = typename Complex::Label;                         ///< a label
-  using Approximate_point = typename Complex::Approximate_point; ///< a position
+  using Vertex_handle = typename Complex::Vertex_handle; ///< a vertex
+  using Cell_handle = typename Complex::Cell_handle;     ///< a cell
+  using Label = typename Complex::Label;                 ///< a label
+  using Point = typename Complex::Point;                 ///< a position
   /// a function that permits or forbids a change of topology, see `TopologyControl`
   using Topology_control = std::function<bool(const Complex&, Cell_handle, Label)>;
 
@@ -94,7 +94,7 @@ template <class Complex> struct Deformation_options
   /// Energy densities have no effect. The default is the measure of the interface.
   Interface_energy interface_energy;
   /// Flow of space: the destinations of vertices, in their order. As a named parameter, it is
-  /// `Approximate_point flow(Approximate_point p)` or `Approximate_point flow(Vertex_handle v)`, in
+  /// `Point flow(Point p)` or `Point flow(Vertex_handle v)`, in
   /// the coordinates of the complex. Free vertices follow the flow. If the whole interface follows
   /// it, but the boundary of a box would move, the flow fades to zero towards the boundary. If the
   /// interface or the boundary deviates from the flow, the harmonic extension of the deviation is
@@ -102,7 +102,7 @@ template <class Complex> struct Deformation_options
   /// not finite, or its displacement is more than 100 times as long as the longest displacement of
   /// the interface, it is unknown. Free vertices then follow the harmonic extension of the known
   /// displacements. If empty, it is unknown everywhere.
-  std::function<std::vector<Approximate_point>(const std::vector<Vertex_handle>&)> flow;
+  std::function<std::vector<Point>(const std::vector<Vertex_handle>&)> flow;
   /// Whether all free vertices with a finite destination follow the flow in the first pass, however
   /// far they move. No named parameter. No effect without `flow`.
   bool flow_moves_all = false;
@@ -139,7 +139,7 @@ namespace internal {
 // points or of vertices.
 template <class Complex, class Flow>
 auto flow_of_vertices(const Complex& complex, const Flow& flow) {
-  using Point = typename Complex::Approximate_point;
+  using Point = typename Complex::Point;
   using Vertex_handle = typename Complex::Vertex_handle;
   return [&complex, flow](const std::vector<Vertex_handle>& vertices) {
     std::vector<Point> result;

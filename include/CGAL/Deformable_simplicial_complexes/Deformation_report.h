@@ -75,7 +75,7 @@ template <class Complex> struct Neighbor_exchange
   /// labels on both sides of the new wall; there is none if they are equal, for example where a
   /// phase reaches a side of the domain
   std::array<typename Complex::Label, 2> joined;
-  typename Complex::Approximate_point where; ///< midpoint of the old wall
+  typename Complex::Point where; ///< midpoint of the old wall
 };
 
 /*!

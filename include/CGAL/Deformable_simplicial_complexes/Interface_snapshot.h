@@ -44,8 +44,8 @@ template <class Complex_> struct Interface_vertices
       domain; ///< domain of the complex; on a torus, facets see images of their vertices
 
   /// Returns the positions of the vertices.
-  std::vector<typename Complex::Approximate_point> positions(const Complex& complex) const {
-    std::vector<typename Complex::Approximate_point> result;
+  std::vector<typename Complex::Point> positions(const Complex& complex) const {
+    std::vector<typename Complex::Point> result;
     for (auto v : vertices)
       result.push_back(complex.position(v));
     return result;
@@ -54,10 +54,9 @@ template <class Complex_> struct Interface_vertices
   /// Returns the corners of a facet, as seen from its first corner.
   /// \param facet a facet
   /// \param positions of the vertices
-  std::array<typename Complex::Approximate_point, Complex::dimension>
-  corners(const Facet& facet,
-          const std::vector<typename Complex::Approximate_point>& positions) const {
-    std::array<typename Complex::Approximate_point, Complex::dimension> result;
+  std::array<typename Complex::Point, Complex::dimension>
+  corners(const Facet& facet, const std::vector<typename Complex::Point>& positions) const {
+    std::array<typename Complex::Point, Complex::dimension> result;
     for (std::size_t i = 0; i < result.size(); ++i)
       result[i] = domain.near(positions[facet.vertices[0]], positions[facet.vertices[i]]);
     return result;

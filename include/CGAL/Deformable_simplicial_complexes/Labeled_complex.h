@@ -42,8 +42,8 @@ triangles in 2D and tetrahedra in 3D.
 Invariant: every finite cell is positively oriented, decided by exact predicates. If a member
 function fails, the complex is unchanged.
 
-All coordinates in a complex are doubles, for any number type of the kernel. Input coordinates are
-rounded, see `rounded()`. Measures, copies and files are thus exact, and sides of a box stay flat.
+All coordinates in a complex are doubles, so that copies and files are exact, and sides of a box
+stay flat. Predicates on them are exact; measures are rounded.
 
 No order depends on addresses. Lists of simplices are ordered by time stamps, which increase with
 creation. A handle stays valid until its simplex is removed.
@@ -79,12 +79,10 @@ public:
   using Triangulation_data_structure = typename Space::Triangulation_data_structure;
   /// Triangulation that stores the complex.
   using Triangulation = typename Space::Triangulation;
-  /// Position as stored; predicates use this type.
+  /// Position of a vertex.
   using Point = typename Space::Point;
-  /// Position with coordinates of type `double`; measures use this type.
-  using Approximate_point = typename Space::Approximate_point;
-  /// Difference of two approximate positions.
-  using Approximate_vector = typename Space::Approximate_vector;
+  /// Difference of two positions.
+  using Vector = typename Space::Vector;
   /// Handle of a vertex; handles compare by time stamp.
   using Vertex_handle = typename Space::Vertex_handle;
   /// Handle of a cell; handles compare by time stamp.
@@ -105,12 +103,11 @@ public:
   /// Map between coordinates: user coordinates = translation + scale * coordinates of the complex.
   struct Normalization
   {
-    Approximate_vector translation =
-        Approximate_vector(CGAL::NULL_VECTOR); ///< user coordinates of the origin of the complex
-    double scale = 1; ///< length of a unit of the complex in user coordinates
+    Vector translation = CGAL::NULL_VECTOR; ///< user coordinates of the origin of the complex
+    double scale = 1;                       ///< length of a unit of the complex in user coordinates
 
     /// Returns a point of the complex in user coordinates.
-    Approximate_point in_user_coordinates(const Approximate_point& p) const {
+    Point in_user_coordinates(const Point& p) const {
       return CGAL::ORIGIN + (translation + scale * (p - CGAL::ORIGIN));
     }
   };
@@ -222,33 +219,26 @@ public:
   std::vector<Cell_handle> finite_cells_if(const Condition& condition,
                                            const For_each_index& for_each_index) const;
 
-  /// Returns the point with coordinates of type `double` nearest to a stored point.
-  Approximate_point approximate(const Point& p) const {
-    return Space::approximate(geom_traits())(p);
-  }
-  /// Returns the point as it would be stored.
-  Point exact(const Approximate_point& p) const { return Space::exact(geom_traits())(p); }
-  /// Returns the point that is stored for p. All its coordinates are doubles; those of p are kept
-  /// if they are doubles. On a torus, the result is the image in the box.
-  Point rounded(const Point& p) const { return exact(m_domain.canonical(approximate(p))); }
+  /// Returns the point that is stored for p: p itself; on a torus, the image of p in the box.
+  Point canonical(const Point& p) const { return m_domain.canonical(p); }
   /// Returns the position of v, in the coordinates of the complex. \pre v is finite
-  Approximate_point position(Vertex_handle v) const { return approximate(v->point()); }
+  const Point& position(Vertex_handle v) const { return v->point(); }
   /// Returns the position of v as seen from p; on a torus, the image nearest to p. \pre v is finite
-  Approximate_point position_near(const Approximate_point& p, Vertex_handle v) const {
+  Point position_near(const Point& p, Vertex_handle v) const {
     return m_domain.near(p, position(v));
   }
   /// Returns the position of the vertex `i` of a cell, as seen from its vertex 0. \pre c is finite
-  Approximate_point corner(Cell_handle c, int i) const {
+  Point corner(Cell_handle c, int i) const {
     return position_near(position(c->vertex(0)), c->vertex(i));
   }
   /// Returns the shortest vector from v to w. \pre both are finite
-  Approximate_vector displacement(Vertex_handle v, Vertex_handle w) const {
-    const Approximate_point p = position(v);
+  Vector displacement(Vertex_handle v, Vertex_handle w) const {
+    const Point p = position(v);
     return position_near(p, w) - p;
   }
   /// Returns the shortest vector from v to p. \pre v is finite
-  Approximate_vector displacement(Vertex_handle v, const Approximate_point& p) const {
-    const Approximate_point from = position(v);
+  Vector displacement(Vertex_handle v, const Point& p) const {
+    const Point from = position(v);
     return m_domain.near(from, p) - from;
   }
   /// Stores the cells around v, including infinite ones, in `star`, which is cleared first. The
@@ -261,13 +251,9 @@ public:
   /// Sets `normalization()`. Nothing moves.
   void set_normalization(const Normalization& n) { m_normalization = n; }
   /// Returns the position of v in user coordinates. \pre v is finite
-  Approximate_point user_position(Vertex_handle v) const {
-    return in_user_coordinates(position(v));
-  }
+  Point user_position(Vertex_handle v) const { return in_user_coordinates(position(v)); }
   /// Returns a point of the complex in user coordinates.
-  Approximate_point in_user_coordinates(const Approximate_point& p) const {
-    return m_normalization.in_user_coordinates(p);
-  }
+  Point in_user_coordinates(const Point& p) const { return m_normalization.in_user_coordinates(p); }
 
   /// @}
   /// \name Labels, interface and boundary
@@ -398,7 +384,7 @@ public:
 
   /// Returns the point nearest to q, rounded, on the sides of the domain that v lies on.
   Point admissible_destination(Vertex_handle v, const Point& q) const {
-    return m_domain.admissible(*this, v, rounded(q));
+    return m_domain.admissible(*this, v, canonical(q));
   }
 
   /// Returns whether all cells of the star of v would be positively oriented with v at q, rounded.
@@ -516,8 +502,8 @@ private:
 
   // Returns the barycenters of new cells. Throws `Invalid_cells_error` unless each cell is
   // positively oriented and each position belongs to a cell.
-  std::vector<Approximate_point>
-  checked_barycenters(const std::vector<Approximate_point>& positions,
+  std::vector<Point>
+  checked_barycenters(const std::vector<Point>& positions,
                       const std::vector<std::array<size_type, corners>>& cells) const;
   double cell_quality(Cell_handle c) const;
   // Caches the quality of a cell, and updates the number of cells below the floor. All changes of

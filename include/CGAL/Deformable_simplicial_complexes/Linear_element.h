@@ -33,10 +33,10 @@ threads.
 template <class Complex> class Linear_element
 {
 public:
-  using Vector = typename Complex::Approximate_vector; ///< a vector of the complex
-  static constexpr int d = Complex::dimension;         ///< dimension, 2 or 3
+  using Vector = typename Complex::Vector;     ///< a vector of the complex
+  static constexpr int d = Complex::dimension; ///< dimension, 2 or 3
 
-  using Corners = std::array<typename Complex::Approximate_point, d + 1>; ///< corners of a cell
+  using Corners = std::array<typename Complex::Point, d + 1>; ///< corners of a cell
 
   /// Constructs the element of a cell.
   /// \param corners positions of the corners as seen from one of them: on a torus, images next to

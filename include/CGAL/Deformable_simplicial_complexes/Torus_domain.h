@@ -119,7 +119,7 @@ private:
   }
 
   template <class Complex, class Corner> auto images(const Corner& corner) const {
-    std::array<typename Complex::Approximate_point, d + 1> result;
+    std::array<typename Complex::Point, d + 1> result;
     for (int i = 0; i <= d; ++i)
       result[i] = near(i == 0 ? corner(0) : result[0], corner(i));
     return result;
@@ -192,11 +192,10 @@ Point Torus_domain<d>::near(const Point& p, const Point& q) const {
 template <int d>
 template <class Complex, class Corner>
 Orientation Torus_domain<d>::orientation(const Complex& complex, const Corner& corner) const {
-  const auto points = images<Complex>([&](int i) { return complex.approximate(corner(i)); });
+  const auto points = images<Complex>([&](int i) { return corner(i); });
   if (!are_close(points))
     return ZERO;
-  return internal::apply_to_corners<d + 1>(complex.orientation(),
-                                           [&](int i) { return complex.exact(points[i]); });
+  return internal::apply_to_corners<d + 1>(complex.orientation(), [&](int i) { return points[i]; });
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes

@@ -64,10 +64,10 @@ Deformation_report<Complex> do_passes(Interface_deformer<Complex>& deformer,
 
 // Moves interface vertices to their destinations in passes (Algorithm 1). Returns the report.
 template <class Complex>
-Deformation_report<Complex>
-deform(Complex& dsc, const std::vector<typename Complex::Vertex_handle>& vertices,
-       const std::vector<typename Complex::Approximate_point>& destinations,
-       const Deformation_options<Complex>& options) {
+Deformation_report<Complex> deform(Complex& dsc,
+                                   const std::vector<typename Complex::Vertex_handle>& vertices,
+                                   const std::vector<typename Complex::Point>& destinations,
+                                   const Deformation_options<Complex>& options) {
   options.check();
   require_interface_edge(dsc);
   Any_visitor<Complex> no_visitor;
@@ -122,10 +122,10 @@ Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& de
   return internal::call_with_parameters(
       dsc, np, Deformation_options<Complex>(), [&](const auto& options) {
         const std::vector<typename Complex::Vertex_handle> vertices = dsc.interface_vertices();
-        std::vector<typename Complex::Approximate_point> destinations;
+        std::vector<typename Complex::Point> destinations;
         destinations.reserve(vertices.size());
         for (auto v : vertices)
-          destinations.push_back(dsc.approximate(destination(v)));
+          destinations.push_back(destination(v));
         return internal::deform(dsc, vertices, destinations, options);
       });
 }
@@ -147,7 +147,7 @@ Moves the interface as `deform_interface()` does, with destinations in the order
 template <class Complex, class NamedParameters = parameters::Default_named_parameters>
 Deformation_report<Complex>
 deform_interface_to(Complex& dsc, const Interface_vertices<Complex>& interface_,
-                    const std::vector<typename Complex::Approximate_point>& destinations,
+                    const std::vector<typename Complex::Point>& destinations,
                     const NamedParameters& np = NamedParameters()) {
   return internal::call_with_parameters(
       dsc, np, Deformation_options<Complex>(), [&](const auto& options) {

@@ -33,7 +33,7 @@ cells around the edge.
 */
 template <class Complex>
 bool propose_edge_split(const Complex& complex, typename Complex::Cell_handle cell, int i, int j,
-                        const typename Complex::Approximate_point& point,
+                        const typename Complex::Point& point,
                         Deformable_simplicial_complexes::Cavity<Complex>& cavity) {
   using Vertex_handle = typename Complex::Vertex_handle;
   using Cell_handle = typename Complex::Cell_handle;
@@ -47,9 +47,8 @@ bool propose_edge_split(const Complex& complex, typename Complex::Cell_handle ce
     is_on_boundary = is_on_boundary || complex.is_infinite(c);
     cavity.remove(c);
   }
-  const Index middle =
-      cavity.add(complex.exact(point), is_on_boundary ? a->boundary_class() & b->boundary_class()
-                                                      : Boundary_class::inside);
+  const Index middle = cavity.add(point, is_on_boundary ? a->boundary_class() & b->boundary_class()
+                                                        : Boundary_class::inside);
   for (std::size_t k = 0; k < cavity.removed().size(); ++k) {
     const auto parent = cavity.removed()[k];
     std::array<Index, Complex::corners> whole;

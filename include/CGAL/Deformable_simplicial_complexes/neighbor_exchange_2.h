@@ -96,7 +96,7 @@ template <class Complex> class Wall_surroundings
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
   using Cell_handle = typename Complex::Cell_handle;
-  using Point = typename Complex::Approximate_point;
+  using Point = typename Complex::Point;
   using Index = typename Cavity<Complex>::Index;
 
   // Constructs the cells around the edge opposite to the vertex i of a finite cell.
@@ -168,10 +168,9 @@ public:
     const Point center = m_complex.is_boundary(m_b) ? from_b : middle();
     const Point to_a = center + half, to_b = center - half;
     // The inner end of a wall that ends at a side is replaced by a vertex on this side.
-    const Index a = m_complex.is_boundary(m_b)
-                        ? cavity.add(m_complex.exact(to_a), m_b->boundary_class())
-                        : cavity.add(m_a, m_complex.exact(to_a)),
-                b = cavity.add(m_b, m_complex.exact(to_b));
+    const Index a = m_complex.is_boundary(m_b) ? cavity.add(to_a, m_b->boundary_class())
+                                               : cavity.add(m_a, to_a),
+                b = cavity.add(m_b, to_b);
     m_sides.connect(cavity, m_ends[3], m_sides.size(), a);
     m_sides.connect(cavity, 0, m_ends[0], a);
     m_sides.divide(cavity, m_ends[0], m_ends[1], a, b);
@@ -199,7 +198,7 @@ public:
   }
 
 private:
-  using Vector = typename Complex::Approximate_vector;
+  using Vector = typename Complex::Vector;
   using Phase = std::optional<typename Complex::Label>; // empty for the outside of the domain
 
   // Adds the sides opposite to v between two cells around it, counterclockwise.

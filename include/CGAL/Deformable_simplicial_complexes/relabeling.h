@@ -23,12 +23,12 @@ namespace internal {
 template <class Complex> class Facet_normals
 {
 public:
-  using Vector = typename Complex::Approximate_vector;
+  using Vector = typename Complex::Vector;
 
   Facet_normals(const Complex& complex, typename Complex::Cell_handle cell) {
     using Space = typename Complex::Space;
     for (int i = 0; i < Complex::corners; ++i) {
-      std::array<typename Complex::Approximate_point, Complex::dimension> points;
+      std::array<typename Complex::Point, Complex::dimension> points;
       for (int k = 0; k < Complex::dimension; ++k)
         points[k] = complex.corner(cell, Space::facet_vertices[i][k]);
       m_normals[i] = Space::facet_normal(points);

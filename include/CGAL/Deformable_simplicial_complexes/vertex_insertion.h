@@ -157,17 +157,17 @@ private:
 // maximum of the worst quality of its star. Returns whether there is a set.
 template <class Complex>
 bool fill_with_star(const Complex& complex, typename Complex::Cell_handle seed,
-                    typename Complex::Approximate_point& p, Cavity<Complex>& cavity) {
+                    typename Complex::Point& p, Cavity<Complex>& cavity) {
   using Cell_handle = typename Complex::Cell_handle;
   using Index = typename Cavity<Complex>::Index;
   cavity.begin(Proposal_kind::insertion);
-  Star_shaped_set<Complex> set(complex, complex.exact(p), cavity);
+  Star_shaped_set<Complex> set(complex, p, cavity);
   if (!set.grow(seed))
     return false;
 
   Star_optimizer<Complex> optimizer(complex.quality_measure(), p);
   set.for_each_facet([&](Cell_handle c, int i) {
-    std::array<typename Complex::Approximate_point, Complex::corners> points;
+    std::array<typename Complex::Point, Complex::corners> points;
     for (int k = 0; k < Complex::corners; ++k)
       points[k] = k == i ? p : complex.position_near(p, c->vertex(k));
     optimizer.add(points, i);
@@ -177,7 +177,7 @@ bool fill_with_star(const Complex& complex, typename Complex::Cell_handle seed,
   cavity.begin(Proposal_kind::insertion);
   for (Cell_handle c : set.cells())
     cavity.remove(c);
-  const Index inserted = cavity.add(complex.exact(p), Boundary_class::inside);
+  const Index inserted = cavity.add(p, Boundary_class::inside);
   set.for_each_facet([&](Cell_handle c, int i) {
     typename Cavity<Complex>::Indices t;
     for (int k = 0; k < Complex::corners; ++k)

@@ -27,7 +27,7 @@ template <class Complex>
 bool find_blocked_directions(const Complex& complex,
                              const std::vector<typename Complex::Cell_handle>& star,
                              typename Complex::Vertex_handle v,
-                             std::vector<typename Complex::Approximate_vector_3>& blocked) {
+                             std::vector<typename Complex::Vector_3>& blocked) {
   static constexpr double same = 1e-7; // sine of the angle between two planes
   blocked.clear();
   for (auto c : star)
@@ -80,7 +80,7 @@ template <class Complex>
 bool propose_optimal_position(const Complex& complex, typename Complex::Vertex_handle v,
                               const std::vector<typename Complex::Cell_handle>& star,
                               typename Complex::Point_3& target) {
-  std::vector<typename Complex::Approximate_vector_3> blocked;
+  std::vector<typename Complex::Vector_3> blocked;
   if (complex.is_boundary(v) ||
       (v->is_interface() && !internal::find_blocked_directions(complex, star, v, blocked)))
     return false;
@@ -91,7 +91,7 @@ bool propose_optimal_position(const Complex& complex, typename Complex::Vertex_h
   const auto to = optimizer.run();
   if (to == from)
     return false;
-  target = complex.geom_traits().construct_exact_point_3_object()(to);
+  target = to;
   return complex.is_positive_star(v, star, target);
 }
 
@@ -103,7 +103,7 @@ template <class Complex, class Measure>
 double star_quality(const Complex& complex, const Measure& measure,
                     typename Complex::Vertex_handle v,
                     const std::vector<typename Complex::Cell_handle>& star,
-                    const typename Complex::Approximate_point& p, double bound) {
+                    const typename Complex::Point& p, double bound) {
   double worst = std::numeric_limits<double>::infinity();
   for (auto c : star) {
     if (complex.is_infinite(c))
@@ -140,7 +140,7 @@ bool propose_smart_laplacian(const Complex& complex, typename Complex::Vertex_ha
                              typename Complex::Point& target) {
   if (v->is_interface())
     return false;
-  using Vector = typename Complex::Approximate_vector;
+  using Vector = typename Complex::Vector;
   internal::Marks seen = internal::vertex_marks(complex);
   std::size_t number = 0; // number of neighbors
   const auto from = complex.position(v);
@@ -160,9 +160,8 @@ bool propose_smart_laplacian(const Complex& complex, typename Complex::Vertex_ha
   }
   const auto to = CGAL::ORIGIN + sum / double(number);
   for (double step : {1., .5}) {
-    target = complex.admissible_destination(v, complex.exact(from + step * (to - from)));
-    if (internal::star_quality(complex, complex.quality_measure(), v, star,
-                               complex.approximate(target), worst) > worst)
+    target = complex.admissible_destination(v, from + step * (to - from));
+    if (internal::star_quality(complex, complex.quality_measure(), v, star, target, worst) > worst)
       return complex.is_positive_star(v, star, target);
   }
   return false;

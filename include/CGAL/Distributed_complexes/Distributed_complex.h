@@ -59,10 +59,10 @@ public:
   using Complex = Complex_; ///< complex on one rank
   /// Part of the complex that a rank improves, see `Part_domain`.
   using Part = typename internal::Part_of<Complex>::Type;
-  using Approximate_point = typename Complex::Approximate_point; ///< position
-  using Label = typename Complex::Label;                         ///< name of a phase
-  using size_type = std::uint64_t;                               ///< number of simplices
-  static constexpr int dimension = Complex::dimension;           ///< dimension of space
+  using Point = typename Complex::Point;               ///< position
+  using Label = typename Complex::Label;               ///< name of a phase
+  using size_type = std::uint64_t;                     ///< number of simplices
+  static constexpr int dimension = Complex::dimension; ///< dimension of space
   /// Returns the rank that owns the vertex `i` of a complex of n vertices, in their order.
   using Owner = std::function<int(std::size_t i)>;
 
@@ -86,7 +86,7 @@ public:
     communicator().call_together([&] {
       if (m_mesh.rank() != 0)
         return;
-      std::vector<Approximate_point> positions;
+      std::vector<Point> positions;
       for (auto v : complex.vertices())
         positions.push_back(complex.position(v));
       const std::size_t n = positions.size(), size = std::size_t(communicator().size());
@@ -141,7 +141,7 @@ public:
       return false;
     const std::vector<int> owners = partitioner(communicator(), graph());
     std::size_t next = 0; // own vertices are visited in the order of the graph
-    migrate([&](internal::Global_id, const Approximate_point&) { return owners[next++]; });
+    migrate([&](internal::Global_id, const Point&) { return owners[next++]; });
     return true;
   }
 
@@ -185,7 +185,7 @@ public:
   const typename Complex::Normalization& normalization() const { return m_mesh.normalization; }
 
   /// Returns the lower and the upper corner of the box around the complex.
-  std::array<Approximate_point, 2> bounding_box() const {
+  std::array<Point, 2> bounding_box() const {
     const auto box = m_mesh.extent();
     std::array<std::array<double, dimension>, 2> corners;
     for (int k = 0; k < dimension; ++k)
@@ -202,8 +202,8 @@ public:
   struct Interface
   {
     Interface_snapshot<Complex> snapshot = Interface_snapshot<Complex>(Complex()); ///< the facets
-    std::vector<Approximate_point> positions; ///< of the vertices
-    std::vector<std::uint32_t> indices;       ///< internal numbers of the vertices
+    std::vector<Point> positions;       ///< of the vertices
+    std::vector<std::uint32_t> indices; ///< internal numbers of the vertices
   };
 
   /// Returns the interface that this rank holds.
@@ -457,7 +457,7 @@ template <class Complex> Complex Distributed_complex<Complex>::gather() const {
     std::unordered_map<internal::Global_id, std::size_t> numbers;
     for (const Vertex& v : vertices) {
       numbers.emplace(v.id, points.size());
-      points.push_back(result.exact(point_at<Complex>(v.point)));
+      points.push_back(point_at<Complex>(v.point));
     }
     std::vector<std::array<std::size_t, std::size_t(d) + 1>> indices;
     std::vector<Label> labels;
@@ -601,7 +601,7 @@ auto Distributed_complex<Complex>::label_measures() const -> std::vector<Label_m
     for (Label label : {facet.behind, facet.in_front}) {
       const std::size_t i = place(label);
       if (owns(interface_, facet)) {
-        std::array<Approximate_point, std::size_t(d)> corners;
+        std::array<Point, std::size_t(d)> corners;
         for (int k = 0; k < d; ++k)
           corners[k] = interface_.positions[facet.vertices[k]];
         numbers[4 * i + 2] += std::llrint(Space::facet_measure(corners) / interface_unit);

@@ -89,7 +89,7 @@ void write_PVTU(const std::string& path,
   const auto& mesh = complex.mesh();
   static constexpr int d = Complex::dimension;
   std::vector<std::int64_t> number(mesh.piece.vertex_bound(), -1), connectivity;
-  std::vector<typename Complex::Approximate_point> points;
+  std::vector<typename Complex::Point> points;
   std::vector<std::int32_t> labels;
   std::vector<double> qualities;
   for (std::uint32_t c : mesh.own_cells()) {
@@ -136,7 +136,7 @@ void write_interface_PVTU(
   const auto& mesh = complex.mesh();
   const auto interface_ = complex.interface_here();
   std::vector<std::int64_t> number(interface_.positions.size(), -1), connectivity;
-  std::vector<typename Complex::Approximate_point> points;
+  std::vector<typename Complex::Point> points;
   std::vector<std::int32_t> label_pairs;
   for (const auto& facet : interface_.snapshot.facets()) {
     if (!complex.owns(interface_, facet))

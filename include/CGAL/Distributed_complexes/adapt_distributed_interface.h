@@ -129,7 +129,7 @@ Improvement_report keep_interface_fit(Distributed_complex<Complex>& dsc,
   if (options.only_if_worn) {
     if (!adaptation.is_worn())
       return {};
-    std::vector<typename Complex::Approximate_point> targets;
+    std::vector<typename Complex::Point> targets;
     dsc.communicator().call_together([&] {
       targets = destinations(interface_);
       if (targets.size() != interface_.indices.size())

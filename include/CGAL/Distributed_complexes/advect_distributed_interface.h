@@ -149,12 +149,12 @@ private:
 // Returns the destinations of the vertices of the interface here after a step of mean curvature
 // flow, as `Mean_curvature_flow` computes them.
 template <class Complex>
-std::vector<typename Complex::Approximate_point>
+std::vector<typename Complex::Point>
 mean_curvature_destinations(const Distributed_complex<Complex>& dsc,
                             const typename Distributed_complex<Complex>::Interface& interface_,
                             const Interface_energy& energy, double dt) {
   using System = Distributed_curvature_system<Complex>;
-  using Points = std::vector<typename Complex::Approximate_point>;
+  using Points = std::vector<typename Complex::Point>;
   std::vector<Boundary_class::Bits> sides;
   for (auto v : interface_.indices)
     sides.push_back(dsc.mesh().piece.vertex(v).boundary_class);
@@ -189,8 +189,8 @@ public:
       : m_dsc(dsc), m_interface(interface_), m_velocity(velocity) {}
 
   void operator()(const Interface_snapshot<Complex>& snapshot,
-                  const std::vector<typename Complex::Approximate_point>& positions, double t,
-                  std::vector<typename Complex::Approximate_vector>& velocities) const {
+                  const std::vector<typename Complex::Point>& positions, double t,
+                  std::vector<typename Complex::Vector>& velocities) const {
     m_dsc.communicator().call_together([&] {
       m_velocity(snapshot, positions, t, velocities);
       if (velocities.size() != positions.size())
@@ -222,7 +222,7 @@ template <class Velocity> void require_distributed_flow(const Velocity& velocity
 // Returns the destinations of the vertices of the interface here in a time step.
 // \throws Error on all ranks as `advect_interface()`
 template <class Complex, class Velocity>
-std::vector<typename Complex::Approximate_point>
+std::vector<typename Complex::Point>
 distributed_destinations(const Distributed_complex<Complex>& dsc,
                          const typename Distributed_complex<Complex>::Interface& interface_,
                          const Velocity& velocity, double t, double dt, Integration_scheme scheme) {
@@ -230,7 +230,7 @@ distributed_destinations(const Distributed_complex<Complex>& dsc,
   const auto destinations_with = [&](const auto& v) {
     return find_destinations(interface_.snapshot, interface_.positions, v, t, dt, scheme, 0.);
   };
-  std::vector<typename Complex::Approximate_point> destinations;
+  std::vector<typename Complex::Point> destinations;
   dsc.communicator().call_together([&] {
     if constexpr (is_velocity_field<Complex, Velocity> || is_flow_map<Complex, Velocity> ||
                   is_interface_step<Complex, Velocity>)
@@ -245,7 +245,7 @@ distributed_destinations(const Distributed_complex<Complex>& dsc,
 // Returns the destinations after a step of mean curvature flow.
 // \throws Error on all ranks as `advect_interface()`
 template <class Complex>
-std::vector<typename Complex::Approximate_point>
+std::vector<typename Complex::Point>
 distributed_destinations(const Distributed_complex<Complex>& dsc,
                          const typename Distributed_complex<Complex>::Interface& interface_,
                          const Mean_curvature_flow& flow, double /*t*/, double dt,
@@ -288,7 +288,7 @@ advect_interface(Distributed_complex<Complex>& dsc, const Velocity& velocity, do
                  Distributed_options<Distributed_complex<Complex>> options =
                      Distributed_options<Distributed_complex<Complex>>(),
                  Integration_scheme scheme = Integration_scheme::rk2) {
-  using Points = std::vector<typename Complex::Approximate_point>;
+  using Points = std::vector<typename Complex::Point>;
   const auto interface_ = dsc.interface_here();
   const Points destinations =
       internal::distributed_destinations(dsc, interface_, velocity, t, dt, scheme);

@@ -30,8 +30,8 @@ by one rank. A vertex has the same id and the same position on all ranks that gi
 */
 template <class Complex> struct Cells_of_rank
 {
-  std::vector<std::uint64_t> ids; ///< of the vertices, each once, less than 2^62
-  std::vector<typename Complex::Approximate_point> points; ///< of the vertices
+  std::vector<std::uint64_t> ids;              ///< of the vertices, each once, less than 2^62
+  std::vector<typename Complex::Point> points; ///< of the vertices
   /// corners of the cells, as indices into `ids`, positively oriented
   std::vector<std::array<std::size_t, Complex::dimension + 1>> cells;
   std::vector<typename Complex::Label> labels; ///< of the cells

@@ -66,11 +66,11 @@ template <class Complex>
 Distributed_report<Complex>
 deform_interface_to(Distributed_complex<Complex>& dsc,
                     const typename Distributed_complex<Complex>::Interface& interface_,
-                    const std::vector<typename Complex::Approximate_point>& destinations,
+                    const std::vector<typename Complex::Point>& destinations,
                     const Distributed_options<Distributed_complex<Complex>>& options =
                         Distributed_options<Distributed_complex<Complex>>(),
-                    const std::function<std::vector<typename Complex::Approximate_point>(
-                        const std::vector<typename Complex::Approximate_point>&)>& flow = {}) {
+                    const std::function<std::vector<typename Complex::Point>(
+                        const std::vector<typename Complex::Point>&)>& flow = {}) {
   internal::Distributed_deformer<Complex> deformer(dsc.mesh(), options);
   deformer.set_destinations(interface_.indices, destinations);
   return deformer.run(flow);

@@ -168,7 +168,7 @@ private:
                      [&](const Vertex& v) { return v.owner == m_mesh.rank(); }))
       return;
     Sent_cell<3> cell = {};
-    std::array<typename Complex::Approximate_point, 4> p;
+    std::array<typename Complex::Point, 4> p;
     for (int i = 0; i < 4; ++i) {
       m_refined.put(vertices[i]);
       cell.vertices[i] = vertices[i].id;

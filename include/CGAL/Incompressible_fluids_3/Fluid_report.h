@@ -20,7 +20,7 @@ namespace CGAL::Deformable_simplicial_complexes {
 /// The volume, mass, energies and momenta of all liquids together, and the field that they carry.
 struct Fluid_balance
 {
-  using Vector = Simple_cartesian<double>::Vector_3; ///< a vector in space
+  using Vector = Epick::Vector_3; ///< a vector in space
 
   double volume = 0;           ///< volume of all liquids
   double mass = 0;             ///< mass: density times volume
@@ -61,7 +61,7 @@ In the plane, vectors lie in the plane, and the angular momentum is perpendicula
 */
 template <class Complex> struct Fluid_report
 {
-  using Vector = Simple_cartesian<double>::Vector_3; ///< a vector in space
+  using Vector = Epick::Vector_3; ///< a vector in space
 
   double time = 0;      ///< the time after the step
   double dt = 0;        ///< the length of the step

@@ -101,12 +101,8 @@ template <class Complex, class Solver = Saddle_point_solver> class Incompressibl
 {
 public:
   static constexpr int dimension = Complex::dimension; ///< the dimension, 2 or 3
-  /// A point: `Simple_cartesian<double>::Point_2` or `Simple_cartesian<double>::Point_3`.
-  using Point = std::conditional_t<dimension == 2, Simple_cartesian<double>::Point_2,
-                                   Simple_cartesian<double>::Point_3>;
-  /// A vector: `Simple_cartesian<double>::Vector_2` or `Simple_cartesian<double>::Vector_3`.
-  using Vector = std::conditional_t<dimension == 2, Simple_cartesian<double>::Vector_2,
-                                    Simple_cartesian<double>::Vector_3>;
+  using Point = typename Complex::Point;               ///< a point of the complex
+  using Vector = typename Complex::Vector;             ///< a vector in the same coordinates
   /// A vorticity: a number in the plane, a `Vector` in space.
   using Vorticity = std::conditional_t<dimension == 2, double, Vector>;
   using Vertex_handle = typename Complex::Vertex_handle; ///< a vertex of the complex
@@ -549,7 +545,6 @@ private:
   using Liquid_interface = internal::Liquid_interface<Complex>;
   using Contacts = internal::Wall_contacts<Complex>;
   using Step = internal::Fluid_step<Complex, Solver>;
-  using Approximate_point = typename Complex::Approximate_point;
   using Motion_map = internal::Fluid_motion::Map<Complex>;
   using Carrier = Carried_vertex_values<Complex, Motion_map>;
   using Energy_judge = internal::Energy_check;
@@ -702,9 +697,7 @@ private:
     return result;
   }
   static Vector vector(const Eigen::Vector3d& v) { return internal::from_eigen<Vector>(v); }
-  static Approximate_point point(const Eigen::Vector3d& p) {
-    return internal::from_eigen<Approximate_point>(p);
-  }
+  static Point point(const Eigen::Vector3d& p) { return internal::from_eigen<Point>(p); }
 
   // Returns the length of an edge at a vertex: the initial length for vertices of the interface,
   // and the mean length of an edge of the initial interface for others.
@@ -744,8 +737,9 @@ private:
   static internal::Any_solid_3 any_solid(const Solid& solid, const Wall_behavior& behavior) {
     if (!(behavior.contact_angle >= 0 && behavior.contact_angle <= 180))
       throw Error("a contact angle is out of range: use 0 to 180 degrees");
-    return {[solid](const Simple_cartesian<double>::Point_3& p, double t,
-                    std::vector<Wall>& walls) { solid.walls(p, t, walls); },
+    return {[solid](const Epick::Point_3& p, double t, std::vector<Wall>& walls) {
+              solid.walls(p, t, walls);
+            },
             std::cos(behavior.contact_angle * CGAL_PI / 180), behavior.sticks, behavior.separates};
   }
   void set_motion_of_bodies(const Contacts& contacts,

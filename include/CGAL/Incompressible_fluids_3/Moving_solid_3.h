@@ -23,7 +23,7 @@ namespace CGAL::Deformable_simplicial_complexes {
 /// The place and motion of a solid at some time, relative to its place before the motion.
 struct Solid_motion_3
 {
-  using Vector = Simple_cartesian<double>::Vector_3; ///< a vector in space
+  using Vector = Epick::Vector_3; ///< a vector in space
 
   Vector displacement = Vector(0, 0, 0);     ///< the displacement of the center
   Vector rotation = Vector(0, 0, 0);         ///< the axis of rotation times the angle in radians
@@ -35,7 +35,7 @@ struct Solid_motion_3
 /// The place of a solid at some time, relative to its place before the motion.
 struct Solid_place_3
 {
-  using Vector = Simple_cartesian<double>::Vector_3; ///< a vector in space
+  using Vector = Epick::Vector_3; ///< a vector in space
 
   Vector displacement = Vector(0, 0, 0); ///< the displacement of the center
   Vector rotation = Vector(0, 0, 0);     ///< the axis of rotation times the angle in radians
@@ -135,8 +135,8 @@ motion_of_places(const std::function<Solid_place_3(double)>& place_at, double st
 template <class Solid> class Moving_solid_3
 {
 public:
-  using Point = Simple_cartesian<double>::Point_3;   ///< a point in space
-  using Vector = Simple_cartesian<double>::Vector_3; ///< a vector in space
+  using Point = Epick::Point_3;   ///< a point in space
+  using Vector = Epick::Vector_3; ///< a vector in space
   /// A function that returns the motion at a time. Its velocities must be the derivatives of its
   /// places, see `motion_of_places()`. The motion of the last time is stored, so the function is
   /// usually called once for each time and not for each point.

@@ -12,7 +12,7 @@
 
 #include <CGAL/Mesh_support/Error.h>
 
-#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/number_utils.h>
 
@@ -33,8 +33,8 @@ axis.
 */
 struct Rigid_body_3
 {
-  using Point = Simple_cartesian<double>::Point_3;   ///< a point in space
-  using Vector = Simple_cartesian<double>::Vector_3; ///< a vector in space
+  using Point = Epick::Point_3;   ///< a point in space
+  using Vector = Epick::Vector_3; ///< a vector in space
 
   double mass = 0; ///< the mass, greater than 0
   /// The tensor of inertia about the center of mass, row by row, before any rotation. It is
@@ -102,7 +102,7 @@ inline Rigid_body_3 rigid_box(const Rigid_body_3::Point& from, const Rigid_body_
 /// \ingroup PkgIncompressibleFluids3Ref
 /// Returns the body of constant density that a closed triangle mesh bounds, at rest. Takes linear
 /// time.
-/// \tparam Mesh an instance of `Surface_mesh` with points of `Simple_cartesian<double>`
+/// \tparam Mesh an instance of `Surface_mesh` with points of `Exact_predicates_inexact_constructions_kernel`
 /// \param mesh the surface, oriented outwards or inwards
 /// \param density the density
 /// \throws Error if the mesh is not closed or not a triangle mesh, if its volume is 0 or not finite,

@@ -17,10 +17,10 @@
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Bbox_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Side_of_triangle_mesh.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
 
@@ -40,7 +40,7 @@ namespace CGAL::Deformable_simplicial_complexes {
 /// A wall: a smooth part of the surface of a solid, as seen from a point.
 struct Wall_3
 {
-  using Vector = Simple_cartesian<double>::Vector_3; ///< a vector in space
+  using Vector = Epick::Vector_3; ///< a vector in space
 
   double distance; ///< signed distance of the point, negative inside the solid
   Vector normal;   ///< outward normal of the solid, of unit length: the gradient of the distance
@@ -121,8 +121,8 @@ private:
 class Plane_solid_3
 {
 public:
-  using Point = Simple_cartesian<double>::Point_3;   ///< a point in space
-  using Vector = Simple_cartesian<double>::Vector_3; ///< a vector in space
+  using Point = Epick::Point_3;   ///< a point in space
+  using Vector = Epick::Vector_3; ///< a vector in space
 
   /// Constructs the half space behind the plane through `point`. Liquids are on the side to which
   /// `normal` points. The normal can have any length.
@@ -149,8 +149,8 @@ private:
 class Tank_solid_3
 {
 public:
-  using Point = Simple_cartesian<double>::Point_3;   ///< a point in space
-  using Vector = Simple_cartesian<double>::Vector_3; ///< a vector in space
+  using Point = Epick::Point_3;   ///< a point in space
+  using Vector = Epick::Vector_3; ///< a vector in space
 
   /// Constructs a tank.
   /// \param box the box that contains the liquids
@@ -195,8 +195,8 @@ private:
 class Box_solid_3
 {
 public:
-  using Point = Simple_cartesian<double>::Point_3;   ///< a point in space
-  using Vector = Simple_cartesian<double>::Vector_3; ///< a vector in space
+  using Point = Epick::Point_3;   ///< a point in space
+  using Vector = Epick::Vector_3; ///< a vector in space
 
   /// Constructs a box.
   /// \throws Error if the box is empty or not finite
@@ -288,8 +288,8 @@ private:
 class Ball_solid_3
 {
 public:
-  using Point = Simple_cartesian<double>::Point_3;   ///< a point in space
-  using Vector = Simple_cartesian<double>::Vector_3; ///< a vector in space
+  using Point = Epick::Point_3;   ///< a point in space
+  using Vector = Epick::Vector_3; ///< a vector in space
 
   /// Constructs a ball, or its outside.
   /// \throws Error if the radius is not positive, or if an argument is not finite
@@ -314,8 +314,8 @@ private:
 class Cylinder_solid_3
 {
 public:
-  using Point = Simple_cartesian<double>::Point_3;   ///< a point in space
-  using Vector = Simple_cartesian<double>::Vector_3; ///< a vector in space
+  using Point = Epick::Point_3;   ///< a point in space
+  using Vector = Epick::Vector_3; ///< a vector in space
 
   /// Constructs a cylinder, or its outside. The axis goes through `point`, and its vector can have
   /// any length.
@@ -345,9 +345,9 @@ private:
 class Mesh_solid_3
 {
 public:
-  using Point = Simple_cartesian<double>::Point_3;   ///< a point in space
-  using Vector = Simple_cartesian<double>::Vector_3; ///< a vector in space
-  using Mesh = Surface_mesh<Point>;                  ///< a triangle mesh
+  using Point = Epick::Point_3;     ///< a point in space
+  using Vector = Epick::Vector_3;   ///< a vector in space
+  using Mesh = Surface_mesh<Point>; ///< a triangle mesh
 
   /// Constructs a solid from a closed triangle mesh, oriented outwards or inwards. A point sees
   /// only the nearest part of the surface as a wall. Takes O(n log n) time.
@@ -372,7 +372,7 @@ public:
   }
 
 private:
-  using Kernel = Simple_cartesian<double>;
+  using Kernel = Epick;
   using Primitive = AABB_face_graph_triangle_primitive<Mesh>;
   using Tree = AABB_tree<AABB_traits_3<Kernel, Primitive>>;
 

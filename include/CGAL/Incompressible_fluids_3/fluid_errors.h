@@ -12,7 +12,7 @@
 
 #include <CGAL/Mesh_support/Error.h>
 
-#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <cstdint>
 #include <string>
@@ -66,7 +66,7 @@ enum class Fluid_failure {
 /// An attempt at a time step, or at a part of one, that failed and was undone.
 struct Fluid_repetition
 {
-  using Point = Simple_cartesian<double>::Point_3; ///< a point in space
+  using Point = Epick::Point_3; ///< a point in space
 
   Fluid_failure cause; ///< the reason of the failure
   double time;         ///< the time at the beginning of the attempt
@@ -89,7 +89,7 @@ fluid and its complex are in their state before the step.
 class Fluid_step_error : public Error
 {
 public:
-  using Point = Simple_cartesian<double>::Point_3; ///< a point in space
+  using Point = Epick::Point_3; ///< a point in space
 
   /// Constructs the error. The member functions return the arguments.
   Fluid_step_error(const std::string& message, std::uint64_t step,

@@ -38,12 +38,12 @@ areas, when the interface starts to move with given velocities. Linear in the si
 template <class Complex>
 std::map<typename Complex::Label, double>
 rates_of_change(const Interface_snapshot<Complex>& interface_,
-                const std::vector<typename Complex::Approximate_point>& positions,
-                const std::vector<typename Complex::Approximate_vector>& velocities) {
+                const std::vector<typename Complex::Point>& positions,
+                const std::vector<typename Complex::Vector>& velocities) {
   static constexpr int d = Complex::dimension;
   std::map<typename Complex::Label, double> result;
   for (const auto& facet : interface_.facets()) {
-    typename Complex::Approximate_vector sum(NULL_VECTOR);
+    typename Complex::Vector sum(NULL_VECTOR);
     for (std::size_t v : facet.vertices)
       sum = sum + velocities[v];
     const double swept =
@@ -254,7 +254,7 @@ private:
   std::vector<Label> remove_vanishing(double dt, Any_visitor<Complex>* visitor) {
     const Interface_snapshot<Complex> interface_(m_complex);
     const auto positions = interface_.positions(m_complex);
-    std::vector<typename Complex::Approximate_vector> velocities;
+    std::vector<typename Complex::Vector> velocities;
     m_velocity(interface_, positions, m_time, velocities);
     const auto rates = rates_of_change(interface_, positions, velocities);
     static constexpr double largest = 2; // diameter in edges

@@ -53,18 +53,18 @@ public:
   /// \throws Error if a function of the energy returns a value out of its range
   template <class Complex>
   void operator()(const Interface_snapshot<Complex>& interface_,
-                  const std::vector<typename Complex::Approximate_point>& positions, double /*t*/,
-                  std::vector<typename Complex::Approximate_vector>& velocities) const;
+                  const std::vector<typename Complex::Point>& positions, double /*t*/,
+                  std::vector<typename Complex::Vector>& velocities) const;
 
 private:
   Interface_energy m_energy;
 };
 
 template <class Complex>
-void Mean_curvature_velocity::operator()(
-    const Interface_snapshot<Complex>& interface_,
-    const std::vector<typename Complex::Approximate_point>& positions, double /*t*/,
-    std::vector<typename Complex::Approximate_vector>& velocities) const {
+void Mean_curvature_velocity::operator()(const Interface_snapshot<Complex>& interface_,
+                                         const std::vector<typename Complex::Point>& positions,
+                                         double /*t*/,
+                                         std::vector<typename Complex::Vector>& velocities) const {
   using Forces = internal::Interface_forces<Complex>;
   const Forces forces(interface_, positions, m_energy);
   velocities.assign(positions.size(), NULL_VECTOR);
@@ -142,9 +142,8 @@ public:
   ///         energy returns a value out of its range, or if a system cannot be solved
   template <class Complex>
   double operator()(const Interface_snapshot<Complex>& interface_,
-                    const std::vector<typename Complex::Approximate_point>& positions, double /*t*/,
-                    double dt,
-                    std::vector<typename Complex::Approximate_point>& destinations) const;
+                    const std::vector<typename Complex::Point>& positions, double /*t*/, double dt,
+                    std::vector<typename Complex::Point>& destinations) const;
 
 private:
   // Largest difference of one step and two steps of half the length, in mean edges. Longer steps
@@ -158,11 +157,10 @@ private:
   // \param whole the positions after half of the step, by one implicit step
   // \param total the sum of the errors of the parts
   template <class Complex>
-  std::vector<typename Complex::Approximate_point>
+  std::vector<typename Complex::Point>
   divided_step(const Interface_snapshot<Complex>& interface_,
-               std::vector<typename Complex::Approximate_point> positions, double dt,
-               std::vector<typename Complex::Approximate_point> whole, double tolerance,
-               double& total) const {
+               std::vector<typename Complex::Point> positions, double dt,
+               std::vector<typename Complex::Point> whole, double tolerance, double& total) const {
     double step = dt / 2, sum = 0;
     for (double rest = dt;;) {
       for (;;) {
@@ -191,9 +189,9 @@ private:
 
   // Returns the result of second order, from one step and from two steps of half the length.
   template <class Complex>
-  static std::vector<typename Complex::Approximate_point>
-  extrapolated(const std::vector<typename Complex::Approximate_point>& whole,
-               std::vector<typename Complex::Approximate_point> halves) {
+  static std::vector<typename Complex::Point>
+  extrapolated(const std::vector<typename Complex::Point>& whole,
+               std::vector<typename Complex::Point> halves) {
     for (std::size_t i = 0; i < halves.size(); ++i)
       halves[i] = halves[i] + (halves[i] - whole[i]);
     return halves;
@@ -201,7 +199,7 @@ private:
 
   template <class Complex>
   static double mean_edge(const Interface_snapshot<Complex>& interface_,
-                          const std::vector<typename Complex::Approximate_point>& positions) {
+                          const std::vector<typename Complex::Point>& positions) {
     double sum = 0;
     std::size_t number = 0;
     for (const auto& facet : interface_.facets())
@@ -214,8 +212,8 @@ private:
   }
 
   template <class Complex>
-  static double largest_distance(const std::vector<typename Complex::Approximate_point>& a,
-                                 const std::vector<typename Complex::Approximate_point>& b) {
+  static double largest_distance(const std::vector<typename Complex::Point>& a,
+                                 const std::vector<typename Complex::Point>& b) {
     double result = 0;
     for (std::size_t i = 0; i < a.size(); ++i)
       result = (std::max)(result, (a[i] - b[i]).squared_length());
@@ -226,8 +224,8 @@ private:
   // the constraints of vertices.
   template <class Complex>
   void restore_volumes(const Interface_snapshot<Complex>& interface_,
-                       const std::vector<typename Complex::Approximate_point>& positions,
-                       std::vector<typename Complex::Approximate_point>& destinations) const {
+                       const std::vector<typename Complex::Point>& positions,
+                       std::vector<typename Complex::Point>& destinations) const {
     using Forces = internal::Interface_forces<Complex>;
     const Volume_changer<Complex> changer(interface_);
     const auto amounts = changer.changes(destinations, positions);
@@ -246,10 +244,9 @@ private:
   // Returns the positions after one backward Euler step with the weights of its beginning. Vertices
   // on sides of the domain stay on these sides.
   template <class Complex>
-  std::vector<typename Complex::Approximate_point>
+  std::vector<typename Complex::Point>
   implicit_step(const Interface_snapshot<Complex>& interface_,
-                const std::vector<typename Complex::Approximate_point>& positions,
-                double dt) const {
+                const std::vector<typename Complex::Point>& positions, double dt) const {
     using System = internal::Curvature_system<Complex>;
     static constexpr int d = Complex::dimension;
     const internal::Interface_forces<Complex> forces(interface_, positions, m_energy);
@@ -261,7 +258,7 @@ private:
       return System::Forces::vector(x.segment<d>(System::row(v, 0)).eval());
     };
     const Eigen::VectorXd motion = system.solve(right);
-    std::vector<typename Complex::Approximate_point> result;
+    std::vector<typename Complex::Point> result;
     for (std::size_t v = 0; v < positions.size(); ++v)
       result.push_back(positions[v] + displacement(motion, v));
     if (!m_preserves_volumes)
@@ -294,10 +291,10 @@ private:
 };
 
 template <class Complex>
-double Mean_curvature_flow::operator()(
-    const Interface_snapshot<Complex>& interface_,
-    const std::vector<typename Complex::Approximate_point>& positions, double /*t*/, double dt,
-    std::vector<typename Complex::Approximate_point>& destinations) const {
+double Mean_curvature_flow::operator()(const Interface_snapshot<Complex>& interface_,
+                                       const std::vector<typename Complex::Point>& positions,
+                                       double /*t*/, double dt,
+                                       std::vector<typename Complex::Point>& destinations) const {
   if (!(dt >= 0))
     throw Error("mean curvature flow cannot go back in time: use a time step of 0 or more");
   destinations.clear();

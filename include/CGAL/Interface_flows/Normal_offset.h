@@ -163,8 +163,8 @@ struct Normal_offset
   /// time is linear in the size of the interface.
   template <class Complex>
   void operator()(const Interface_snapshot<Complex>& interface_,
-                  const std::vector<typename Complex::Approximate_point>& positions, double /*t*/,
-                  std::vector<typename Complex::Approximate_vector>& velocities) const;
+                  const std::vector<typename Complex::Point>& positions, double /*t*/,
+                  std::vector<typename Complex::Vector>& velocities) const;
 
   /// Inserts vertices at corners and edges that are opened in a step of the length `dt`.
   /// `advect_interface()` calls this function before the step.
@@ -175,11 +175,10 @@ struct Normal_offset
 };
 
 template <class Complex>
-void Normal_offset::operator()(
-    const Interface_snapshot<Complex>& interface_,
-    const std::vector<typename Complex::Approximate_point>& positions, double /*t*/,
-    std::vector<typename Complex::Approximate_vector>& velocities) const {
-  using Vector = typename Complex::Approximate_vector;
+void Normal_offset::operator()(const Interface_snapshot<Complex>& interface_,
+                               const std::vector<typename Complex::Point>& positions, double /*t*/,
+                               std::vector<typename Complex::Vector>& velocities) const {
+  using Vector = typename Complex::Vector;
   std::vector<internal::Moving_planes<Vector, Complex::dimension>> planes(positions.size());
   for (const auto& facet : interface_.facets()) {
     if (facet.in_front != 0 && facet.behind != 0)

@@ -33,8 +33,8 @@ minimum distance from each other, and depend on the number of the random sequenc
 template <class Complex> class Voronoi_labels
 {
 public:
-  static constexpr int d = Complex::dimension;       ///< dimension, 2 or 3
-  using Point = typename Complex::Approximate_point; ///< a point
+  static constexpr int d = Complex::dimension; ///< dimension, 2 or 3
+  using Point = typename Complex::Point;       ///< a point
 
   /// The default of the minimum distance of seeds, relative to the side of a cube of the mean size
   /// of a cell. Grains have about equal sizes with larger values, and any sizes with 0.

@@ -87,7 +87,7 @@ void begin_with(const std::vector<typename Deformation_report<Complex>::Label_ch
 
 // Returns the destinations of the vertices of the interface in a time step.
 template <class Complex>
-std::vector<typename Complex::Approximate_point>
+std::vector<typename Complex::Point>
 destinations_of_step(const Complex& dsc, const Interface_vertices<Complex>& interface_,
                      const Step_velocity<Complex>& velocity, double t, double dt,
                      const Advection_options<Complex>& options, double* error = nullptr) {
@@ -324,7 +324,7 @@ flow map, free vertices near the interface also move with it, unless the paramet
   .
   If the velocity has a member function `energy()` that returns an `Interface_energy`, this energy
   replaces the parameter `interface_energy`.
-  Positions have the type `Complex::Approximate_point` and vectors `Complex::Approximate_vector`, in
+  Positions have the type `Complex::Point` and vectors `Complex::Vector`, in
   the coordinates of the complex.
 \param t the time at the beginning of the step
 \param dt the length of the step. A negative value moves backwards in time.

@@ -69,10 +69,9 @@ public:
   /// of the interface.
   template <class Complex>
   void operator()(const Interface_snapshot<Complex>& interface_,
-                  const std::vector<typename Complex::Approximate_point_3>& positions, double /*t*/,
-                  double dt,
-                  std::vector<typename Complex::Approximate_point_3>& destinations) const {
-    using Vector = typename Complex::Approximate_vector_3;
+                  const std::vector<typename Complex::Point_3>& positions, double /*t*/, double dt,
+                  std::vector<typename Complex::Point_3>& destinations) const {
+    using Vector = typename Complex::Vector_3;
     const double offset = m_speed * dt;
     struct Vertex
     {
@@ -162,10 +161,9 @@ public:
   /// `Integration_scheme::rk4`. The time is linear in the size of the interface.
   template <class Complex>
   void operator()(const Interface_snapshot<Complex>& interface_,
-                  const std::vector<typename Complex::Approximate_point_3>& positions, double t,
-                  double dt,
-                  std::vector<typename Complex::Approximate_point_3>& destinations) const {
-    using Vector = typename Complex::Approximate_vector_3;
+                  const std::vector<typename Complex::Point_3>& positions, double t, double dt,
+                  std::vector<typename Complex::Point_3>& destinations) const {
+    using Vector = typename Complex::Vector_3;
     const auto advected = internal::integrate_with_fixed_steps(interface_, positions, m_field, t,
                                                                dt, Integration_scheme::rk4);
     std::vector<Vertex_quadric_3<Vector>> quadrics(positions.size());

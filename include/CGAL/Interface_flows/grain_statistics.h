@@ -48,7 +48,7 @@ template <class Vector> double angle_at_edge(const Vector& edge, const Vector& a
 template <class Complex, class Visit>
 void visit_angles(const Complex& complex, typename Complex::Cell_handle c, const Visit& visit) {
   static constexpr int d = Complex::dimension;
-  std::array<typename Complex::Approximate_point, d + 1> p;
+  std::array<typename Complex::Point, d + 1> p;
   for (int i = 0; i <= d; ++i)
     p[i] = complex.corner(c, i);
   for (int i = 0; i <= d; ++i) {

@@ -12,7 +12,7 @@
 
 #include <CGAL/Interface_flows/Normal_offset.h>
 
-#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/tags.h>
 
 namespace CGAL::Deformable_simplicial_complexes {
@@ -28,9 +28,9 @@ exact up to rounding for any integration scheme. `Rigid_rotation_3` is the versi
 class Rigid_rotation_2
 {
 public:
-  using Point_2 = Simple_cartesian<double>::Point_2;   ///< a point of the complex
-  using Vector_2 = Simple_cartesian<double>::Vector_2; ///< a vector in the same coordinates
-  using Is_invertible = Tag_true;                      ///< also moves free vertices
+  using Point_2 = Epick::Point_2;   ///< a point of the complex
+  using Vector_2 = Epick::Vector_2; ///< a vector in the same coordinates
+  using Is_invertible = Tag_true;   ///< also moves free vertices
 
   /// \param center the center of the rotation
   /// \param angular_velocity radians per unit of time, counterclockwise

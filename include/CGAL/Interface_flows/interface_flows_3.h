@@ -10,8 +10,8 @@
 
 #include <CGAL/license/Interface_flows.h>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Interface_flows/Normal_offset.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/tags.h>
 
 namespace CGAL::Deformable_simplicial_complexes {
@@ -27,9 +27,9 @@ positions, so the rotation is exact up to rounding for any integration scheme.
 class Rigid_rotation_3
 {
 public:
-  using Point_3 = Simple_cartesian<double>::Point_3;   ///< a point of the complex
-  using Vector_3 = Simple_cartesian<double>::Vector_3; ///< a vector in the same coordinates
-  using Is_invertible = Tag_true;                      ///< also moves free vertices
+  using Point_3 = Epick::Point_3;   ///< a point of the complex
+  using Vector_3 = Epick::Vector_3; ///< a vector in the same coordinates
+  using Is_invertible = Tag_true;   ///< also moves free vertices
 
   /// \param center a point of the axis
   /// \param axis the direction of the axis, of any length

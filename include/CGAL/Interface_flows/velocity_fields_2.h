@@ -10,7 +10,7 @@
 
 #include <CGAL/license/Interface_flows.h>
 
-#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/number_utils.h>
 
 #include <cmath>
@@ -31,8 +31,8 @@ version in space.
 class Single_vortex_velocity_2
 {
 public:
-  using Point_2 = Simple_cartesian<double>::Point_2;   ///< a point of the unit square
-  using Vector_2 = Simple_cartesian<double>::Vector_2; ///< a vector in the same coordinates
+  using Point_2 = Epick::Point_2;   ///< a point of the unit square
+  using Vector_2 = Epick::Vector_2; ///< a vector in the same coordinates
 
   /// \param period the period T.
   /// \pre `period` is positive.

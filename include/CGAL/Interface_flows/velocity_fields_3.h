@@ -34,8 +34,8 @@ at t = T each point is back at its start. The field preserves volumes and maps t
 class Enright_velocity_3
 {
 public:
-  using Point_3 = Simple_cartesian<double>::Point_3;   ///< a point of the unit cube
-  using Vector_3 = Simple_cartesian<double>::Vector_3; ///< a vector in the same coordinates
+  using Point_3 = Epick::Point_3;   ///< a point of the unit cube
+  using Vector_3 = Epick::Vector_3; ///< a vector in the same coordinates
 
   /// \param period the period T. The value 3 is common; 1 is the flow of section 4.1.4 of the
   ///        paper.
@@ -68,8 +68,8 @@ The field preserves volumes and maps the unit square of each plane to itself.
 class Single_vortex_velocity_3
 {
 public:
-  using Point_3 = Simple_cartesian<double>::Point_3;   ///< a point of the unit cube
-  using Vector_3 = Simple_cartesian<double>::Vector_3; ///< a vector in the same coordinates
+  using Point_3 = Epick::Point_3;   ///< a point of the unit cube
+  using Vector_3 = Epick::Vector_3; ///< a vector in the same coordinates
 
   /// \param period the period T.
   /// \pre `period` is positive.
@@ -98,8 +98,8 @@ arguments of the constructor only. Between machines, it differs by the rounding 
 class Curl_noise_velocity_3
 {
 public:
-  using Point_3 = Simple_cartesian<double>::Point_3;   ///< a point of the complex
-  using Vector_3 = Simple_cartesian<double>::Vector_3; ///< a vector in the same coordinates
+  using Point_3 = Epick::Point_3;   ///< a point of the complex
+  using Vector_3 = Epick::Vector_3; ///< a vector in the same coordinates
 
   /// \param wave_length the length of each wave, in the coordinates of the complex
   /// \param speed the root mean square of the speed
@@ -158,8 +158,8 @@ user to the coordinates of the complex.
 template <class Complex, class Field> class Velocity_in_user_coordinates_3
 {
 public:
-  using Point_3 = typename Complex::Approximate_point_3;   ///< a point of the complex
-  using Vector_3 = typename Complex::Approximate_vector_3; ///< a vector in the same coordinates
+  using Point_3 = typename Complex::Point_3;   ///< a point of the complex
+  using Vector_3 = typename Complex::Vector_3; ///< a vector in the same coordinates
 
   /// \param complex the complex. Its normalization is copied.
   /// \param field the velocity field in the coordinates of the user

@@ -221,7 +221,7 @@ public:
   void before_smoothing(Vertex_handle v, const std::vector<Cell_handle>& star,
                         const Point& target) {
     begin(star);
-    const auto position = near(m_complex.approximate(target));
+    const auto position = near(target);
     for (Cell_handle c : star)
       if (!m_complex.is_infinite(c)) {
         Corners moved = internal::cell_corners(m_complex, c, m_middle);
@@ -244,7 +244,7 @@ private:
   }
 
   // Returns the image of p nearest to `m_middle`: on a torus, all images are taken near one place.
-  typename Complex::Approximate_point near(const typename Complex::Approximate_point& p) const {
+  typename Complex::Point near(const typename Complex::Point& p) const {
     return m_complex.domain().near(m_middle, p);
   }
 
@@ -285,7 +285,7 @@ private:
   const Complex& m_complex;
   CellValueMap m_values;
   std::vector<Simplex> m_from, m_to;
-  typename Complex::Approximate_point m_middle; // near the cells that are replaced
+  typename Complex::Point m_middle; // near the cells that are replaced
 };
 
 } // namespace CGAL::Deformable_simplicial_complexes

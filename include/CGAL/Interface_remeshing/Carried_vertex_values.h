@@ -91,7 +91,7 @@ public:
     for (std::size_t i = 0; i < cavity.vertices().size(); ++i) {
       const auto& v = cavity.vertices()[i];
       const bool is_new = v.handle == Vertex_handle();
-      if (is_new || (!m_complex.is_infinite(v.handle) && !(v.handle->point() == v.point)))
+      if (is_new || (!m_complex.is_infinite(v.handle) && !(v.handle->point() == v.position)))
         m_interpolated.emplace_back(i, interpolate(cavity.removed(), v.position));
     }
   }
@@ -104,7 +104,7 @@ public:
   /// Interpolates the value at the target, in time linear in the number of cells around the vertex.
   void before_smoothing(Vertex_handle v, const std::vector<Cell_handle>& star,
                         const Point& target) {
-    const auto position = m_complex.approximate(target);
+    const auto position = target;
     m_interpolated.clear();
     m_interpolated.emplace_back(0, m_gradient == Carried_gradient::mean
                                        ? extrapolate(v, star, position)
@@ -116,7 +116,7 @@ public:
   }
 
 private:
-  using Position = typename Complex::Approximate_point;
+  using Position = typename Complex::Point;
   using Coordinates = std::array<double, Complex::corners>;
 
   // Returns the value at p of the function that is linear in each cell. Returns the value of the

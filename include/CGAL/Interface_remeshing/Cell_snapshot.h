@@ -72,7 +72,7 @@ private:
   }
 
   std::uint64_t m_version;
-  Table<typename Complex::Approximate_point> m_positions;
+  Table<typename Complex::Point> m_positions;
   Table<typename Complex::Label> m_labels;
 };
 

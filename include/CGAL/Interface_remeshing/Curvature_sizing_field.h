@@ -15,11 +15,11 @@
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/coordinates.h>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Orthogonal_k_neighbor_search.h>
 #include <CGAL/Search_traits_2.h>
 #include <CGAL/Search_traits_3.h>
 #include <CGAL/Search_traits_adapter.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/property_map.h>
 
 #include <memory>
@@ -40,8 +40,7 @@ template <int d> class Curvature_sizing_field
 {
 public:
   /// Point in the coordinates of the complex.
-  using Point = std::conditional_t<d == 2, Simple_cartesian<double>::Point_2,
-                                   Simple_cartesian<double>::Point_3>;
+  using Point = std::conditional_t<d == 2, Epick::Point_2, Epick::Point_3>;
 
   /*!
   Estimates the curvatures from the normals of the vertices. Vertices on sharp edges and on lines
@@ -119,8 +118,7 @@ public:
 
 private:
   using Sized_point = std::pair<Point, double>;
-  using Point_traits = std::conditional_t<d == 2, Search_traits_2<Simple_cartesian<double>>,
-                                          Search_traits_3<Simple_cartesian<double>>>;
+  using Point_traits = std::conditional_t<d == 2, Search_traits_2<Epick>, Search_traits_3<Epick>>;
   using Tree_traits =
       Search_traits_adapter<Sized_point, First_of_pair_property_map<Sized_point>, Point_traits>;
   using Search = Orthogonal_k_neighbor_search<Tree_traits>;

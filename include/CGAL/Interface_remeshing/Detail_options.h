@@ -29,7 +29,7 @@ are in units of the target edge length. "The paper" is the one by Misztal and B&
 template <class Complex> struct Detail_options
 {
   /// Target edge length, a positive function of position in the coordinates of the complex,
-  /// evaluated at midpoints of edges. As a named parameter, `double sizing_field(Approximate_point
+  /// evaluated at midpoints of edges. As a named parameter, `double sizing_field(Point
   /// p)`, callable as `const`. If empty, it is `dsc.mean_interface_edge()` everywhere.
   typename Edge_unit<Complex>::Sizing_field sizing_field;
   /// Selects the cells whose edges are split and collapsed, such as the cells of some labels. As a

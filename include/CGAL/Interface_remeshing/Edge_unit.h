@@ -29,8 +29,7 @@ Any number of threads can call one object at once if the sizing field permits th
 template <class Complex> class Edge_unit
 {
 public:
-  using Point =
-      typename Complex::Approximate_point; ///< a position in the coordinates of the complex
+  using Point = typename Complex::Point; ///< a position in the coordinates of the complex
 
   /// A sizing field: the target edge length at a point, in the coordinates of the complex.
   using Sizing_field = std::function<double(const Point&)>;

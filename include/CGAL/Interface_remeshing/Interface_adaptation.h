@@ -238,7 +238,7 @@ private:
   }
 
   const Interface_snapshot<Complex>& m_interface;
-  std::vector<typename Complex::Approximate_point> m_positions;
+  std::vector<typename Complex::Point> m_positions;
   double m_edge;
   Adaptation_options m_options;
   internal::Curvature_lengths<Complex> m_lengths;

@@ -48,9 +48,9 @@ of one object at once.
 template <class Complex> class Volume_changer
 {
 public:
-  using Label = typename Complex::Label;               ///< a label
-  using Point = typename Complex::Approximate_point;   ///< a position of a vertex
-  using Vector = typename Complex::Approximate_vector; ///< a displacement
+  using Label = typename Complex::Label;   ///< a label
+  using Point = typename Complex::Point;   ///< a position of a vertex
+  using Vector = typename Complex::Vector; ///< a displacement
 
   /// Refers to the snapshot of an interface.
   /// \pre The snapshot outlives the object. For `gradients()` and `change_by()`, the complex must

@@ -35,7 +35,7 @@ points.
 template <class Complex> struct Interface_curve_2
 {
   /// point with coordinates of type `double`
-  using Point_2 = typename Complex::Approximate_point_2;
+  using Point_2 = typename Complex::Point_2;
   using Vertex_handle = typename Complex::Vertex_handle; ///< vertex of the complex
   using Label = typename Complex::Label;                 ///< name of a phase
 

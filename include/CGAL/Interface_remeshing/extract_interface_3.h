@@ -43,7 +43,7 @@ points.
 template <class Complex> struct Interface_surface_3
 {
   /// point with coordinates of type `double`
-  using Point_3 = typename Complex::Approximate_point_3;
+  using Point_3 = typename Complex::Point_3;
   using Vertex_handle = typename Complex::Vertex_handle; ///< vertex of the complex
   using Label = typename Complex::Label;                 ///< name of a phase
 

@@ -144,7 +144,7 @@ private:
   }
 
   static bool is_unmoved(const typename Cavity<Complex>::Vertex& v) {
-    return v.handle->point() == v.point;
+    return v.handle->point() == v.position;
   }
 
   Vertex_handle nearest_that_stays(Vertex_handle v, const std::vector<bool>& stays) const {

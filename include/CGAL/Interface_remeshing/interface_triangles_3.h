@@ -73,10 +73,10 @@ the interface.
 \param positions of the vertices, in the order of the snapshot
 */
 template <class Complex>
-std::vector<Weighted_triangle<typename Complex::Approximate_vector_3>>
+std::vector<Weighted_triangle<typename Complex::Vector_3>>
 weighted_triangles(const Interface_snapshot<Complex>& interface_,
-                   const std::vector<typename Complex::Approximate_point_3>& positions) {
-  std::vector<Weighted_triangle<typename Complex::Approximate_vector_3>> result;
+                   const std::vector<typename Complex::Point_3>& positions) {
+  std::vector<Weighted_triangle<typename Complex::Vector_3>> result;
   for (std::size_t i = 0; i < interface_.triangles.size(); ++i) {
     const auto p = corners(interface_.triangles[i], interface_.domain, positions);
     const auto normal = internal::area_vector(p);
@@ -103,10 +103,10 @@ Its length is 1, or 0 where normals cancel each other. Linear in the size of the
 \return the normals, in the order of the snapshot
 */
 template <class Complex>
-std::vector<typename Complex::Approximate_vector_3>
+std::vector<typename Complex::Vector_3>
 vertex_normals(const Interface_snapshot<Complex>& interface_,
-               const std::vector<typename Complex::Approximate_point_3>& positions) {
-  using Vector = typename Complex::Approximate_vector_3;
+               const std::vector<typename Complex::Point_3>& positions) {
+  using Vector = typename Complex::Vector_3;
   std::vector<Vector> result(positions.size(), Vector(0, 0, 0));
   for (const auto& triangle : weighted_triangles(interface_, positions))
     for (int i = 0; i < 3; ++i) {
@@ -135,10 +135,9 @@ that follow each other in the snapshot are compared there. n log n in the size o
 \return 1 or 0 for each vertex, in the order of the snapshot
 */
 template <class Complex>
-std::vector<char>
-vertices_on_features(const Interface_snapshot<Complex>& interface_,
-                     const std::vector<typename Complex::Approximate_point_3>& positions,
-                     double angle) {
+std::vector<char> vertices_on_features(const Interface_snapshot<Complex>& interface_,
+                                       const std::vector<typename Complex::Point_3>& positions,
+                                       double angle) {
   struct Side
   {
     std::array<std::size_t, 2> edge;

@@ -31,7 +31,7 @@ template <class Complex> class Junction_sectors
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
   using Cell_handle = typename Complex::Cell_handle;
-  using Vector = typename Complex::Approximate_vector;
+  using Vector = typename Complex::Vector;
   using Index = typename Cavity<Complex>::Index;
 
   // Collects the sectors around v. \pre v is inside the domain or on one side of a box
@@ -86,7 +86,7 @@ public:
       cavity.remove(side.cell);
     const Index old_one = cavity.add(m_center),
                 new_one =
-                    cavity.add(m_complex.exact(m_complex.position(m_center) + displacement),
+                    cavity.add(m_complex.position(m_center) + displacement,
                                is_at_side(s) ? m_center->boundary_class() : Boundary_class::inside);
     m_sides.divide(cavity, begin(s + number() - 1), begin(s + number()), old_one, new_one);
     m_sides.connect(cavity, begin(s), begin(s + 1), new_one);

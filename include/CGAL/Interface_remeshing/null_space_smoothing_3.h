@@ -24,7 +24,7 @@ bool null_space_position(const Complex& complex, const Interface_fan_3<Complex>&
                          const std::vector<typename Complex::Cell_handle>& star,
                          double aggressiveness, double feature_angle, double minimum_quality,
                          typename Complex::Point& target) {
-  using Vector = typename Complex::Approximate_vector_3;
+  using Vector = typename Complex::Vector_3;
   const auto v = fan.center();
   if (complex.is_boundary(v) || !fan.is_disk())
     return false;
@@ -56,7 +56,7 @@ bool null_space_position(const Complex& complex, const Interface_fan_3<Complex>&
   for (auto c : star)
     worst_cell = (std::min)(worst_cell, c->quality());
   const double bound = (std::min)(minimum_quality, worst_cell);
-  const auto is_better = [&](const typename Complex::Approximate_point_3& p) {
+  const auto is_better = [&](const typename Complex::Point_3& p) {
     for (std::size_t i = 0; i < fan.size(); ++i) {
       const auto before = fan.facet(i, from), after = fan.facet(i, p);
       if (!(triangle_quality(after) > worst_facet) ||
@@ -65,10 +65,9 @@ bool null_space_position(const Complex& complex, const Interface_fan_3<Complex>&
     }
     return star_quality(complex, complex.quality_measure(), v, star, p, 0) >= bound;
   };
-  const auto exact = complex.geom_traits().construct_exact_point_3_object();
   for (double part : {1., .5}) {
     const auto p = from + part * step;
-    target = exact(p);
+    target = p;
     if (is_better(p))
       return complex.is_positive_star(v, star, target);
   }

@@ -51,7 +51,7 @@ namespace Deformable_simplicial_complexes::internal {
 template <class Complex, class KeyOf, class RegionOf>
 void write_svg(const std::string& path, const Complex& dsc, const IO::SVG_options& options,
                const KeyOf& key_of, const RegionOf& region_of) {
-  using Point = typename Complex::Approximate_point_2;
+  using Point = typename Complex::Point_2;
   if (dsc.number_of_cells() == 0)
     throw Error("there is nothing to draw: the complex is empty");
   std::array<double, 2> periods = dsc.domain().template periods<2>();

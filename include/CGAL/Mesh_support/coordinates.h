@@ -42,23 +42,21 @@ template <class Point, std::size_t d> Point point_of(const std::array<double, d>
 /*!
 \ingroup PkgMeshSupportRef
 
-Returns the point of type `Complex::Approximate_point` with given coordinates.
+Returns the point of type `Complex::Point` with given coordinates.
 */
 template <class Complex>
-typename Complex::Approximate_point
-point_at(const std::array<double, Complex::dimension>& coordinates) {
-  return point_of<typename Complex::Approximate_point>(coordinates);
+typename Complex::Point point_at(const std::array<double, Complex::dimension>& coordinates) {
+  return point_of<typename Complex::Point>(coordinates);
 }
 
 /*!
 \ingroup PkgMeshSupportRef
 
-Returns the vector of type `Complex::Approximate_vector` with given coordinates.
+Returns the vector of type `Complex::Vector` with given coordinates.
 */
 template <class Complex>
-typename Complex::Approximate_vector
-vector_of(const std::array<double, Complex::dimension>& coordinates) {
-  return point_of<typename Complex::Approximate_vector>(coordinates);
+typename Complex::Vector vector_of(const std::array<double, Complex::dimension>& coordinates) {
+  return point_of<typename Complex::Vector>(coordinates);
 }
 
 /*!

@@ -49,7 +49,7 @@ template <class Complex> struct Reconstruction_report_3
   /// Places where the interface contradicts the sides of the points: the centers of large empty
   /// balls on the wrong side of the interface, and one vertex of each handle that is smaller than
   /// such balls. It is empty if the interface did not come to rest.
-  std::vector<typename Complex::Approximate_point> doubtful_places;
+  std::vector<typename Complex::Point> doubtful_places;
   /// Facets that close holes. No point is near them.
   std::vector<typename Complex::Facet> facets_without_points;
 };

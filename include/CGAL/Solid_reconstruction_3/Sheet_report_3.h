@@ -10,7 +10,7 @@
 
 #include <CGAL/license/Solid_reconstruction_3.h>
 
-#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -48,7 +48,7 @@ struct Sheet_report_3
   /// Places where the sheet contradicts the points: vertices where it is not a manifold, one vertex
   /// of each boundary where the points have no boundary, and one vertex of each component that is
   /// separated from points near it.
-  std::vector<Simple_cartesian<double>::Point_3> doubtful_places;
+  std::vector<Epick::Point_3> doubtful_places;
 
   /// Returns the largest distance of a point that fits: half a spacing, or six times the noise if
   /// this is greater.

@@ -32,8 +32,8 @@ The result of `reconstruct_sheet_3()`: a triangle soup whose triangles share poi
 */
 struct Reconstructed_sheet_3
 {
-  std::vector<Simple_cartesian<double>::Point_3> points; ///< corners of the triangles
-  std::vector<std::array<std::size_t, 3>> triangles;     ///< indices into `points`
+  std::vector<Epick::Point_3> points;                ///< corners of the triangles
+  std::vector<std::array<std::size_t, 3>> triangles; ///< indices into `points`
 };
 
 /*!

@@ -16,7 +16,7 @@
 #include <CGAL/Mesh_files/Svg_canvas.h>
 
 #include <CGAL/Bbox_2.h>
-#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <CLI/CLI.hpp>
 
@@ -97,7 +97,7 @@ struct Histogram
   }
 };
 
-using Point = CGAL::Simple_cartesian<double>::Point_2;
+using Point = CGAL::Epick::Point_2;
 
 /// Lengths of a diagram, in pixels.
 constexpr double width = 320, height = 200, margin = 50;

@@ -291,7 +291,7 @@ Complex complex_of_places(const Fluid_scene& scene, const Labels_of_places& labe
     require_shape_of_places(*filling.second);
   auto result = make_complex<Complex>(
       box_of_dimension<Complex::dimension>(scene.domain), scene.edge,
-      [&](const typename Complex::Approximate_point& p) { return label_at(coordinates_of(p)); });
+      [&](const typename Complex::Point& p) { return label_at(coordinates_of(p)); });
   std::map<int, std::string> names;
   for (const auto& filling : shapes)
     if (filling.first != 0)

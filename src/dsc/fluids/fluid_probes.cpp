@@ -33,7 +33,7 @@ template <class Complex>
 Seen_facet seen_facet(const Complex& complex, const typename Complex::Facet& f,
                       const Scene_probe& probe) {
   const auto v = complex.facet_vertices(f);
-  const auto c = from_coordinates<typename Complex::Approximate_point>(probe.center);
+  const auto c = from_coordinates<typename Complex::Point>(probe.center);
   const auto p = complex.position(v[0]), q = complex.position(v[1]);
   if constexpr (Complex::dimension == 2) {
     const auto m = CGAL::midpoint(p, q) - c;
@@ -93,7 +93,7 @@ template <class Complex> Json height(const Complex& complex, const std::array<do
   static constexpr int last = Complex::dimension - 1;
   Json result;
   for (const auto& f : complex.interface_facets()) {
-    std::array<typename Complex::Approximate_point, Complex::dimension> p;
+    std::array<typename Complex::Point, Complex::dimension> p;
     const auto v = complex.facet_vertices(f);
     for (std::size_t i = 0; i < p.size(); ++i)
       p[i] = complex.position(v[i]);
@@ -153,7 +153,7 @@ Json mean_of_label(const Complex& complex, int label, const VectorAt& vector_at)
 template <class Complex>
 std::array<double, std::size_t(Complex::corners)>
 coordinates_in_cell(const Complex& complex, typename Complex::Cell_handle c,
-                    const typename Complex::Approximate_point& p) {
+                    const typename Complex::Point& p) {
   const DSC::Linear_element<Complex> element(complex, c);
   std::array<double, std::size_t(Complex::corners)> result;
   for (int i = 0; i < Complex::corners; ++i)
@@ -167,7 +167,7 @@ coordinates_in_cell(const Complex& complex, typename Complex::Cell_handle c,
 template <class Complex>
 Json values_at(const Fluid<Complex>& fluid, const std::array<double, 3>& point) {
   const Complex& complex = fluid.complex();
-  const auto p = from_coordinates<typename Complex::Approximate_point>(point);
+  const auto p = from_coordinates<typename Complex::Point>(point);
   typename Complex::Cell_handle cell;
   std::array<double, std::size_t(Complex::corners)> weights = {};
   double greatest = -std::numeric_limits<double>::infinity(); // least coordinate in a cell

@@ -33,8 +33,7 @@ Mesh_arrays carried_arrays(Mesh_arrays arrays, Unused_content& unused);
 
 /// A complex whose domain can have any shape.
 using Solid_complex =
-    CGAL::Deformable_simplicial_complex_3<CGAL::Deformable_simplicial_complex_traits_3<>,
-                                          CGAL::Default, DSC::Volume_length_ratio_3,
+    CGAL::Deformable_simplicial_complex_3<CGAL::Epick, CGAL::Default, DSC::Volume_length_ratio_3,
                                           DSC::Solid_domain>;
 
 /// Returns the content of a mesh for the complex that was built from it.

@@ -159,7 +159,7 @@ std::vector<double> edge_lengths(const Complex& complex) {
 /// are changed unless lengths are set.
 DSC::Detail_options<Complex> interface_options(double length) {
   DSC::Detail_options<Complex> result;
-  result.sizing_field = [length](const Complex::Approximate_point_3&) { return length; };
+  result.sizing_field = [length](const Complex::Point_3&) { return length; };
   result.change_interface = true;
   result.interface_split_length = std::numeric_limits<double>::infinity();
   result.interface_collapse_length = 0;

@@ -25,7 +25,7 @@ namespace {
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Space = Complex::Space;
-using Position = Complex::Approximate_point;
+using Position = Complex::Point;
 using Corners = std::array<Position, 4>;
 using Simplex = DSC::internal::Clipping_simplex<Space>;
 using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::size_t>;

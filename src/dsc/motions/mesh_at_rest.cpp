@@ -152,8 +152,7 @@ private:
 
 // The quality measure depends on angles, because the complex does not move.
 using Complex_at_rest =
-    CGAL::Deformable_simplicial_complex_3<CGAL::Deformable_simplicial_complex_traits_3<>,
-                                          CGAL::Default, DSC::Biased_minimum_sine_3,
+    CGAL::Deformable_simplicial_complex_3<CGAL::Epick, CGAL::Default, DSC::Biased_minimum_sine_3,
                                           DSC::Solid_domain>;
 using Cell_handle = Complex_at_rest::Cell_handle;
 

@@ -115,8 +115,8 @@ template <class Complex> struct Motion_of
   static const Complex& frame(const Complex& complex) { return complex; }
 
   /// Returns the lower and the upper corner of the box around the complex.
-  static std::array<typename Complex::Approximate_point, 2> box(const Complex& complex) {
-    decltype(typename Complex::Approximate_point().bbox()) box;
+  static std::array<typename Complex::Point, 2> box(const Complex& complex) {
+    decltype(typename Complex::Point().bbox()) box;
     for (const typename Complex::Vertex_handle v : complex.vertices())
       box += complex.position(v).bbox();
     std::array<double, Complex::dimension> lower, upper;
@@ -135,8 +135,8 @@ template <class Complex> struct Motion_step
   using Whole = typename Of::Whole;
   using Report = typename Of::Report;
   using Options = DSC::Adaptive_advection_options<typename Of::Part>;
-  using Point = typename Whole::Approximate_point;
-  using Vector = typename Whole::Approximate_vector;
+  using Point = typename Whole::Point;
+  using Vector = typename Whole::Vector;
   static constexpr int d = Whole::dimension;
   static constexpr bool is_distributed = !std::is_same<Whole, Complex>::value;
 

@@ -26,7 +26,7 @@ namespace {
 
 using Complex = Tracked_distributed::Complex;
 using Distributed = Tracked_distributed::Distributed;
-using Point = Complex::Approximate_point_3;
+using Point = Complex::Point_3;
 using Operation = DSC::Communicator::Operation;
 
 [[noreturn]] void refuse(const char* what) {

@@ -77,7 +77,7 @@ template <class Complex> void set_angles(const Complex& complex, Statistics& sta
   static constexpr int corners = Complex::dimension + 1;
   Angle_statistics angles;
   for (const typename Complex::Cell_handle c : complex.finite_cells()) {
-    std::array<typename Complex::Approximate_point, corners> p;
+    std::array<typename Complex::Point, corners> p;
     for (int i = 0; i < corners; ++i)
       p[std::size_t(i)] = complex.position(c->vertex(i));
     angles.add(p);

@@ -8,7 +8,7 @@
 #include <CGAL/Mesh_files/replace_file.h>
 
 #include <CGAL/Bbox_2.h>
-#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <png.h>
 
@@ -23,7 +23,7 @@
 namespace dsc {
 namespace {
 
-using Vector = CGAL::Simple_cartesian<double>::Vector_3;
+using Vector = CGAL::Epick::Vector_3;
 
 constexpr int side = 800, samples = 2; // size in pixels; samples along the side of a pixel
 constexpr int points = side * samples;

@@ -187,7 +187,7 @@ TEST(Build, normalization_and_back) {
   Surfaces moved = surfaces;
   for (Surface& s : moved)
     for (Point& p : s.points)
-      p = p + Complex::Geom_traits::Kernel::Vector_3(1000, -50, 7);
+      p = p + Complex::Geom_traits::Vector_3(1000, -50, 7);
   const Complex dsc = build(moved, parameters::normalize(true));
 
   double farthest = 0;
@@ -198,7 +198,7 @@ TEST(Build, normalization_and_back) {
   std::vector<Point> expected, found;
   for (const Surface& s : moved)
     expected.insert(expected.end(), s.points.begin(), s.points.end());
-  Complex::Approximate_vector_3 sum(0, 0, 0);
+  Complex::Vector_3 sum(0, 0, 0);
   for (auto v : dsc.interface_vertices()) {
     const auto p = dsc.user_position(v);
     found.emplace_back(p.x(), p.y(), p.z());
@@ -220,7 +220,7 @@ TEST(Build, normalization_and_back) {
 }
 
 TEST(Build, the_box_that_was_asked_for) {
-  using Iso_cuboid = Complex::Geom_traits::Kernel::Iso_cuboid_3;
+  using Iso_cuboid = Complex::Geom_traits::Iso_cuboid_3;
   const CGAL::Bbox_3 box(-1.5, -2, -3, 1.25, 1.5, 1.1);
   const Iso_cuboid cuboid(box);
   const auto vertices_on_box = [](const Complex& dsc) {

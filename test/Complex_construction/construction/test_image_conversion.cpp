@@ -5,7 +5,7 @@
 #include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <CGAL/Bbox_3.h>
-#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/number_utils.h>
 
 namespace test_image_conversion {
@@ -283,7 +283,7 @@ TEST(Octree_tetrahedra, fill_the_voxels_and_the_space_around) {
       const auto& v = mesh.tetrahedra[t];
       const auto corner = [&](int i) {
         const auto& p = mesh.points[v[i]];
-        return CGAL::Simple_cartesian<double>::Point_3(p[0], p[1], p[2]);
+        return CGAL::Epick::Point_3(p[0], p[1], p[2]);
       };
       const double volume = CGAL::volume(corner(0), corner(1), corner(2), corner(3));
       EXPECT_GT(volume, 0);

@@ -6,7 +6,7 @@
 namespace test_implicit_functions {
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
-using Point = Complex::Approximate_point_3;
+using Point = Complex::Point_3;
 using CGAL::Deformable_simplicial_complexes::Error;
 
 constexpr double pi = 3.14159265358979323846;

@@ -52,7 +52,7 @@ TEST(Sample_labels, follow_the_coordinates_of_the_user) {
   const std::vector<int> before = DSC::sample_labels(dsc, grid);
   Complex::Normalization normalization; // a power of two
   normalization.scale = 4;
-  normalization.translation = Complex::Approximate_vector(8, 16, 32);
+  normalization.translation = Complex::Vector(8, 16, 32);
   dsc.set_normalization(normalization);
   const Grid scaled = {{9, 9, 9}, {.84, .84, .84}, {4.4, 12.4, 28.4}};
   EXPECT_EQ(DSC::sample_labels(dsc, scaled), before);

@@ -8,8 +8,7 @@
 namespace test_solid {
 
 using Complex =
-    CGAL::Deformable_simplicial_complex_3<CGAL::Deformable_simplicial_complex_traits_3<>,
-                                          CGAL::Default, DSC::Volume_length_ratio_3,
+    CGAL::Deformable_simplicial_complex_3<CGAL::Epick, CGAL::Default, DSC::Volume_length_ratio_3,
                                           DSC::Solid_domain>;
 using Point = Complex::Point_3;
 using DSC::Invalid_cells_error;

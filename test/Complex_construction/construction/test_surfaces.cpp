@@ -11,7 +11,7 @@
 namespace test_surfaces {
 
 using namespace small_surfaces;
-using Vector = Complex::Geom_traits::Kernel::Vector_3;
+using Vector = Complex::Geom_traits::Vector_3;
 using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
 using Reason = Invalid_surface_error::Reason;
 using Indices = std::vector<std::size_t>;

@@ -368,10 +368,10 @@ TEST(Measures, of_all_labels_at_once_are_those_of_each) {
 
 TEST(Normalization, maps_to_user_coordinates) {
   Complex dsc = make_complex(grid(2, small_meshes::uniform));
-  dsc.set_normalization({Complex::Approximate_vector_3(1, 2, 3), 10});
+  dsc.set_normalization({Complex::Vector_3(1, 2, 3), 10});
   for (Vertex_handle v : dsc.vertices()) {
     const auto p = dsc.position(v), q = dsc.user_position(v);
-    EXPECT_EQ(q, Complex::Approximate_point_3(1 + 10 * p.x(), 2 + 10 * p.y(), 3 + 10 * p.z()));
+    EXPECT_EQ(q, Complex::Point_3(1 + 10 * p.x(), 2 + 10 * p.y(), 3 + 10 * p.z()));
   }
   EXPECT_NEAR(dsc.volume(0), 8, tolerance);
 }

@@ -25,7 +25,7 @@ Complex used_complex() {
   const auto report = DSC::improve_mesh(dsc, parameters::quality_threshold(.7));
   EXPECT_GT(report.flipped, 0u);
   EXPECT_GT(report.collapsed, 0u);
-  dsc.set_normalization({Complex::Approximate_vector_3(1, 2, 3), 10});
+  dsc.set_normalization({Complex::Vector_3(1, 2, 3), 10});
   return dsc;
 }
 
@@ -36,9 +36,8 @@ Complex::State continuation(Complex dsc) {
   for (int i = 0; i < 3; ++i)
     DSC::deform_interface(dsc, [&](Vertex_handle v) {
       const auto p = dsc.position(v);
-      const Complex::Approximate_vector_3 way(std::sin(4 * p.y()), std::sin(4 * p.z()),
-                                              std::sin(4 * p.x()));
-      return mesh_helpers::exact_point(dsc, p + .2 * way);
+      const Complex::Vector_3 way(std::sin(4 * p.y()), std::sin(4 * p.z()), std::sin(4 * p.x()));
+      return p + .2 * way;
     });
   EXPECT_TRUE(dsc.is_valid());
   return dsc.state();
@@ -347,9 +346,8 @@ TEST(Components, keep_their_numbers_in_states) {
   };
   // Remeshing changes cells and volumes, but not components.
   DSC::improve_mesh(dsc, parameters::quality_threshold(.6).number_of_iterations(1));
-  DSC::deform_interface(dsc, [&](Vertex_handle v) {
-    return mesh_helpers::exact_point(dsc, CGAL::ORIGIN + .95 * (dsc.position(v) - CGAL::ORIGIN));
-  });
+  DSC::deform_interface(
+      dsc, [&](Vertex_handle v) { return CGAL::ORIGIN + .95 * (dsc.position(v) - CGAL::ORIGIN); });
   dsc.take_component_events();
   Complex restored;
   restored.restore(dsc.state());
@@ -411,7 +409,7 @@ TEST(Is_valid, sees_sides_that_are_no_planes) {
 // Order in storage
 
 TEST(Hilbert_order, is_that_of_CGAL) {
-  using Point = Complex::Approximate_point_3;
+  using Point = Complex::Point_3;
   std::vector<Point> points;
   CGAL::Random random(3);
   for (int i = 0; i < 3000; ++i)

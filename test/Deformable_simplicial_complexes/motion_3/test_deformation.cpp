@@ -48,11 +48,7 @@ void expect_true(const Report& report, const Complex& dsc) {
 template <class Displacement, class... NamedParameters>
 Report deform(Complex& dsc, const Displacement& displacement, const NamedParameters&... np) {
   const auto report = DSC::deform_interface(
-      dsc,
-      [&](Vertex_handle v) {
-        return mesh_helpers::exact_point(dsc, dsc.position(v) + displacement(dsc.position(v)));
-      },
-      np...);
+      dsc, [&](Vertex_handle v) { return dsc.position(v) + displacement(dsc.position(v)); }, np...);
   expect_true(report, dsc);
   return report;
 }
@@ -460,11 +456,7 @@ TEST(Deformation, exception_of_the_visitor_leaves_a_valid_complex) {
   Complex dsc = mesh_helpers::jittered_grid(6, small_meshes::two_boxes, .3, 2);
   Throwing_visitor visitor;
   EXPECT_THROW(DSC::deform_interface(
-                   dsc,
-                   [&](Vertex_handle v) {
-                     return mesh_helpers::exact_point(dsc,
-                                                      dsc.position(v) + swirl(dsc.position(v)));
-                   },
+                   dsc, [&](Vertex_handle v) { return dsc.position(v) + swirl(dsc.position(v)); },
                    parameters::visitor(std::ref(visitor))),
                std::runtime_error);
   EXPECT_TRUE(dsc.is_valid());

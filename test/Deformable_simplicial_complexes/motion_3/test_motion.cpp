@@ -12,8 +12,8 @@ using mesh_helpers::Random;
 using namespace small_meshes;
 using Rational = CGAL::Exact_rational;
 
-Point shifted(const Complex& dsc, Vertex_handle v, const Complex::Approximate_vector_3& by) {
-  return mesh_helpers::exact_point(dsc, dsc.position(v) + by);
+Point shifted(const Complex& dsc, Vertex_handle v, const Complex::Vector_3& by) {
+  return dsc.position(v) + by;
 }
 
 // The box [-1,1]^3 as the star of its center.

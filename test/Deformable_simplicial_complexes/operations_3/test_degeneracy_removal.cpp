@@ -296,8 +296,7 @@ TEST(Degenerate_facet, that_is_a_cap_of_the_interface_is_flipped) {
 // Of the two facets at the short edge, one has a right angle and the other has an angle of 135
 // degrees: both are needles.
 TEST(Degenerate_facet, that_is_a_needle_collapses) {
-  for (const Approximate_point& tip :
-       {Approximate_point(0, .5, .5), Approximate_point(0, 0, -.5)}) {
+  for (const Point& tip : {Point(0, .5, .5), Point(0, 0, -.5)}) {
     Grid_with_short_edge mesh(half_space);
     Complex& dsc = mesh.dsc;
     const std::size_t facets = dsc.interface_facets().size(), vertices = dsc.number_of_vertices();
@@ -400,7 +399,7 @@ TEST(Remove_degeneracies, measures_edges_by_the_sizing_field) {
   const auto edges_only = parameters::degenerate_quality(0.).degenerate_cosine(1.);
   const auto with_length = [&](double length) {
     Complex dsc = Grid_with_short_edge(small_meshes::uniform).dsc;
-    const auto size = [length](const Approximate_point& p) { return p.y() > .4 ? length : 1e-9; };
+    const auto size = [length](const Point& p) { return p.y() > .4 ? length : 1e-9; };
     return DSC::remove_degeneracies(dsc, edges_only.sizing_field(size)).collapsed;
   };
   EXPECT_EQ(with_length(1.9e-4), 0u);
@@ -439,7 +438,7 @@ TEST(Remove_degeneracies, refuses_values_out_of_range) {
   refuses(parameters::degenerate_length(-1.));
   refuses(parameters::degenerate_length(not_a_number));
   refuses(parameters::number_of_iterations(-1));
-  refuses(parameters::sizing_field([](const Approximate_point&) { return 0.; }));
+  refuses(parameters::sizing_field([](const Point&) { return 0.; }));
 }
 
 } // namespace test_degeneracy_removal

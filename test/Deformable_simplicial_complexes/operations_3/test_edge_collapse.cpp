@@ -264,7 +264,7 @@ TEST(Edge_collapse, does_not_separate_phases_that_touch_in_a_facet) {
   Complex dsc = small_meshes::make_complex(small_meshes::grid(6, small_meshes::uniform));
   Vertex_handle center;
   for (Vertex_handle v : dsc.vertices())
-    if (dsc.position(v) == Complex::Approximate_point_3(0, 0, 0))
+    if (dsc.position(v) == Complex::Point_3(0, 0, 0))
       center = v;
   // Label 1 is a star, and label 2 is one cell next to it: they share one facet.
   std::vector<Cell_handle> star;

@@ -12,10 +12,10 @@ namespace test_insertion {
 
 using mesh_helpers::jittered_grid;
 using namespace operation_helpers;
-using Position = Complex::Approximate_point_3;
+using Position = Complex::Point_3;
 
 Position barycenter(const Complex& dsc, Cell_handle c) {
-  Complex::Approximate_vector_3 sum(0, 0, 0);
+  Complex::Vector_3 sum(0, 0, 0);
   for (int i = 0; i < 4; ++i)
     sum = sum + (dsc.position(c->vertex(i)) - CGAL::ORIGIN);
   return CGAL::ORIGIN + sum / 4;
@@ -41,7 +41,7 @@ class Stars
 public:
   Stars(const Complex& dsc, const std::vector<Cell_handle>& cells, const Position& p)
       : m_cells(cells), m_facets(cells.size()) {
-    const Point exact = mesh_helpers::exact_point(dsc, p);
+    const Point exact = p;
     for (std::size_t k = 0; k < cells.size(); ++k)
       for (int i = 0; i < 4; ++i) {
         std::array<Point, 4> x;

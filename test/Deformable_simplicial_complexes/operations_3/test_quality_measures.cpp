@@ -2,11 +2,11 @@
 #include "test.h"
 
 #include <CGAL/Deformable_simplicial_complexes/quality_measures.h>
-#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 namespace test_quality_measures {
 
-using Kernel = CGAL::Simple_cartesian<double>;
+using Kernel = CGAL::Epick;
 using Point = Kernel::Point_3;
 using Vector = Kernel::Vector_3;
 using Tetrahedron = std::array<Point, 4>;

@@ -9,7 +9,7 @@ namespace test_smoothing {
 
 using mesh_helpers::jittered_grid;
 using namespace operation_helpers;
-using Position = Complex::Approximate_point_3;
+using Position = Complex::Point_3;
 
 // Returns the worst quality of the star of v if v were at p.
 double worst_quality(const Complex& dsc, Vertex_handle v, const Position& p) {
@@ -26,7 +26,7 @@ double worst_quality(const Complex& dsc, Vertex_handle v, const Position& p) {
 Position barycenter_of_neighbors(const Complex& dsc, Vertex_handle v) {
   std::vector<Vertex_handle> neighbors;
   dsc.triangulation().finite_adjacent_vertices(v, std::back_inserter(neighbors));
-  Complex::Approximate_vector_3 sum(0, 0, 0);
+  Complex::Vector_3 sum(0, 0, 0);
   for (Vertex_handle w : neighbors)
     sum = sum + (dsc.position(w) - CGAL::ORIGIN);
   return CGAL::ORIGIN + sum / double(neighbors.size());
@@ -44,7 +44,7 @@ double optimum(const Complex& dsc, Vertex_handle v) {
     for (int x = -samples; x <= samples; ++x)
       for (int y = -samples; y <= samples; ++y)
         for (int z = -samples; z <= samples; ++z) {
-          const Position p = center + size / samples * Complex::Approximate_vector_3(x, y, z);
+          const Position p = center + size / samples * Complex::Vector_3(x, y, z);
           const double quality = worst_quality(dsc, v, p);
           if (quality > best_quality) {
             best_quality = quality;
@@ -85,7 +85,7 @@ TEST(Smart_laplacian, goes_all_or_half_the_way_if_that_is_better) {
     }
     const Position from = dsc.position(v), to = barycenter_of_neighbors(dsc, v);
     const auto admissible = [&](const Position& p) {
-      const Point q = dsc.admissible_destination(v, mesh_helpers::exact_point(dsc, p));
+      const Point q = dsc.admissible_destination(v, p);
       return Position(q.x(), q.y(), q.z());
     };
     const Position whole_way = admissible(to), half_way = admissible(from + .5 * (to - from));

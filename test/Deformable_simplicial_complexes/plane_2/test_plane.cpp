@@ -78,8 +78,8 @@ TEST(Plane, space_without_flow_follows_the_interface) {
   const auto flow = [&](Complex::Vertex_handle v) {
     const auto p = complex.position(v);
     const double unknown = std::numeric_limits<double>::quiet_NaN();
-    return p.x() * p.x() + p.y() * p.y() < .26 ? p + Complex::Approximate_vector_2(way, 0)
-                                               : Complex::Approximate_point_2(unknown, unknown);
+    return p.x() * p.x() + p.y() * p.y() < .26 ? p + Complex::Vector_2(way, 0)
+                                               : Complex::Point_2(unknown, unknown);
   };
   const Report report = DSC::deform_interface(
       complex,
@@ -143,7 +143,7 @@ TEST(Plane, flat_cells_do_not_change_the_extension_of_the_displacement) {
   namespace internal = CGAL::Deformable_simplicial_complexes::internal;
   const DSC::For_each_index for_each_index;
   const internal::Harmonic_extension<Complex> extension(
-      complex, free, [](Complex::Vertex_handle) { return Complex::Approximate_vector_2(1, 0); },
+      complex, free, [](Complex::Vertex_handle) { return Complex::Vector_2(1, 0); },
       for_each_index);
   for (const auto& d : extension.solve())
     EXPECT_NEAR(d.x(), 1, .1);
@@ -152,7 +152,7 @@ TEST(Plane, flat_cells_do_not_change_the_extension_of_the_displacement) {
 // A linear field has constant gradient and divergence, and the masses sum up to the total area.
 TEST(Plane, linear_elements_reproduce_linear_fields) {
   const Complex complex = plane::disks_in_a_square({{.3, .1, .8, 1}}, 24, 2, 12);
-  using Vector = Complex::Approximate_vector_2;
+  using Vector = Complex::Vector_2;
   namespace internal = CGAL::Deformable_simplicial_complexes::internal;
   double mass = 0;
   for (auto c : complex.cells()) {

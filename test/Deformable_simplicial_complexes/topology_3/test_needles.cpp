@@ -94,9 +94,9 @@ TEST(Boxes_of_twelve_triangles, are_turned_exactly_by_any_angle) {
   CGAL::Bbox_3 domain;
   for (auto v : start.finite_vertices())
     domain += start.position(v).bbox();
-  const Complex::Approximate_point_3 center((domain.xmin() + domain.xmax()) / 2,
-                                            (domain.ymin() + domain.ymax()) / 2,
-                                            (domain.zmin() + domain.zmax()) / 2);
+  const Complex::Point_3 center((domain.xmin() + domain.xmax()) / 2,
+                                (domain.ymin() + domain.ymax()) / 2,
+                                (domain.zmin() + domain.zmax()) / 2);
   for (double degrees : {90., 200., 260., 270., 272., 275., 300., 1000.}) {
     Complex dsc = start;
     const DSC::Rigid_rotation_3 rotation(center, {1, 2, 3}, degrees * CGAL_PI / 180);

@@ -25,7 +25,7 @@ DSC::Deformation_report<Complex> deform(Complex& dsc,
                                         const std::function<Vector(Position)>& displacement,
                                         const NamedParameters& np) {
   const auto destination = [&](Vertex_handle v) {
-    return mesh_helpers::exact_point(dsc, dsc.position(v) + displacement(dsc.position(v)));
+    return dsc.position(v) + displacement(dsc.position(v));
   };
   const auto report = DSC::deform_interface(dsc, destination, np);
   EXPECT_TRUE(dsc.is_valid());

@@ -40,8 +40,8 @@ using small_meshes::grid;
 using small_meshes::make_complex;
 using Distributed = DSC::Distributed_complex<Complex>;
 using Report = DSC::Distributed_report<Complex>;
-using Point = Complex::Approximate_point;
-using Vector = Complex::Approximate_vector;
+using Point = Complex::Point;
+using Vector = Complex::Vector;
 
 // A field with strong shear, which makes many bad cells.
 Vector abuse(const Point& p, double t) {

@@ -32,9 +32,8 @@ protected:
 
 // A step in a field with strong shear, which makes many bad cells.
 void move(Distributed& dsc, int step) {
-  const auto velocity = [](const Complex::Approximate_point& p, double t) {
-    return Complex::Approximate_vector(std::sin(7 * p.y() + t), std::sin(9 * p.z() - t),
-                                       std::cos(8 * p.x()));
+  const auto velocity = [](const Complex::Point& p, double t) {
+    return Complex::Vector(std::sin(7 * p.y() + t), std::sin(9 * p.z() - t), std::cos(8 * p.x()));
   };
   advect_interface(dsc, velocity, .1 * step, .05);
 }

@@ -12,8 +12,8 @@ using planar_regions::divided;
 using planar_regions::Polygon;
 using planar_regions::region;
 using namespace fluids_2;
-using Point = CGAL::Simple_cartesian<double>::Point_3;
-using Vector = CGAL::Simple_cartesian<double>::Vector_3;
+using Point = CGAL::Epick::Point_3;
+using Vector = CGAL::Epick::Vector_3;
 
 DSC::Wall_behavior attached(bool sticks) {
   DSC::Wall_behavior result;

@@ -17,7 +17,7 @@ Complex block() { return small_meshes::make_complex(small_meshes::grid(8, small_
 
 double length(const Vector& v) { return std::sqrt(v.squared_length()); }
 
-Vector vector(const Complex::Approximate_point& p) { return {p.x(), p.y(), p.z()}; }
+Vector vector(const Complex::Point& p) { return {p.x(), p.y(), p.z()}; }
 
 std::vector<Complex::Vertex_handle> vertices_of_liquids(const Complex& complex) {
   std::vector<Complex::Vertex_handle> result;

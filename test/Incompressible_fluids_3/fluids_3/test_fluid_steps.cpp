@@ -13,8 +13,8 @@ using DSC::internal::Mesh_treatment;
 using DSC::internal::Step_plan;
 using mesh_helpers::sphere;
 using namespace fluids_3;
-using Vector = CGAL::Simple_cartesian<double>::Vector_3;
-using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Vector = CGAL::Epick::Vector_3;
+using Point = CGAL::Epick::Point_3;
 
 // A solver that fails, or returns a wrong solution, in its next calls.
 class Faulty_solver

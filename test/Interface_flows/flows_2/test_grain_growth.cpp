@@ -31,7 +31,7 @@ TEST(Voronoi_labels, are_those_of_the_nearest_seeds) {
     // are convex.
     std::mt19937 random(3);
     const auto point = [&random] {
-      return Complex::Approximate_point_2(3 * (random() / 4294967296.), random() / 4294967296.);
+      return Complex::Point_2(3 * (random() / 4294967296.), random() / 4294967296.);
     };
     std::map<int, std::size_t> found;
     std::size_t differences = 0;

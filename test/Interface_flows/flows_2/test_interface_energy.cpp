@@ -180,10 +180,10 @@ TEST(Interface_energy, explicit_and_implicit_steps_agree) {
   const Complex complex = disk_between_two_labels(8, .6);
   const DSC::Interface_snapshot<Complex> snapshot(complex);
   const auto positions = snapshot.positions(complex);
-  std::vector<Complex::Approximate_vector> velocities;
+  std::vector<Complex::Vector> velocities;
   DSC::Mean_curvature_velocity{energy}(snapshot, positions, 0, velocities);
   static constexpr double dt = 1e-8;
-  std::vector<Complex::Approximate_point> destinations;
+  std::vector<Complex::Point> destinations;
   DSC::Mean_curvature_flow{energy}(snapshot, positions, 0, dt, destinations);
   std::size_t compared = 0;
   for (std::size_t v = 0; v < positions.size(); ++v) {

@@ -18,8 +18,8 @@ namespace test_planar_flows {
 
 using Complex = CGAL::Deformable_simplicial_complex_2<>;
 using Point = Complex::Point_2;
-using Position = Complex::Approximate_point_2;
-using Vector = Complex::Approximate_vector_2;
+using Position = Complex::Point_2;
+using Vector = Complex::Vector_2;
 using Curve = DSC::Labeled_curve_2<Point>;
 using Curves = std::vector<Curve>;
 using Report = DSC::Deformation_report<Complex>;

@@ -49,7 +49,7 @@ Outcome flow(Complex& dsc, double strength, const NamedParameters& np) {
 Complex ball(std::size_t n) {
   Complex dsc = mesh_helpers::sphere(n, 2 * radius);
   DSC::deform_interface(dsc, [&](Complex::Vertex_handle v) {
-    return mesh_helpers::exact_point(dsc, CGAL::ORIGIN + (dsc.position(v) - CGAL::ORIGIN) / 2);
+    return CGAL::ORIGIN + (dsc.position(v) - CGAL::ORIGIN) / 2;
   });
   dsc.measure_interface_edges();
   return dsc;

@@ -21,8 +21,8 @@ using mesh_helpers::jittered_grid;
 using namespace operation_helpers;
 using small_meshes::grid;
 using small_meshes::make_complex;
-using Position = Complex::Approximate_point_3;
-using Vector = Complex::Approximate_vector_3;
+using Position = Complex::Point_3;
+using Vector = Complex::Vector_3;
 
 // A regular ring of n tetrahedra around an edge, next to one vertex of the edge. Without the edge,
 // the ring has no tetrahedron as thin as the tetrahedra at the edge.

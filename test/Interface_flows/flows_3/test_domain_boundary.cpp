@@ -45,9 +45,7 @@ TEST(Domain_boundary_3, is_an_error_for_an_interface_that_would_leave) {
   const auto error = thrown_by<Invalid_destination_error>([&] {
     DSC::deform_interface(
         dsc,
-        [&](Complex::Vertex_handle v) {
-          return dsc.exact(dsc.position(v) + Complex::Approximate_vector_3(.6, 0, 0));
-        },
+        [&](Complex::Vertex_handle v) { return dsc.position(v) + Complex::Vector_3(.6, 0, 0); },
         parameters::domain_rule(Domain_rule::refuse));
   });
   EXPECT_FALSE(error.vertices().empty());
@@ -59,8 +57,7 @@ TEST(Domain_boundary_3, moves_away_from_the_interface_if_asked) {
   const double volume = dsc.volume(1);
   const auto grow = parameters::domain_rule(Domain_rule::grow);
   const auto report = DSC::advect_interface(
-      dsc, [](const auto&, double) { return Complex::Approximate_vector_3(.7, 0, -.2); }, 0, 1,
-      grow);
+      dsc, [](const auto&, double) { return Complex::Vector_3(.7, 0, -.2); }, 0, 1, grow);
   EXPECT_EQ(report.stopped_at_boundary, 0u);
   EXPECT_TRUE(dsc.is_valid());
   EXPECT_NEAR(dsc.volume(1), volume, .01 * volume); // the new cells are coarse

@@ -62,9 +62,8 @@ TEST(Grain_growth, ball_shrinks_at_its_rate) {
 TEST(Grain_growth, ball_in_a_corner_shrinks_at_its_rate) {
   static constexpr double r = .6;
   Complex complex = DSC::make_deformable_simplicial_complex_3<Complex>(
-      CGAL::Bbox_3(0, 0, 0, 1, 1, 1), 1. / 8, [](const Complex::Approximate_point& p) {
-        return std::hypot(p.x(), p.y(), p.z()) < r ? 1 : 0;
-      });
+      CGAL::Bbox_3(0, 0, 0, 1, 1, 1), 1. / 8,
+      [](const Complex::Point& p) { return std::hypot(p.x(), p.y(), p.z()) < r ? 1 : 0; });
   const auto ball = [&complex] { return DSC::grain_statistics(complex).back(); };
   EXPECT_NEAR(ball().mean_width, r / 2, .03 * r);
   EXPECT_EQ(ball().triple_lines, 0);
@@ -79,7 +78,7 @@ TEST(Grain_growth, ball_in_a_corner_shrinks_at_its_rate) {
 TEST(Grain_growth, wall_slides_along_a_particle) {
   static constexpr double r = .3;
   Complex complex = DSC::make_deformable_simplicial_complex_3<Complex>(
-      CGAL::Bbox_3(0, 0, 0, 1, 1, 1), .1, [](const Complex::Approximate_point& p) {
+      CGAL::Bbox_3(0, 0, 0, 1, 1, 1), .1, [](const Complex::Point& p) {
         return std::hypot(p.x() - .5, p.y() - .5, p.z() - .5) < r ? 3 : 1;
       });
   std::vector<Complex::Cell_handle> above;

@@ -198,7 +198,7 @@ TEST(Volume_changer, keeps_flat_parts_flat) {
   for (Complex::Vertex_handle v : dsc.interface_vertices()) {
     const Position p = dsc.position(v);
     const double x = p.x() + random(-.2, .2), y = p.y() + random(-.2, .2);
-    dsc.move_vertex(v, mesh_helpers::exact_point(dsc, {x, y, 0}));
+    dsc.move_vertex(v, {x, y, 0});
   }
   const Snapshot snapshot(dsc);
   std::vector<Position> positions = snapshot.positions(dsc);
@@ -262,7 +262,7 @@ TEST(Face_offset, goes_outwards_at_a_thin_rim) {
   Complex dsc = make_complex(grid(4, wedge)); // its rim is on the y axis
   DSC::deform_interface(dsc, [&](Complex::Vertex_handle v) {
     const Position p = dsc.position(v);
-    return mesh_helpers::exact_point(dsc, {p.x(), p.y(), .1 * p.z()});
+    return {p.x(), p.y(), .1 * p.z()};
   });
   const std::vector<Position> before = Snapshot(dsc).positions(dsc);
   const std::vector<Position> after = destinations(dsc, DSC::Face_offset_3(1), .05);

@@ -6,8 +6,8 @@
 namespace test_velocity_fields {
 
 using Complex = small_meshes::Complex;
-using Position = Complex::Approximate_point_3;
-using Vector = Complex::Approximate_vector_3;
+using Position = Complex::Point_3;
+using Vector = Complex::Vector_3;
 
 constexpr double h = 1e-4;
 

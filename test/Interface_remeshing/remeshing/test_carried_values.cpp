@@ -72,9 +72,7 @@ Complex flat_interface(std::size_t n, double part, unsigned seed) {
   Random random(seed);
   for (Vertex_handle v : dsc.vertices()) {
     const Vector way = random.vector<Complex>(part * 2. / double(n));
-    dsc.move_vertex(
-        v, mesh_helpers::exact_point(
-               dsc, dsc.position(v) + Vector(v->is_interface() ? 0 : way.x(), way.y(), way.z())));
+    dsc.move_vertex(v, dsc.position(v) + Vector(v->is_interface() ? 0 : way.x(), way.y(), way.z()));
   }
   return dsc;
 }
@@ -256,8 +254,7 @@ DSC::Deformation_report<Complex> shake(Complex& dsc, double distance, unsigned s
   Random random(seed);
   std::map<Vertex_handle, Point> destinations;
   for (Vertex_handle v : dsc.interface_vertices())
-    destinations[v] =
-        mesh_helpers::exact_point(dsc, dsc.position(v) + random.vector<Complex>(distance));
+    destinations[v] = dsc.position(v) + random.vector<Complex>(distance);
   return DSC::deform_interface(
       dsc, [&](Vertex_handle v) { return destinations.at(v); },
       parameters::maximum_number_of_passes(6).visitor(std::ref(visitor)));
@@ -299,7 +296,7 @@ TEST(Carried_values, move_with_the_flow) {
   const Vector way(.02, .01, 0);
   carry(dsc, values, averages, [&](auto& visitor) {
     return DSC::deform_interface(
-        dsc, [&](Vertex_handle v) { return mesh_helpers::exact_point(dsc, dsc.position(v) + way); },
+        dsc, [&](Vertex_handle v) { return dsc.position(v) + way; },
         parameters::visitor(std::ref(visitor)));
   });
   for (Vertex_handle v : dsc.interface_vertices())

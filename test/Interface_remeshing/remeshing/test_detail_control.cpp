@@ -55,9 +55,9 @@ TEST(Control_detail, follows_the_sizing_field) {
     EXPECT_NEAR(dsc.volume(0), 8, tolerance);
     return report.split;
   };
-  EXPECT_EQ(number_of_splits([](const Approximate_point&) { return 1.; }), 8u);
-  EXPECT_EQ(number_of_splits([](const Approximate_point& p) { return p.x() < 0 ? 1. : 10.; }), 4u);
-  EXPECT_EQ(number_of_splits([](const Approximate_point&) { return 2.; }), 0u);
+  EXPECT_EQ(number_of_splits([](const Point&) { return 1.; }), 8u);
+  EXPECT_EQ(number_of_splits([](const Point& p) { return p.x() < 0 ? 1. : 10.; }), 4u);
+  EXPECT_EQ(number_of_splits([](const Point&) { return 2.; }), 0u);
 }
 
 // Each edge between a small cube and the domain boundary is split once.
@@ -114,7 +114,7 @@ TEST(Control_detail, coarsens_the_inside_of_labels_only) {
 TEST(Control_detail, makes_no_cell_below_the_quality_asked_for) {
   for (double bound : {.1, .25, .4}) {
     Complex dsc = make_complex(grid(6, small_meshes::uniform));
-    const auto size = [](const Approximate_point&) { return 1.; };
+    const auto size = [](const Point&) { return 1.; };
     DSC::control_detail(dsc, parameters::sizing_field(size).collapse_quality(bound));
     EXPECT_TRUE(dsc.is_valid());
     EXPECT_GE(minimum_quality(dsc), bound);
@@ -124,7 +124,7 @@ TEST(Control_detail, makes_no_cell_below_the_quality_asked_for) {
 TEST(Control_detail, makes_no_edge_that_it_would_split) {
   Complex dsc = make_complex(grid(4, small_meshes::uniform));
   const auto report = DSC::control_detail(
-      dsc, parameters::sizing_field([](const Approximate_point&) { return 1.; }).split_length(1.3));
+      dsc, parameters::sizing_field([](const Point&) { return 1.; }).split_length(1.3));
   EXPECT_GT(report.collapsed, 0u);
   EXPECT_EQ(report.split, 0u);
   EXPECT_TRUE(dsc.is_valid());
@@ -182,8 +182,7 @@ TEST(Control_detail, needs_a_length) {
   Complex dsc = make_complex(grid(4, small_meshes::uniform));
   dsc.relabel(dsc.cells().front(), 1);
   expect_error(dsc, [&](Complex& copy) { DSC::control_detail(copy); });
-  DSC::control_detail(
-      dsc, parameters::sizing_field([](const Complex::Approximate_point_3&) { return 1.; }));
+  DSC::control_detail(dsc, parameters::sizing_field([](const Complex::Point_3&) { return 1.; }));
   dsc.measure_interface_edges();
   DSC::control_detail(dsc);
   EXPECT_TRUE(dsc.is_valid());
@@ -197,7 +196,7 @@ TEST(Control_detail, refuses_values_out_of_range) {
   for (double value : {-1., 0., not_a_number}) {
     refuses(parameters::split_length(value));
     refuses(parameters::interface_split_length(value));
-    refuses(parameters::sizing_field([value](const Approximate_point&) { return value; }));
+    refuses(parameters::sizing_field([value](const Point&) { return value; }));
   }
   for (double value : {-1., not_a_number}) {
     refuses(parameters::collapse_length(value));

@@ -50,7 +50,7 @@ TEST(Extract_interface, points_out_of_the_first_label_of_a_pair) {
 
 TEST(Extract_interface, is_in_user_coordinates) {
   Complex dsc = make_complex(grid(4, small_meshes::cube));
-  dsc.set_normalization({Complex::Approximate_vector_3(10, 20, 30), 2});
+  dsc.set_normalization({Complex::Vector_3(10, 20, 30), 2});
   const auto surface = DSC::extract_interface(dsc);
   EXPECT_NEAR(measures(surface).area, 24, tolerance);
   for (std::size_t i = 0; i < surface.points.size(); ++i)

@@ -21,7 +21,7 @@ using whole_files::signed_checkpoint;
 
 State ball_state() {
   auto dsc = small_meshes::make_complex(small_meshes::grid(4, small_meshes::ball));
-  dsc.set_normalization({small_meshes::Complex::Approximate_vector_3(0.1, -2, 1e-3), 1. / 3});
+  dsc.set_normalization({small_meshes::Complex::Vector_3(0.1, -2, 1e-3), 1. / 3});
   return dsc.state();
 }
 

@@ -104,7 +104,7 @@ TEST(Base64, is_decoded) {
 TEST(Read_vtu, round_trip_is_exact) {
   const Temporary_folder folder;
   Complex dsc = make_complex(grid(4, small_meshes::four_phases));
-  dsc.set_normalization({Complex::Approximate_vector_3(0.1, -100, 1e-7), 1. / 3});
+  dsc.set_normalization({Complex::Vector_3(0.1, -100, 1e-7), 1. / 3});
   CGAL::IO::write_VTU(folder / "a.vtu", dsc);
   CGAL::IO::write_MEDIT(folder / "a.mesh", dsc);
   const Labeled_mesh read = read_vtu(folder / "a.vtu");

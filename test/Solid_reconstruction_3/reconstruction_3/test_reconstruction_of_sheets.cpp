@@ -15,7 +15,7 @@
 
 namespace test_reconstruction_of_sheets {
 
-using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Point = CGAL::Epick::Point_3;
 using DSC::Invalid_points_error;
 using DSC::Reconstructed_sheet_3;
 using DSC::Sheet_report_3;
@@ -128,8 +128,8 @@ void verify(const std::vector<Point>& points, const Expected& expected) {
   const double largest = (std::max)(bound * report.spacing, 6 * report.noise);
   for (const Point& p : points)
     EXPECT_TRUE(std::any_of(sheet.triangles.begin(), sheet.triangles.end(), [&](const auto& t) {
-      const CGAL::Simple_cartesian<double>::Triangle_3 triangle(
-          sheet.points[t[0]], sheet.points[t[1]], sheet.points[t[2]]);
+      const CGAL::Epick::Triangle_3 triangle(sheet.points[t[0]], sheet.points[t[1]],
+                                             sheet.points[t[2]]);
       return CGAL::squared_distance(p, triangle) <= largest * largest;
     })) << p;
 }

@@ -37,9 +37,8 @@ is black and the source is red.
 inline void write_SVG(const std::string& path,
                       const Deformable_simplicial_complexes::Cut_locus_2& locus,
                       const Deformable_simplicial_complexes::Torus_domain<2>& domain,
-                      const Simple_cartesian<double>::Point_2& point,
-                      const SVG_options& options = SVG_options()) {
-  using Point = Simple_cartesian<double>::Point_2;
+                      const Epick::Point_2& point, const SVG_options& options = SVG_options()) {
+  using Point = Epick::Point_2;
   const auto& periods = domain.periods();
   const Deformable_simplicial_complexes::Svg_canvas canvas(
       options.window, Bbox_2(0, 0, periods[0], periods[1]), options.width, periods);
@@ -84,7 +83,7 @@ void write_SVG(
         surface,
     const SVG_options& options = SVG_options()) {
   using Surface = Deformable_simplicial_complexes::Sphere_like_surface_2<Embedding, Differentiated>;
-  using Point = Simple_cartesian<double>::Point_2;
+  using Point = Epick::Point_2;
   static constexpr int meridians = 24, parallels = 6, finer = 4; // every 15 degrees
   const double pi = std::acos(-1.), middle = Surface::half_width;
   // The axes of the picture: the direction along u, and the perpendicular direction to its left for

@@ -206,13 +206,12 @@ Tetrahedralization_3 fill_box(const Boxed_soup_3& boxed, const Tetrahedralizer& 
   return mesh;
 }
 
-// Returns the exact points of a mesh.
+// Returns the points of a mesh.
 template <class Complex>
-std::vector<typename Complex::Point_3> exact_points(const Tetrahedralization_3& mesh) {
+std::vector<typename Complex::Point_3> mesh_points(const Tetrahedralization_3& mesh) {
   std::vector<typename Complex::Point_3> result;
-  const auto construct_point = typename Complex::Geom_traits().construct_exact_point_3_object();
   for (const Coordinates_3& p : mesh.points)
-    result.push_back(construct_point({p[0], p[1], p[2]}));
+    result.emplace_back(p[0], p[1], p[2]);
   return result;
 }
 
@@ -269,7 +268,7 @@ Complex make_resolved(Boxed_soup_3 boxed, const Tetrahedralizer& tetrahedralizer
   const auto make = [&](std::vector<typename Complex::Vertex_handle>& vertices) {
     const auto mesh = fill_box(boxed, tetrahedralizer);
     Complex dsc;
-    vertices = dsc.assign(exact_points<Complex>(mesh), mesh.tetrahedra, label(mesh, boxed));
+    vertices = dsc.assign(mesh_points<Complex>(mesh), mesh.tetrahedra, label(mesh, boxed));
     return dsc;
   };
   std::vector<typename Complex::Vertex_handle> vertices;

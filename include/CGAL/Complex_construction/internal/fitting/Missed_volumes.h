@@ -26,14 +26,13 @@ namespace CGAL::Deformable_simplicial_complexes::internal {
 // Returns the labels at points, given by a function of a point or of a vector of points. On a
 // torus, the function is called with points of the box.
 template <class Complex, class LabelAt>
-std::vector<typename Complex::Label>
-labels_at(const Complex& complex, const LabelAt& label_at,
-          std::vector<typename Complex::Approximate_point> points) {
+std::vector<typename Complex::Label> labels_at(const Complex& complex, const LabelAt& label_at,
+                                               std::vector<typename Complex::Point> points) {
   using Labels = std::vector<typename Complex::Label>;
   for (auto& p : points)
     p = complex.domain().canonical(p);
   Labels result;
-  if constexpr (std::is_invocable_v<const LabelAt&, typename Complex::Approximate_point>) {
+  if constexpr (std::is_invocable_v<const LabelAt&, typename Complex::Point>) {
     for (const auto& p : points) {
       Progress_scope::check();
       result.push_back(label_at(p));
@@ -84,8 +83,8 @@ template <class Complex> class Missed_volumes
 {
 public:
   static constexpr int d = Complex::dimension;
-  using Point = typename Complex::Approximate_point;
-  using Vector = typename Complex::Approximate_vector;
+  using Point = typename Complex::Point;
+  using Vector = typename Complex::Vector;
   using Facet = typename Interface_vertices<Complex>::Facet;
 
   template <class LabelAt>

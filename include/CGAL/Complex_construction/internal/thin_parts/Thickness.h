@@ -26,9 +26,9 @@ namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the corners of a facet, as seen from its cell.
 template <class Complex>
-std::array<typename Complex::Approximate_point, Complex::dimension>
+std::array<typename Complex::Point, Complex::dimension>
 facet_corners(const Complex& complex, const typename Complex::Facet& facet) {
-  std::array<typename Complex::Approximate_point, Complex::dimension> result;
+  std::array<typename Complex::Point, Complex::dimension> result;
   for (int i = 0, k = 0; i < Complex::corners; ++i)
     if (i != facet.second)
       result[k++] = complex.corner(facet.first, i);
@@ -60,8 +60,8 @@ template <class Complex> class Thickness
 {
 public:
   using Facet = typename Complex::Facet;
-  using Point = typename Complex::Approximate_point;
-  using Vector = typename Complex::Approximate_vector;
+  using Point = typename Complex::Point;
+  using Vector = typename Complex::Vector;
   static constexpr int d = Complex::dimension;
 
   // Larger distances than `most` are not measured.
@@ -149,9 +149,9 @@ private:
 template <class Complex> struct Coarse_facet
 {
   typename Complex::Facet facet;
-  double edge;                                              // length of its longest edge
-  double longest = std::numeric_limits<double>::infinity(); // that is wanted everywhere
-  std::vector<std::pair<typename Complex::Approximate_point, double>> places; // and at places
+  double edge;                                                    // length of its longest edge
+  double longest = std::numeric_limits<double>::infinity();       // that is wanted everywhere
+  std::vector<std::pair<typename Complex::Point, double>> places; // and at places
 
   // Returns the length that is wanted at the thinnest place.
   double shortest() const {

@@ -20,7 +20,7 @@ namespace CGAL::Deformable_simplicial_complexes::internal {
 // it.
 struct Cut_claim_2
 {
-  Simple_cartesian<double>::Point_2 point;
+  Epick::Point_2 point;
   double distance;
   std::vector<double> angles;
 };
@@ -32,7 +32,7 @@ template <class Metric> class Cut_certificate_2
 {
 public:
   using Geodesics = Geodesics_2<Metric>;
-  using Point = Simple_cartesian<double>::Point_2;
+  using Point = Epick::Point_2;
 
   // \param spacing the unit of lengths in the chart
   // \param step the unit of lengths of geodesics

@@ -31,7 +31,7 @@ template <class Metric> class Geodesic_equations_2
 public:
   using Geodesics = Geodesics_2<Metric>;
   using Domain = Torus_domain<2>;
-  using Point = Simple_cartesian<double>::Point_2;
+  using Point = Epick::Point_2;
   using State = Geodesic_state;
   using Pair = Eigen::Vector2d;
 

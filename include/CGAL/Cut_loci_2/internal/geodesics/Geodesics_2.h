@@ -104,7 +104,7 @@ Geodesic_state advance_geodesic(const Metric& metric, const Geodesic_units& unit
 template <class Metric> class Geodesics_2
 {
 public:
-  using Point = Simple_cartesian<double>::Point_2;
+  using Point = Epick::Point_2;
   using Domain = Torus_domain<2>;
 
   // A geodesic from the source: its angle from the direction along u, in radians, and its length.
@@ -201,7 +201,7 @@ class Geodesics_2<Sphere_like_surface_2<Embedding, Differentiated>>
 {
 public:
   using Surface = Sphere_like_surface_2<Embedding, Differentiated>;
-  using Point = Simple_cartesian<double>::Point_2;
+  using Point = Epick::Point_2;
   using Domain = typename Surface::Domain;
   using At_source = Geodesics_2<typename Surface::Metric>;
   using Departure = typename At_source::Departure;

@@ -41,8 +41,7 @@ public:
   using Vertex_handle = typename Triangulation::Vertex_handle;
   using Cell_handle = typename Triangulation::Face_handle;
   using Point = typename Traits::Point_2;
-  using Approximate_point = typename Traits::Approximate_point_2;
-  using Approximate_vector = typename Traits::Approximate_vector_2;
+  using Vector = typename Traits::Vector_2;
   template <class Kernel, class Map>
   using Hilbert_sorter =
       Hilbert_sort_2<Spatial_sort_traits_adapter_2<Kernel, Map>, Hilbert_sort_median_policy>;
@@ -55,26 +54,25 @@ public:
   static constexpr int facet_edges[1][2] = {{0, 1}};
 
   static auto orientation(const Traits& traits) { return traits.orientation_2_object(); }
-  static auto measure(const Traits& traits) { return traits.compute_approximate_area_2_object(); }
-  static auto approximate(const Traits& traits) {
-    return traits.construct_approximate_point_2_object();
+
+  // Returns the signed area of a triangle, up to rounding.
+  static double measure(const Point& p, const Point& q, const Point& r) {
+    return CGAL::determinant(q - p, r - p) / 2;
   }
-  static auto exact(const Traits& traits) { return traits.construct_exact_point_2_object(); }
 
   // Returns the area of the triangle between an edge, given as seen from outside, and a point
   // inside.
-  static double measure_of_cone(const Traits& traits, const std::array<Approximate_point, 2>& facet,
-                                const Approximate_point& apex) {
-    return measure(traits)(facet[0], facet[1], apex);
+  static double measure_of_cone(const std::array<Point, 2>& facet, const Point& apex) {
+    return measure(facet[0], facet[1], apex);
   }
 
-  static double facet_measure(const std::array<Approximate_point, 2>& facet) {
+  static double facet_measure(const std::array<Point, 2>& facet) {
     return std::sqrt((facet[1] - facet[0]).squared_length());
   }
 
   // Returns the outward normal of a facet; its length is the length of the facet.
-  static Approximate_vector facet_normal(const std::array<Approximate_point, 2>& facet) {
-    const Approximate_vector edge = facet[1] - facet[0];
+  static Vector facet_normal(const std::array<Point, 2>& facet) {
+    const Vector edge = facet[1] - facet[0];
     return {edge.y(), -edge.x()};
   }
 
@@ -84,11 +82,11 @@ public:
   // Outward normals of the edges of a triangle, with the lengths of the edges, and twice the area.
   struct Frame
   {
-    std::array<Approximate_vector, 3> normals;
+    std::array<Vector, 3> normals;
     double parallelotope;
   };
-  static Frame frame(const std::array<Approximate_point, 3>& p) {
-    const Approximate_vector a = p[1] - p[0], b = p[2] - p[0];
+  static Frame frame(const std::array<Point, 3>& p) {
+    const Vector a = p[1] - p[0], b = p[2] - p[0];
     return {{facet_normal({p[1], p[2]}), facet_normal({p[2], p[0]}), facet_normal({p[0], p[1]})},
             a.x() * b.y() - a.y() * b.x()};
   }
@@ -96,7 +94,7 @@ public:
   // Returns an estimate of the area of a cell whose largest normal has the given squared length.
   static double measure_of_extent(double squared_normal) { return squared_normal; }
 
-  static double length(const Approximate_vector& v) { return std::hypot(v.x(), v.y()); }
+  static double length(const Vector& v) { return std::hypot(v.x(), v.y()); }
 
   // Returns the determinant of the 2x2 matrix with entries `entry(row, column)`.
   template <class Number, class Entry> static Number determinant(const Entry& entry) {

@@ -41,8 +41,7 @@ public:
   using Vertex_handle = typename Triangulation::Vertex_handle;
   using Cell_handle = typename Triangulation::Cell_handle;
   using Point = typename Traits::Point_3;
-  using Approximate_point = typename Traits::Approximate_point_3;
-  using Approximate_vector = typename Traits::Approximate_vector_3;
+  using Vector = typename Traits::Vector_3;
   template <class Kernel, class Map>
   using Hilbert_sorter =
       Hilbert_sort_3<Spatial_sort_traits_adapter_3<Kernel, Map>, Hilbert_sort_median_policy>;
@@ -58,26 +57,25 @@ public:
   static constexpr int facet_edges[3][2] = {{0, 1}, {1, 2}, {2, 0}};
 
   static auto orientation(const Traits& traits) { return traits.orientation_3_object(); }
-  static auto measure(const Traits& traits) { return traits.compute_approximate_volume_3_object(); }
-  static auto approximate(const Traits& traits) {
-    return traits.construct_approximate_point_3_object();
+
+  // Returns the signed volume of a tetrahedron, up to rounding.
+  static double measure(const Point& p, const Point& q, const Point& r, const Point& s) {
+    return cross_product(q - p, r - p) * (s - p) / 6;
   }
-  static auto exact(const Traits& traits) { return traits.construct_exact_point_3_object(); }
 
   // Returns the volume of the tetrahedron between a facet, given as seen from outside, and a point
   // inside. The point is the last argument, which avoids a loss of precision if the point is far
   // away.
-  static double measure_of_cone(const Traits& traits, const std::array<Approximate_point, 3>& facet,
-                                const Approximate_point& apex) {
-    return measure(traits)(facet[2], facet[1], facet[0], apex);
+  static double measure_of_cone(const std::array<Point, 3>& facet, const Point& apex) {
+    return measure(facet[2], facet[1], facet[0], apex);
   }
 
-  static double facet_measure(const std::array<Approximate_point, 3>& facet) {
+  static double facet_measure(const std::array<Point, 3>& facet) {
     return std::sqrt(cross_product(facet[1] - facet[0], facet[2] - facet[0]).squared_length()) / 2;
   }
 
   // Returns the outward normal of a facet; its length is twice the area of the facet.
-  static Approximate_vector facet_normal(const std::array<Approximate_point, 3>& facet) {
+  static Vector facet_normal(const std::array<Point, 3>& facet) {
     return cross_product(facet[1] - facet[0], facet[2] - facet[0]);
   }
 
@@ -88,11 +86,11 @@ public:
   // the volume.
   struct Frame
   {
-    std::array<Approximate_vector, 4> normals;
+    std::array<Vector, 4> normals;
     double parallelotope;
   };
-  static Frame frame(const std::array<Approximate_point, 4>& p) {
-    const Tetrahedron_frame<Approximate_point> t(p[0], p[1], p[2], p[3]);
+  static Frame frame(const std::array<Point, 4>& p) {
+    const Tetrahedron_frame<Point> t(p[0], p[1], p[2], p[3]);
     return {t.area_vectors(), t.six_volumes};
   }
 
@@ -101,7 +99,7 @@ public:
     return std::sqrt(squared_normal * std::sqrt(squared_normal));
   }
 
-  static double length(const Approximate_vector& v) { return std::hypot(v.x(), v.y(), v.z()); }
+  static double length(const Vector& v) { return std::hypot(v.x(), v.y(), v.z()); }
 
   // Returns the determinant of the 3x3 matrix with entries `entry(row, column)`.
   template <class Number, class Entry> static Number determinant(const Entry& entry) {

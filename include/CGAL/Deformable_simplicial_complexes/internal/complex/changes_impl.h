@@ -37,7 +37,7 @@ bool CGAL_DSC_CLASS::is_positive(Cell_handle c) const {
 CGAL_DSC_TEMPLATE
 bool CGAL_DSC_CLASS::is_positive_star(Vertex_handle v, const std::vector<Cell_handle>& star,
                                       const Point& target) const {
-  const Point q = rounded(target);
+  const Point q = canonical(target);
   const auto point_of = [&](Vertex_handle w) -> const Point& { return w == v ? q : w->point(); };
   return std::all_of(star.begin(), star.end(),
                      [&](Cell_handle c) { return is_infinite(c) || is_positive(c, point_of); });
@@ -46,8 +46,9 @@ bool CGAL_DSC_CLASS::is_positive_star(Vertex_handle v, const std::vector<Cell_ha
 CGAL_DSC_TEMPLATE
 bool CGAL_DSC_CLASS::is_admissible_star(Vertex_handle v, const std::vector<Cell_handle>& star,
                                         const Point& q, double floor) const {
-  const Approximate_point target = approximate(q);
-  const auto position_of = [&](Vertex_handle w) { return w == v ? target : position(w); };
+  const auto position_of = [&](Vertex_handle w) -> const Point& {
+    return w == v ? q : position(w);
+  };
   return is_positive_star(v, star, q) && std::all_of(star.begin(), star.end(), [&](Cell_handle c) {
            return is_infinite(c) || keeps_quality(c->quality(), quality(c, position_of), floor);
          });
@@ -73,16 +74,16 @@ double CGAL_DSC_CLASS::move_vertex(Vertex_handle v, const Point& destination, do
   // The volume of a cell is linear along the segment to the destination. `fraction` becomes the
   // smallest parameter at which a cell is flat.
   double fraction = 1;
-  const Approximate_point from = position(v), to = m_domain.near(from, approximate(q));
+  const Point from = position(v), to = m_domain.near(from, q);
   for (Cell_handle c : m_star) {
     if (is_infinite(c))
       continue;
     const int apex = c->index(v);
-    std::array<Approximate_point, dimension> link;
+    std::array<Point, dimension> link;
     for (int i = 0; i < dimension; ++i)
       link[i] = position_near(from, c->vertex(Space::facet_vertices[apex][i]));
-    const double here = Space::measure_of_cone(geom_traits(), link, from),
-                 there = Space::measure_of_cone(geom_traits(), link, to);
+    const double here = Space::measure_of_cone(link, from),
+                 there = Space::measure_of_cone(link, to);
     if (there < here)
       fraction = (std::min)(fraction, here / (here - there));
   }
@@ -91,7 +92,7 @@ double CGAL_DSC_CLASS::move_vertex(Vertex_handle v, const Point& destination, do
   static constexpr int maximum_number_of_halvings = 40;
   fraction *= 1 - margin;
   for (int i = 0; i < maximum_number_of_halvings && fraction > 0; ++i, fraction /= 2) {
-    const Point p = rounded(exact(from + fraction * (to - from)));
+    const Point p = canonical(from + fraction * (to - from));
     if (is_admissible_star(v, m_star, p, floor)) {
       if (p == v->point())
         return 0;
@@ -117,7 +118,7 @@ void CGAL_DSC_CLASS::place(Vertex_handle v, const std::vector<Cell_handle>& star
   for (Cell_handle c : star)
     if (!is_infinite(c))
       add_volume(c, -m_totals.units(measure(c)));
-  v->set_point(rounded(p));
+  v->set_point(canonical(p));
   for (Cell_handle c : star)
     if (!is_infinite(c)) {
       CGAL_assertion(is_positive(c));
@@ -159,7 +160,7 @@ void CGAL_DSC_CLASS::set_points(const std::vector<Vertex_handle>& vertices,
   // No exception is thrown from here on.
   ++m_version;
   for_each_index(
-      vertices.size(), [&](size_type i) { vertices[i]->set_point(rounded(points[i])); },
+      vertices.size(), [&](size_type i) { vertices[i]->set_point(canonical(points[i])); },
       worthwhile * block_size);
   for_each_index(
       number_of_blocks,
@@ -235,7 +236,7 @@ public:
         m_new_vertices.push_back(i);
         auto& v = m_cavity.m_vertices[i];
         v.handle = m_numbers.add_vertex(m_tds.create_vertex());
-        v.handle->set_point(v.point);
+        v.handle->set_point(v.position);
         v.handle->set_boundary_class(v.boundary_class);
       }
     m_cavity.m_created.reserve(m_cavity.m_planned.size());
@@ -304,8 +305,8 @@ void CGAL_DSC_CLASS::replace(Cavity& cavity) {
   collect_surroundings(cavity, removed);
 
   for (auto& v : cavity.m_vertices)
-    if (!is_infinite(v.handle) && !(v.handle->point() == v.point))
-      v.handle->set_point(v.point);
+    if (!is_infinite(v.handle) && !(v.handle->point() == v.position))
+      v.handle->set_point(v.position);
   for (std::size_t k = 0; k < cavity.planned().size(); ++k) {
     const auto& plan = cavity.planned()[k];
     const Cell_handle c = cavity.created()[k];

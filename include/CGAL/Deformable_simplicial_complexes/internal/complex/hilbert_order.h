@@ -9,8 +9,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_HILBERT_ORDER_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_HILBERT_ORDER_H
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Mesh_support/internal/threads/stoppable_sort.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/algorithm.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -55,10 +55,9 @@ struct Stoppable_random_numbers
 // Returns the indices of points in the order of a Hilbert curve. The order is the one of CGAL's
 // `hilbert_sort()`; that function cannot be used, because its shuffle cannot be interrupted.
 template <class Space>
-std::vector<std::size_t>
-hilbert_order(const std::vector<typename Space::Approximate_point>& points) {
-  using Map = Stoppable_point_map<typename Space::Approximate_point>;
-  using Sorter = typename Space::template Hilbert_sorter<Simple_cartesian<double>, Map>;
+std::vector<std::size_t> hilbert_order(const std::vector<typename Space::Point>& points) {
+  using Map = Stoppable_point_map<typename Space::Point>;
+  using Sorter = typename Space::template Hilbert_sorter<Epick, Map>;
   std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   Stoppable_random_numbers random_numbers;

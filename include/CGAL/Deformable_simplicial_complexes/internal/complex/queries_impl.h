@@ -176,13 +176,13 @@ auto CGAL_DSC_CLASS::interface_facets(Label a, Label b) const -> std::vector<Fac
 
 CGAL_DSC_TEMPLATE
 double CGAL_DSC_CLASS::measure(Cell_handle c) const {
-  return m_domain.template apply<Labeled_complex>(Space::measure(geom_traits()),
+  return m_domain.template apply<Labeled_complex>(Space::measure,
                                                   [&](int i) { return position(c->vertex(i)); });
 }
 
 CGAL_DSC_TEMPLATE
 double CGAL_DSC_CLASS::measure(const Facet& f) const {
-  std::array<Approximate_point, dimension> points;
+  std::array<Point, dimension> points;
   for (int i = 0; i < dimension; ++i)
     points[i] = corner(f.first, Space::facet_vertices[f.second][i]);
   return Space::facet_measure(points);

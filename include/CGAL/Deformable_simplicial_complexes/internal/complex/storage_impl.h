@@ -97,15 +97,15 @@ void CGAL_DSC_CLASS::swap(Labeled_complex& other) noexcept {
 }
 
 CGAL_DSC_TEMPLATE
-auto CGAL_DSC_CLASS::checked_barycenters(const std::vector<Approximate_point>& positions,
-                                         const std::vector<std::array<size_type, corners>>& cells)
-    const -> std::vector<Approximate_point> {
+auto CGAL_DSC_CLASS::checked_barycenters(
+    const std::vector<Point>& positions,
+    const std::vector<std::array<size_type, corners>>& cells) const -> std::vector<Point> {
   std::vector<bool> is_used(positions.size(), false);
-  std::vector<Approximate_point> barycenters;
+  std::vector<Point> barycenters;
   for (size_type t = 0; t < cells.size(); ++t) {
     Progress_scope::check();
     const auto& v = cells[t];
-    Approximate_vector sum(CGAL::NULL_VECTOR);
+    Vector sum(CGAL::NULL_VECTOR);
     for (size_type i : v) {
       if (i >= positions.size())
         throw Invalid_cells_error("a cell refers to a point that does not exist: correct the index",
@@ -114,7 +114,7 @@ auto CGAL_DSC_CLASS::checked_barycenters(const std::vector<Approximate_point>& p
       sum = sum + (m_domain.near(positions[v[0]], positions[i]) - CGAL::ORIGIN);
     }
     barycenters.push_back(CGAL::ORIGIN + sum / corners);
-    if (m_domain.orientation(*this, [&](int i) { return exact(positions[v[i]]); }) != POSITIVE)
+    if (m_domain.orientation(*this, [&](int i) { return positions[v[i]]; }) != POSITIVE)
       throw Invalid_cells_error(dimension == 2
                                     ? "a triangle is flat or clockwise, possibly after rounding; "
                                       "give its vertices in counterclockwise order"
@@ -144,9 +144,9 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point>& points,
     throw Invalid_cells_error("there are 2^29 or more cells: use a coarser mesh");
 
   Labeled_complex result(geom_traits(), m_quality_measure, m_domain);
-  std::vector<Approximate_point> positions;
+  std::vector<Point> positions;
   for (const Point& p : points) {
-    positions.push_back(m_domain.canonical(approximate(p)));
+    positions.push_back(m_domain.canonical(p));
     if (!has_finite_coordinates(positions.back()))
       throw Invalid_cells_error("coordinates are not finite: correct or remove the point", {},
                                 {positions.size() - 1});
@@ -155,7 +155,7 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point>& points,
     throw Invalid_cells_error("the extent of the domain is not between 1e-30 and 1e30; scale "
                               "the points, so that volumes and qualities can be computed");
   const Progress_phase phase("assembling the mesh");
-  const std::vector<Approximate_point> barycenters = checked_barycenters(positions, tetrahedra);
+  const std::vector<Point> barycenters = checked_barycenters(positions, tetrahedra);
   const std::vector<size_type> vertex_order = internal::hilbert_order<Space>(positions);
   const std::vector<size_type> cell_order = internal::hilbert_order<Space>(barycenters);
   internal::prepare_for_cells<Space>(result.m_triangulation);
@@ -165,7 +165,7 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point>& points,
   for (size_type i = 0; i < vertex_order.size(); ++i) {
     rank[vertex_order[i]] = i + 1;
     handles.push_back(result.m_numbers.add_vertex(result.m_triangulation.tds().create_vertex()));
-    handles.back()->set_point(exact(positions[vertex_order[i]]));
+    handles.back()->set_point(positions[vertex_order[i]]);
   }
   std::vector<Cell_vertices> cells;
   for (size_type t : cell_order) {
@@ -212,11 +212,11 @@ void CGAL_DSC_CLASS::sort_storage() {
   if (number_of_cells() == 0)
     return;
   const State before = state();
-  std::vector<Approximate_point> positions, barycenters;
+  std::vector<Point> positions, barycenters;
   for (const auto& p : before.points)
     positions.push_back(point_at<Labeled_complex>(p));
   for (const auto& c : before.cells) {
-    Approximate_vector sum(CGAL::NULL_VECTOR);
+    Vector sum(CGAL::NULL_VECTOR);
     int finite = 0;
     const std::uint32_t first = *std::find_if(c.begin(), c.end(), [](auto v) { return v != 0; });
     for (std::uint32_t v : c)
@@ -338,7 +338,7 @@ auto CGAL_DSC_CLASS::create_vertices(const State& state) -> std::vector<Vertex_h
   for (size_type i = 0; i < state.points.size(); ++i) {
     Progress_scope::check();
     vertices.push_back(m_numbers.add_vertex(m_triangulation.tds().create_vertex()));
-    vertices.back()->set_point(exact(point_at<Labeled_complex>(state.points[i])));
+    vertices.back()->set_point(point_at<Labeled_complex>(state.points[i]));
     vertices.back()->set_boundary_class(state.boundary_classes[i]);
     vertices.back()->set_spacing(state.spacings[i]);
   }

@@ -163,9 +163,9 @@ private:
     const std::vector<Vertex_handle>& unfinished = m_destinations.unfinished();
     m_degenerating.clear();
     const Vertex_numbers numbers(m_complex, unfinished);
-    std::vector<typename Complex::Approximate_point> destinations;
+    std::vector<typename Complex::Point> destinations;
     for (std::size_t k = 0; k < unfinished.size(); ++k)
-      destinations.push_back(m_complex.approximate(m_destinations.destination(k)));
+      destinations.push_back(m_destinations.destination(k));
     const auto final = [&](Vertex_handle v) {
       const std::uint32_t number = numbers(v);
       return number != Vertex_numbers::none ? destinations[number] : m_complex.position(v);
@@ -197,7 +197,7 @@ private:
   // a needle of the input that keeps its shape stays. `final` returns destinations of vertices.
   template <class Final>
   bool will_degenerate(const typename Complex::Facet& f, const Final& final) const {
-    using Triangle = std::array<typename Complex::Approximate_point, 3>;
+    using Triangle = std::array<typename Complex::Point, 3>;
     const auto v = m_complex.facet_vertices(f);
     const auto cosine_with = [&](const auto& position_of) {
       const auto p = position_of(v[0]);

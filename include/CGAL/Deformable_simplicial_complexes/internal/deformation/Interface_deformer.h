@@ -53,8 +53,8 @@ private:
 template <class Complex> struct Moved_vertex
 {
   typename Complex::Vertex_handle vertex;
-  typename Complex::Approximate_point before, destination; // `before` the motion
-  bool is_open; // whether the destination can still be reached
+  typename Complex::Point before, destination; // `before` the motion
+  bool is_open;                                // whether the destination can still be reached
 };
 
 // The steps of Algorithm 1. `do_passes()` performs them in their order.
@@ -84,7 +84,7 @@ public:
   // `Invalid_destination_error` if a destination is not finite or not permitted by the rule of the
   // domain; nothing is changed then.
   void set_destinations(const std::vector<Vertex_handle>& vertices,
-                        const std::vector<typename Complex::Approximate_point>& destinations) {
+                        const std::vector<typename Complex::Point>& destinations) {
     require_finite(destinations, "a destination");
     const Domain_box<Complex> box(m_complex);
     if (m_options.domain_rule != Domain_rule::stop)
@@ -94,12 +94,11 @@ public:
                                         leaving);
     m_trapped_cells.log().begin();
     for (std::size_t i = 0; i < vertices.size(); ++i) {
-      const Point admissible =
-          m_complex.admissible_destination(vertices[i], m_complex.exact(destinations[i]));
-      auto position = m_complex.approximate(admissible);
+      const Point admissible = m_complex.admissible_destination(vertices[i], destinations[i]);
+      auto position = admissible;
       const bool is_stopped = box.clamp(position);
       m_stopped_at_boundary += is_stopped;
-      m_destinations.add(vertices[i], is_stopped ? m_complex.exact(position) : admissible);
+      m_destinations.add(vertices[i], is_stopped ? position : admissible);
     }
     record_swept_volumes();
   }
@@ -111,8 +110,7 @@ public:
               const std::vector<Cell_handle>& cells) {
     m_trapped_cells.log().begin();
     for (const Moved_vertex<Complex>& moved : vertices)
-      m_destinations.resume(moved.vertex, moved.before, m_complex.exact(moved.destination),
-                            moved.is_open);
+      m_destinations.resume(moved.vertex, moved.before, moved.destination, moved.is_open);
     for (Cell_handle c : cells)
       m_touched.push(c);
   }
@@ -176,7 +174,7 @@ public:
       const auto target = m_complex.position(free[i]) + displacements[i];
       if (target != m_complex.position(free[i]) && has_finite_coordinates(target)) {
         vertices.push_back(free[i]);
-        targets.push_back(m_complex.admissible_destination(free[i], m_complex.exact(target)));
+        targets.push_back(m_complex.admissible_destination(free[i], target));
       }
     }
     const std::vector<Cell_handle> cells = star_union(m_complex, vertices, m_for_each_index);

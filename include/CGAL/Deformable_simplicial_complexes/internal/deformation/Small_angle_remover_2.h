@@ -83,7 +83,7 @@ private:
   }
 
   double sine(Cell_handle c) const {
-    return smallest_sine<typename Complex::Approximate_point>(
+    return smallest_sine<typename Complex::Point>(
         {m_complex.corner(c, 0), m_complex.corner(c, 1), m_complex.corner(c, 2)});
   }
 
@@ -125,8 +125,7 @@ private:
     for (const auto& t : m_cavity.planned())
       if (t.quality < std::numeric_limits<double>::infinity()) { // all vertices are finite
         const auto p = [&](int i) { return m_cavity.vertices()[t.vertices[i]].position; };
-        after = (std::min)(after,
-                           smallest_sine<typename Complex::Approximate_point>({p(0), p(1), p(2)}));
+        after = (std::min)(after, smallest_sine<typename Complex::Point>({p(0), p(1), p(2)}));
       }
     if (after > (std::max)({worth_it(before), m_least_sine, m_best_sine})) {
       m_best_sine = after;

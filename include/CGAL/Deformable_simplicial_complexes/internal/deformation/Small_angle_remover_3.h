@@ -112,7 +112,7 @@ public:
   }
 
 private:
-  using Position = typename Complex::Approximate_point_3;
+  using Position = typename Complex::Point_3;
 
   // Returns the smallest sine of a dihedral angle of a cell with given corners, relative to the
   // sine for the regular tetrahedron.
@@ -317,7 +317,7 @@ private:
       const Position to = v->is_interface() ? near_home(v, optimizer.run()) : optimizer.run();
       const double after = worst_sine(v, to);
       if (after > best && after > better_star * worst_sine(v, from) &&
-          m_complex.is_admissible_star(v, m_star, exact(to)) &&
+          m_complex.is_admissible_star(v, m_star, to) &&
           m_tolerance.allows_motion(v, m_star, to, slack())) {
         best = after;
         moving = v;
@@ -333,7 +333,7 @@ private:
     m_complex.star(moving, m_star);
     if (m_tolerance.allows_motion(moving, m_star, target, slack()))
       m_tolerance.record();
-    smooth_vertex(m_complex, moving, m_star, exact(target), m_visitor);
+    smooth_vertex(m_complex, moving, m_star, target, m_visitor);
     touch(m_star, touched);
     return true;
   }
@@ -349,10 +349,6 @@ private:
     const double length = std::sqrt(displacement.squared_length()),
                  bound = slack() * longest_displacement * local_edge_length(m_complex, v);
     return length > bound ? home + bound / length * displacement : p;
-  }
-
-  typename Complex::Point_3 exact(const Position& p) const {
-    return m_complex.geom_traits().construct_exact_point_3_object()(p);
   }
 
   // Returns the smallest sine in the star `m_star` if its vertex is moved to p.

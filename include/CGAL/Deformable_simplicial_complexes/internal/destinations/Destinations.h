@@ -46,7 +46,7 @@ template <class Complex> class Destinations
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
   using Point = typename Complex::Point;
-  using Position = typename Complex::Approximate_point;
+  using Position = typename Complex::Point;
 
   explicit Destinations(const Complex& complex) : m_complex(complex) {}
 
@@ -119,7 +119,7 @@ public:
   // Returns the destination of v, or its current position if it has none.
   Position final_position(Vertex_handle v) const {
     const Item* item = find(v);
-    return item && item->is_open ? m_complex.approximate(item->destination) : m_complex.position(v);
+    return item && item->is_open ? item->destination : m_complex.position(v);
   }
 
   // Returns the position of v before the deformation, or its current position if it had no
@@ -145,8 +145,7 @@ public:
   const Point& destination(std::size_t k) const { return m_items[m_open[k]].destination; }
   double remaining_distance(std::size_t k) const {
     const Item& item = m_items[m_open[k]];
-    return Complex::Space::length(
-        m_complex.displacement(item.vertex, m_complex.approximate(item.destination)));
+    return Complex::Space::length(m_complex.displacement(item.vertex, item.destination));
   }
 
   // Returns the sum of the remaining distances of all unfinished vertices.

@@ -33,8 +33,8 @@ public:
   using Cell_handle = typename Complex::Cell_handle;
   using Facet = typename Complex::Facet;
   using Label = typename Complex::Label;
-  using Position = typename Complex::Approximate_point;
-  using Vector = typename Complex::Approximate_vector;
+  using Position = typename Complex::Point;
+  using Vector = typename Complex::Vector;
 
   // If there are destinations, volumes are those with the vertices at their destinations. What the
   // motion brings together may then be joined. If `keeps_volumes`, a single operation also

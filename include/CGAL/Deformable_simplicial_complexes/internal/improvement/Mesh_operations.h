@@ -76,7 +76,7 @@ template <class Complex> struct Mesh_operations
       if (complex.is_boundary(v) || v->is_interface())
         return false;
       const auto to = Star_optimizer<Complex>(complex, complex.quality_measure(), v, star).run();
-      target = complex.exact(to);
+      target = to;
       return to != complex.position(v) && complex.is_positive_star(v, star, target);
     } else {
       return Deformable_simplicial_complexes::propose_optimal_position(complex, v, star, target);

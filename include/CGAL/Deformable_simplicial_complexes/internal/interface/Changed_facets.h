@@ -24,7 +24,7 @@ template <class Complex> class Interface_edge_3
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
   using Cell_handle = typename Complex::Cell_handle;
-  using Point = typename Complex::Approximate_point_3;
+  using Point = typename Complex::Point_3;
 
   Interface_edge_3(const Complex& complex, Cell_handle cell, int i, int j)
       : m_complex(complex), m_ends{cell->vertex(i), cell->vertex(j)} {

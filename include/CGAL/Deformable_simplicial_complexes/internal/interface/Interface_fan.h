@@ -93,7 +93,7 @@ template <class Complex> class Interface_fan_3
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
   using Cell_handle = typename Complex::Cell_handle;
-  using Point = typename Complex::Approximate_point_3;
+  using Point = typename Complex::Point_3;
 
   // \pre `star` is the star of v
   Interface_fan_3(const Complex& complex, Vertex_handle v, const std::vector<Cell_handle>& star)

@@ -181,7 +181,7 @@ template <class Complex> class Harmonic_extension
 {
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
-  using Displacement = typename Complex::Approximate_vector;
+  using Displacement = typename Complex::Vector;
   static constexpr int d = Complex::dimension;
 
   // `free` are the vertices to which displacements are extended. `displacement(v)` returns the
@@ -268,7 +268,7 @@ private:
     for (std::size_t i = 0; i < m_others.size(); ++i)
       m_numbers.set(m_others[i], std::uint32_t(m_free.size() + i));
     return [this, star = std::vector<Cell_handle>(), found = std::vector<Vertex_handle>(),
-            positions = std::vector<typename Complex::Approximate_point>(),
+            positions = std::vector<typename Complex::Point>(),
             weights = std::vector<double>()](std::size_t i, std::vector<Neighbor>& result) mutable {
       const Vertex_handle v = m_free[i];
       m_complex.star(v, star);

@@ -42,7 +42,7 @@ public:
   Vertex_handle vertex(Number i) const { return m_vertices[i]; }
   const Point& point(Number i) const { return m_points[i]; }
   void set_point(Number i, const Point& p) {
-    m_points[i] = m_complex.rounded(p);
+    m_points[i] = m_complex.canonical(p);
     m_are_changed[i] = m_is_changed = true;
   }
 
@@ -54,7 +54,7 @@ public:
 
   // Returns the proposed position of a vertex of the list, or the current position of any other
   // vertex.
-  auto position(Vertex_handle v) const { return m_complex.approximate(point_of(v)); }
+  auto position(Vertex_handle v) const { return point_of(v); }
 
   // Returns the cells that would not be positively oriented. Also stores the current measures and
   // the proposed qualities of all cells, so that each cell is visited once.

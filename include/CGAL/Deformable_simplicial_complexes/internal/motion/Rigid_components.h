@@ -24,7 +24,7 @@ template <class Complex> class Rigid_components
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
   using Cell_handle = typename Complex::Cell_handle;
-  using Position = typename Complex::Approximate_point;
+  using Position = typename Complex::Point;
 
   Rigid_components(const Complex& complex, const Destinations<Complex>& destinations)
       : m_complex(complex), m_destinations(destinations) {}

@@ -22,7 +22,7 @@ template <class Complex>
 Exact_rational first_collision(const Complex& complex, const Destinations<Complex>& destinations,
                                typename Complex::Vertex_handle v,
                                const std::vector<typename Complex::Cell_handle>& star) {
-  using Point = typename Complex::Approximate_point;
+  using Point = typename Complex::Point;
   static constexpr int d = Complex::dimension;
   const Point from = complex.position(v),
               to = complex.domain().near(from, destinations.final_position(v));

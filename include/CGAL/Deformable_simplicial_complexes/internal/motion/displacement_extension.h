@@ -30,8 +30,8 @@ template <class Complex> class Flow_displacements
 {
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
-  using Point = typename Complex::Approximate_point;
-  using Vector = typename Complex::Approximate_vector;
+  using Point = typename Complex::Point;
+  using Vector = typename Complex::Vector;
   using Flow = std::function<std::vector<Point>(const std::vector<Vertex_handle>&)>;
 
   // Displacements that are not shorter than `limit` are ignored. The flow may be empty. The complex
@@ -96,12 +96,12 @@ displacements of vertices by the flow. `longest` is the length of the longest di
 Differences up to `negligible` are ignored.
 */
 template <class Complex, class Displacement>
-std::optional<std::vector<typename Complex::Approximate_vector>>
+std::optional<std::vector<typename Complex::Vector>>
 motion_by_flow(const Complex& complex, const std::vector<typename Complex::Vertex_handle>& free,
                const Displacement& displacement, Flow_displacements<Complex>& flow, double longest,
                double negligible) {
   using Vertex_handle = typename Complex::Vertex_handle;
-  using Vector = typename Complex::Approximate_vector;
+  using Vector = typename Complex::Vector;
   static constexpr double fading = .5; // of the distance: cells at the interface keep their shape
   static constexpr double steepest = .125; // longest displacement relative to the fading distance
   const auto is_negligible = [&](const Vector& d) {
@@ -219,13 +219,13 @@ vertices. `flow` gives the displacements of vertices by the flow, where it is kn
 the length of the longest displacement.
 */
 template <class Complex, class Displacement>
-std::vector<typename Complex::Approximate_vector>
+std::vector<typename Complex::Vector>
 displacement_extension(const Complex& complex,
                        const std::vector<typename Complex::Vertex_handle>& free,
                        const Displacement& displacement, Flow_displacements<Complex>& flow,
                        double longest, const For_each_index& for_each_index) {
   using Vertex_handle = typename Complex::Vertex_handle;
-  using Vector = typename Complex::Approximate_vector;
+  using Vector = typename Complex::Vector;
   static constexpr double part = 1e-6; // relative to the longest displacement
   const double negligible = part * longest;
   if (auto followed = motion_by_flow(complex, free, displacement, flow, longest, negligible))

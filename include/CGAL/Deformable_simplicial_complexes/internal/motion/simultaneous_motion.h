@@ -23,8 +23,8 @@ template <class Complex>
 void relocate(Proposed_motion<Complex>& motion, typename Proposed_motion<Complex>::Number i) {
   using Cell_handle = typename Complex::Cell_handle;
   using Vertex_handle = typename Complex::Vertex_handle;
-  using Vector = typename Complex::Approximate_vector;
-  using Position = typename Complex::Approximate_point;
+  using Vector = typename Complex::Vector;
+  using Position = typename Complex::Point;
   const Complex& complex = motion.complex();
   const Vertex_handle v = motion.vertex(i);
   std::vector<Cell_handle> star;
@@ -54,9 +54,8 @@ void relocate(Proposed_motion<Complex>& motion, typename Proposed_motion<Complex
       return;
     const auto before = motion.point(i);
     const Position from = motion.position(v);
-    motion.set_point(
-        i, complex.admissible_destination(
-               v, complex.exact(from + fraction * (complex.domain().near(from, target) - from))));
+    motion.set_point(i, complex.admissible_destination(
+                            v, from + fraction * (complex.domain().near(from, target) - from)));
     const double after = motion.worst_quality(star, worst);
     if (after > worst)
       worst = after;
@@ -147,7 +146,7 @@ private:
 
   // Bounds the moved fraction of a vertex by the fraction of its neighbor. Returns whether the
   // fraction was reduced.
-  bool follow(Number i, Number neighbor, const typename Complex::Approximate_vector& edge) {
+  bool follow(Number i, Number neighbor, const typename Complex::Vector& edge) {
     const double length = std::sqrt(edge.squared_length());
     const double distance = std::sqrt(displacement(i).squared_length());
     const double bound = m_fractions[neighbor] + lead * length / distance;
@@ -157,9 +156,9 @@ private:
     return true;
   }
 
-  typename Complex::Approximate_vector displacement(Number i) const {
+  typename Complex::Vector displacement(Number i) const {
     const Complex& complex = m_motion.complex();
-    return complex.displacement(m_motion.vertex(i), complex.approximate(m_targets[i]));
+    return complex.displacement(m_motion.vertex(i), m_targets[i]);
   }
 
   void set_fraction(Number i, double fraction) {
@@ -169,8 +168,7 @@ private:
         fraction < smallest_fraction || !std::isfinite(motion.squared_length()) ? 0 : fraction;
     m_motion.set_point(i, m_fractions[i] == 0
                               ? v->point()
-                              : m_motion.complex().exact(m_motion.complex().position(v) +
-                                                         m_fractions[i] * motion));
+                              : m_motion.complex().position(v) + m_fractions[i] * motion);
   }
 
   Motion& m_motion;
@@ -199,9 +197,9 @@ template <class Complex> bool shorten(Proposed_motion<Complex>& motion, bool may
   for (double fraction = 1; fraction >= smallest_fraction; fraction /= 2) {
     for (Number i = 0; i < motion.size() && fraction < 1; ++i) {
       const auto v = motion.vertex(i);
-      const auto displacement = complex.displacement(v, complex.approximate(targets[i]));
-      motion.set_point(i, complex.admissible_destination(
-                              v, complex.exact(complex.position(v) + fraction * displacement)));
+      const auto displacement = complex.displacement(v, targets[i]);
+      motion.set_point(
+          i, complex.admissible_destination(v, complex.position(v) + fraction * displacement));
     }
     if (untangle(motion).empty() || (may_degrade && motion.inverted_cells().empty()))
       return true;

@@ -19,11 +19,10 @@ namespace CGAL::Deformable_simplicial_complexes::internal {
 // straight lines; in the plane, the area. Gauss' rule with two points is exact, because the
 // velocity is constant and the area vector is a quadratic function of time.
 template <class Complex>
-double
-swept_volume(const std::array<typename Complex::Approximate_point, Complex::dimension>& before,
-             const std::array<typename Complex::Approximate_point, Complex::dimension>& after) {
+double swept_volume(const std::array<typename Complex::Point, Complex::dimension>& before,
+                    const std::array<typename Complex::Point, Complex::dimension>& after) {
   static constexpr int d = Complex::dimension;
-  typename Complex::Approximate_vector sum = after[0] - before[0];
+  typename Complex::Vector sum = after[0] - before[0];
   for (int i = 1; i < d; ++i)
     sum = sum + (after[i] - before[i]);
   double result = 0;
@@ -48,7 +47,7 @@ void add_swept_volumes(const Complex& complex,
       const auto n = c->neighbor(i);
       if (complex.is_infinite(c) || complex.is_infinite(n) || c->label() <= n->label())
         continue; // each facet of the interface once
-      std::array<typename Complex::Approximate_point, Complex::dimension> from, to;
+      std::array<typename Complex::Point, Complex::dimension> from, to;
       for (int k = 0; k < Complex::dimension; ++k) {
         const auto v = c->vertex(Complex::Space::facet_vertices[i][k]);
         from[k] = k == 0 ? complex.position(v) : complex.position_near(from[0], v);

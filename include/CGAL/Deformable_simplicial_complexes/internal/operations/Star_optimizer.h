@@ -27,8 +27,8 @@ namespace CGAL::Deformable_simplicial_complexes::internal {
 template <class Complex, class Measure = typename Complex::Quality_measure> class Star_optimizer
 {
 public:
-  using Point = typename Complex::Approximate_point;
-  using Vector = typename Complex::Approximate_vector;
+  using Point = typename Complex::Point;
+  using Vector = typename Complex::Vector;
 
   // An empty star with its vertex at p.
   Star_optimizer(const Measure& measure, const Point& p) : m_measure(measure), m_position(p) {}

@@ -89,7 +89,7 @@ private:
   // A change of the label of a cell.
   struct Change
   {
-    typename Complex::Approximate_point where;
+    typename Complex::Point where;
     Cell_handle cell;
     std::size_t time_stamp;
     Label from, to;
@@ -103,7 +103,7 @@ private:
   }
 
   // Returns a point where a cell left or joined one of the components of an event.
-  typename Complex::Approximate_point place(const Component_event& event) const {
+  typename Complex::Point place(const Component_event& event) const {
     const auto has = [](const std::vector<Component_event::Component>& components,
                         std::uint32_t number) {
       return std::any_of(

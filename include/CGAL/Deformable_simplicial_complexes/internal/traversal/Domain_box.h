@@ -22,7 +22,7 @@ namespace CGAL::Deformable_simplicial_complexes::internal {
 template <class Complex> class Domain_box
 {
 public:
-  using Point = typename Complex::Approximate_point;
+  using Point = typename Complex::Point;
   static constexpr int d = Complex::dimension;
 
   // Linear in the size of the boundary.

@@ -15,14 +15,13 @@
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
-template <class Complex>
-using Cell_corners = std::array<typename Complex::Approximate_point, Complex::corners>;
+template <class Complex> using Cell_corners = std::array<typename Complex::Point, Complex::corners>;
 
 // Returns the positions of the vertices of a finite cell. In a periodic domain, the images nearest
 // to `near` are returned.
 template <class Complex>
 Cell_corners<Complex> cell_corners(const Complex& complex, typename Complex::Cell_handle c,
-                                   const typename Complex::Approximate_point& near) {
+                                   const typename Complex::Point& near) {
   Cell_corners<Complex> result;
   for (int i = 0; i < Complex::corners; ++i)
     result[i] = complex.position_near(near, c->vertex(i));
@@ -38,9 +37,8 @@ Cell_corners<Complex> cell_corners(const Complex& complex, typename Complex::Cel
 
 // Returns the barycenter of a cell, as seen from its vertex 0.
 template <class Complex>
-typename Complex::Approximate_point barycenter(const Complex& complex,
-                                               typename Complex::Cell_handle c) {
-  typename Complex::Approximate_vector sum(NULL_VECTOR);
+typename Complex::Point barycenter(const Complex& complex, typename Complex::Cell_handle c) {
+  typename Complex::Vector sum(NULL_VECTOR);
   for (int i = 0; i < Complex::corners; ++i)
     sum = sum + (complex.corner(c, i) - ORIGIN);
   return ORIGIN + sum / Complex::corners;

@@ -48,7 +48,7 @@ public:
   static constexpr int d = Complex::dimension;
   using Mesh = Distributed_mesh<Complex>;
   using Index = typename Mesh::Index;
-  using Position = typename Complex::Approximate_point;
+  using Position = typename Complex::Point;
   using Part = typename Part_of<Complex>::Type;
   using Options = Deformation_options<Part>;
   using Flow = typename Distributed_motion<Complex>::Flow;

@@ -42,7 +42,7 @@ public:
   static constexpr int d = Complex::dimension;
   using Mesh = Distributed_mesh<Complex>;
   using Index = typename Mesh::Index;
-  using Position = typename Complex::Approximate_point;
+  using Position = typename Complex::Point;
   using Vector = std::array<double, d>;
   using Flow = std::function<std::vector<Position>(const std::vector<Position>&)>;
 

@@ -109,7 +109,7 @@ public:
   using Distributed = Distributed_complex<Complex>;
   using Interface = typename Distributed::Interface;
   using Part = typename Distributed::Part;
-  using Position = typename Complex::Approximate_point;
+  using Position = typename Complex::Point;
 
   Distributed_adaptation(Distributed& dsc, const Interface& interface_,
                          const Adaptation_options& options)

@@ -53,8 +53,7 @@ using Patch_key = std::uint64_t; // greater than 0
 // larger cubes. The leading bits of a key tell whether the coordinates of the cube are odd: cubes
 // of one kind do not touch, so most of them can be improved in the same round.
 template <class Complex>
-Patch_key patch_key(const std::array<typename Complex::Approximate_point, Complex::corners>& p,
-                    double edge) {
+Patch_key patch_key(const std::array<typename Complex::Point, Complex::corners>& p, double edge) {
   // Largest edge length of a cube, in mean interface edges; the smallest one is half of it. Smaller
   // cubes have relatively larger surroundings, and more of them overlap.
   static constexpr double edges = 32;
@@ -244,7 +243,7 @@ private:
     for (std::size_t c = 0; c < m_cells_before.size(); ++c) {
       if (!m_cells_before[c].data.is_active)
         continue;
-      std::array<typename Complex::Approximate_point, corners> p;
+      std::array<typename Complex::Point, corners> p;
       for (int i = 0; i < corners; ++i)
         p[i] = point_at<Complex>(m_before[index_before(m_cells_before[c].vertices[i])].data.point);
       if (patch_key<Complex>(p, edge) != m_key)

@@ -91,7 +91,7 @@ private:
     for (Index c : cells) {
       if (!m_mesh.piece.has_cell(c) || !m_mesh.piece.cell(c).data.is_active)
         continue;
-      std::array<typename Complex::Approximate_point, d + 1> p;
+      std::array<typename Complex::Point, d + 1> p;
       for (int i = 0; i <= d; ++i)
         p[i] = m_mesh.position(m_mesh.piece.cell(c).vertices[i]);
       m_active.push_back({c, patch_key<Complex>(p, m_mesh.mean_interface_edge)});

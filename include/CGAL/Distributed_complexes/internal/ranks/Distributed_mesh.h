@@ -149,7 +149,7 @@ template <class Complex> struct Distributed_mesh : Distributed_state<Complex::di
   static constexpr int d = Complex::dimension;
   static constexpr int corners = d + 1;
   using Index = typename Piece<d>::Index;
-  using Position = typename Complex::Approximate_point;
+  using Position = typename Complex::Point;
   using Space = typename Complex::Space;
   using Distributed_state<d>::piece;
   using Distributed_state<d>::components;
@@ -197,14 +197,13 @@ template <class Complex> struct Distributed_mesh : Distributed_state<Complex::di
 
   // Returns whether a cell is positively oriented, decided exactly.
   template <class Position_of> bool is_positive(Index c, const Position_of& position) const {
-    const auto exact = Space::exact(traits);
     return apply_to_corners<corners>(Space::orientation(traits), [&](int i) {
-             return exact(position(piece.cell(c).vertices[i]));
+             return position(piece.cell(c).vertices[i]);
            }) == POSITIVE;
   }
 
   double measure(Index c) const {
-    return apply_to_corners<corners>(Space::measure(traits),
+    return apply_to_corners<corners>(Space::measure,
                                      [&](int i) { return position(piece.cell(c).vertices[i]); });
   }
 

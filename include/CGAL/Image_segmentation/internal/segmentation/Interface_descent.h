@@ -28,8 +28,8 @@ template <class Complex> class Interface_descent
 {
 public:
   static constexpr int d = Complex::dimension;
-  using Point = typename Complex::Approximate_point;
-  using Vector = typename Complex::Approximate_vector;
+  using Point = typename Complex::Point;
+  using Vector = typename Complex::Vector;
 
   // `tension` and `stiffness` are in units of the complex. The stiffness is a lower bound of the
   // derivative of the force per unit of the interface with respect to its displacement.

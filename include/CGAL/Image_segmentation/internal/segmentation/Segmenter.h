@@ -255,7 +255,7 @@ private:
 
   // Returns the target length of edges at a point. It grows with the distance from the image,
   // because the complex of a user can be much larger.
-  double edge_at(const typename Complex::Approximate_point& p) const {
+  double edge_at(const typename Complex::Point& p) const {
     static constexpr double gradation = .5;
     const auto place = m_costs.moments().place(m_complex.in_user_coordinates(p));
     double distance = 0; // from the image, in sides of a pixel

@@ -118,16 +118,16 @@ Incompressible_fluid<Complex, Solver>::move(const Flow& flow, const Contacts& co
   interface_.restore(
       m_liquids.volumes(), from, [&](std::size_t v) { return is_constrained[v] != 0; }, to);
 
-  std::unordered_map<std::size_t, Approximate_point> inside; // destinations by time stamp
+  std::unordered_map<std::size_t, Point> inside; // destinations by time stamp
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
     if (!mesh.is_on_interface[i])
       inside.emplace(mesh.vertices[i]->time_stamp(), point(destinations[i]));
   Deformation_options<Complex> options = chosen.deformation;
   options.domain_rule = Domain_rule::stop; // at the walls
   options.flow = [&inside](const std::vector<Vertex_handle>& vertices) {
-    const Approximate_point unknown =
+    const Point unknown =
         point(Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()));
-    std::vector<Approximate_point> result;
+    std::vector<Point> result;
     for (Vertex_handle v : vertices) {
       const auto found = inside.find(v->time_stamp());
       result.push_back(found != inside.end() ? found->second : unknown);
@@ -209,7 +209,7 @@ auto Incompressible_fluid<Complex, Solver>::move_interface(const Flow& flow,
     }
   contacts.project_out_of_solids(positions, m_time);
 
-  std::vector<Approximate_point> to;
+  std::vector<Point> to;
   std::vector<char> is_constrained(vertices.size(), false);
   for (std::size_t k = 0; k < vertices.size(); ++k) {
     const auto found = number.find(vertices[k]->time_stamp());

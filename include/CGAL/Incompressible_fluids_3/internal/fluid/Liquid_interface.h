@@ -37,7 +37,7 @@ template <class Complex> class Liquid_interface
 {
 public:
   using Snapshot = Interface_snapshot<Complex>;
-  using Point = typename Complex::Approximate_point;
+  using Point = typename Complex::Point;
   using Points = std::vector<Point>;
   using Volumes = Liquid_bookkeeping::Volumes;
 
@@ -87,9 +87,8 @@ public:
     }
     for (std::size_t v = 0; v < to.size(); ++v)
       for (auto& [row, direction] : directions[v])
-        direction = is_constrained(v) || !(areas[v] > 0)
-                        ? typename Complex::Approximate_vector(NULL_VECTOR)
-                        : direction / areas[v];
+        direction = is_constrained(v) || !(areas[v] > 0) ? typename Complex::Vector(NULL_VECTOR)
+                                                         : direction / areas[v];
     changer.change_by(missing, directions, to);
   }
 

@@ -157,7 +157,7 @@ template <class Complex> struct Fluid_mesh
   // Returns the image of q that is nearest to p. Except on a torus, this is q.
   Eigen::Vector3d near(const Eigen::Vector3d& p, const Eigen::Vector3d& q) const {
     if constexpr (is_periodic) {
-      using Point = typename Complex::Approximate_point;
+      using Point = typename Complex::Point;
       return eigen_vector(m_domain.near(from_eigen<Point>(p), from_eigen<Point>(q)));
     } else
       return q;
@@ -181,7 +181,7 @@ template <class Complex> struct Fluid_mesh
       Eigen::Vector3d result = Eigen::Vector3d::Zero();
       for (const Eigen::Vector3d& p : corners_at(cells[cell].vertices, positions))
         result += p / corners;
-      using Point = typename Complex::Approximate_point;
+      using Point = typename Complex::Point;
       return eigen_vector(m_domain.canonical(from_eigen<Point>(result)));
     } else
       return middle(cell, positions);

@@ -61,7 +61,7 @@ template <class Complex>
 Linear_element<Complex> cell_element(const Corners_3<std::size_t(Complex::corners)>& positions) {
   typename Linear_element<Complex>::Corners corners;
   for (std::size_t i = 0; i < corners.size(); ++i)
-    corners[i] = from_eigen<typename Complex::Approximate_point>(positions[i]);
+    corners[i] = from_eigen<typename Complex::Point>(positions[i]);
   return Linear_element<Complex>(corners);
 }
 

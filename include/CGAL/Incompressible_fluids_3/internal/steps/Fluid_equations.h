@@ -339,7 +339,7 @@ private:
     if (tension == 0)
       return;
     static constexpr std::size_t n = Mesh::dimension;
-    using Point = typename Complex::Approximate_point;
+    using Point = typename Complex::Point;
     const auto at_midpoint = m_mesh.corners_at(facet.vertices, midpoint_positions);
     const auto from = tension > 0 ? m_mesh.corners_at(facet.vertices, m_positions) : at_midpoint;
     std::array<Point, n> corners;

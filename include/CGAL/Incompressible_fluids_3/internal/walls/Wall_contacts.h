@@ -21,7 +21,7 @@ namespace CGAL::Deformable_simplicial_complexes::internal {
 // A solid and its boundary conditions.
 struct Any_solid_3
 {
-  using Point = Simple_cartesian<double>::Point_3;
+  using Point = Epick::Point_3;
 
   std::function<void(const Point&, double, std::vector<Wall_3>&)> walls;
   double cosine;  // of the contact angle

@@ -29,8 +29,8 @@ template <class Complex> class Opened_corners_2
 {
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
-  using Point = typename Complex::Approximate_point;
-  using Vector = typename Complex::Approximate_vector;
+  using Point = typename Complex::Point;
+  using Vector = typename Complex::Vector;
 
   // Inserts the vertices. A corner gets fewer vertices if the segments of its arc would be too
   // short, and none if it turns only little, or more than two segments meet there.

@@ -36,8 +36,8 @@ template <class Complex> class Opened_corners_3
 {
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
-  using Point = typename Complex::Approximate_point;
-  using Vector = typename Complex::Approximate_vector;
+  using Point = typename Complex::Point;
+  using Vector = typename Complex::Vector;
 
   // Inserts the vertices.
   // \param speed of the front, positive if labeled phases grow

@@ -26,7 +26,7 @@ template <class Complex> class Passed_edges
 {
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
-  using Points = std::vector<typename Complex::Approximate_point>;
+  using Points = std::vector<typename Complex::Point>;
 
   // \param destinations of the vertices of the interface in the step
   Passed_edges(Complex& dsc, const Interface_snapshot<Complex>& interface_,

@@ -44,7 +44,7 @@ template <class Complex> class Interface_forces
 {
 public:
   static constexpr int d = Complex::dimension;
-  using Point = typename Complex::Approximate_point;
+  using Point = typename Complex::Point;
   using Matrix = Eigen::Matrix<double, d, d>;
   using Vector = Eigen::Matrix<double, d, 1>;
 
@@ -95,10 +95,10 @@ public:
         complete(m_masses[v], m_shares[v]);
   }
 
-  static Vector vector(const typename Complex::Approximate_vector& v) {
+  static Vector vector(const typename Complex::Vector& v) {
     return Vector(coordinates_of<d>(v).data());
   }
-  static typename Complex::Approximate_vector vector(const Vector& v) {
+  static typename Complex::Vector vector(const Vector& v) {
     std::array<double, d> coordinates;
     std::copy_n(v.data(), d, coordinates.begin());
     return vector_of<Complex>(coordinates);

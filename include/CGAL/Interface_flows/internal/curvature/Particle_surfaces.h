@@ -24,9 +24,8 @@ namespace CGAL::Deformable_simplicial_complexes::internal {
 // simplex is outside, the closest point is on a face opposite to a corner with a negative
 // barycentric coordinate.
 template <class Complex, std::size_t n>
-typename Complex::Approximate_point
-closest_point(const typename Complex::Approximate_point& p,
-              const std::array<typename Complex::Approximate_point, n>& corners) {
+typename Complex::Point closest_point(const typename Complex::Point& p,
+                                      const std::array<typename Complex::Point, n>& corners) {
   if constexpr (n == 1)
     return corners[0];
   else {
@@ -58,7 +57,7 @@ closest_point(const typename Complex::Approximate_point& p,
     for (std::size_t left_out = 0; left_out < n; ++left_out) {
       if (coordinates[left_out] >= 0)
         continue;
-      std::array<typename Complex::Approximate_point, n - 1> face;
+      std::array<typename Complex::Point, n - 1> face;
       for (std::size_t i = 0, j = 0; i < n; ++i)
         if (i != left_out)
           face[j++] = corners[i];
@@ -79,7 +78,7 @@ template <class Complex> class Particle_surfaces
 {
 public:
   using Label = typename Complex::Label;
-  using Point = typename Complex::Approximate_point;
+  using Point = typename Complex::Point;
   using Points = std::vector<Point>;
 
   Particle_surfaces(const Complex& complex, const Interface_energy& energy) : m_energy(energy) {
@@ -190,8 +189,8 @@ public:
   bool preserves_volumes() const { return m_flow.preserves_volumes(); }
 
   void operator()(const Interface_snapshot<Complex>& interface_,
-                  const std::vector<typename Complex::Approximate_point>& positions, double t,
-                  double dt, std::vector<typename Complex::Approximate_point>& destinations) const {
+                  const std::vector<typename Complex::Point>& positions, double t, double dt,
+                  std::vector<typename Complex::Point>& destinations) const {
     m_flow(interface_, positions, t, dt, destinations);
     m_surfaces.project(interface_, destinations);
   }

@@ -28,8 +28,8 @@ template <class Complex> class Step_velocity
 {
 public:
   using Interface = Interface_vertices<Complex>;
-  using Points = std::vector<typename Complex::Approximate_point>;
-  using Vectors = std::vector<typename Complex::Approximate_vector>;
+  using Points = std::vector<typename Complex::Point>;
+  using Vectors = std::vector<typename Complex::Vector>;
 
   // Vertices that were inserted at corners before a step.
   struct Opened_corners

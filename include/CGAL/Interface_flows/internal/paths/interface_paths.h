@@ -27,17 +27,17 @@ namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // The forms of velocities that `advect_interface()` accepts. If several forms fit, the order is:
 // flow map, interface step, velocity field, interface velocity.
-template <class Complex, class Velocity, class Point = typename Complex::Approximate_point>
+template <class Complex, class Velocity, class Point = typename Complex::Point>
 constexpr bool is_flow_map = std::is_invocable_v<const Velocity&, Point, double, double>;
-template <class Complex, class Velocity, class Point = typename Complex::Approximate_point>
+template <class Complex, class Velocity, class Point = typename Complex::Point>
 constexpr bool is_interface_step =
     std::is_invocable_v<const Velocity&, const Interface_snapshot<Complex>&,
                         const std::vector<Point>&, double, double, std::vector<Point>&>;
 
 // Tells whether a velocity is a model of `VelocityFieldOfPoints`. The form is not tested for flow
 // maps, because generic function objects of three arguments may not compile with others.
-template <class Complex, class Velocity, class Point = typename Complex::Approximate_point,
-          class Vector = typename Complex::Approximate_vector>
+template <class Complex, class Velocity, class Point = typename Complex::Point,
+          class Vector = typename Complex::Vector>
 constexpr bool is_field_of_points = std::conjunction_v<
     std::bool_constant<!is_flow_map<Complex, Velocity>>,
     std::is_invocable<const Velocity&, const std::vector<Point>&, double, std::vector<Vector>&>>;
@@ -51,7 +51,7 @@ struct Is_invertible<Map, std::void_t<typename Map::Is_invertible>> : Map::Is_in
 {
 };
 
-template <class Complex, class Velocity, class Point = typename Complex::Approximate_point>
+template <class Complex, class Velocity, class Point = typename Complex::Point>
 constexpr bool is_velocity_field =
     !is_flow_map<Complex, Velocity> && !is_interface_step<Complex, Velocity> &&
     (is_field_of_points<Complex, Velocity> || std::is_invocable_v<const Velocity&, Point, double>);
@@ -73,15 +73,14 @@ using Interface_seen_by =
 // Returns the velocities of a field at points. On a torus, the field is evaluated at points of the
 // box. Throws Invalid_destination_error if their number is wrong.
 template <class Complex, class Velocity>
-std::vector<typename Complex::Approximate_vector>
-field_at(const typename Complex::Domain& domain,
-         const std::vector<typename Complex::Approximate_point>& points, double t,
-         const Velocity& velocity) {
-  std::vector<typename Complex::Approximate_vector> result;
+std::vector<typename Complex::Vector> field_at(const typename Complex::Domain& domain,
+                                               const std::vector<typename Complex::Point>& points,
+                                               double t, const Velocity& velocity) {
+  std::vector<typename Complex::Vector> result;
   if constexpr (is_field_of_points<Complex, Velocity>) {
     if (points.empty())
       return result;
-    std::vector<typename Complex::Approximate_point> in_box;
+    std::vector<typename Complex::Point> in_box;
     for (const auto& p : points)
       in_box.push_back(domain.canonical(p));
     velocity(in_box, t, result);
@@ -100,12 +99,12 @@ field_at(const typename Complex::Domain& domain,
 // field or an interface velocity. Throws Invalid_destination_error if a velocity is not finite or
 // their number is wrong.
 template <class Interface, class Velocity>
-std::vector<typename Interface::Complex::Approximate_vector>
+std::vector<typename Interface::Complex::Vector>
 velocities_at(const Interface& interface_,
-              const std::vector<typename Interface::Complex::Approximate_point>& positions,
-              double t, const Velocity& velocity) {
+              const std::vector<typename Interface::Complex::Point>& positions, double t,
+              const Velocity& velocity) {
   using Complex = typename Interface::Complex;
-  std::vector<typename Complex::Approximate_vector> result;
+  std::vector<typename Complex::Vector> result;
   if constexpr (is_velocity_field<Complex, Velocity>) {
     result = field_at<Complex>(interface_.domain, positions, t, velocity);
   } else {
@@ -128,14 +127,14 @@ constexpr double smallest_adaptive_part = 1e-6;
 // estimated error of each substep is at most the tolerance, a length. Throws Error if the substeps
 // become too short.
 template <class Interface, class Velocity>
-std::vector<typename Interface::Complex::Approximate_point>
+std::vector<typename Interface::Complex::Point>
 integrate_adaptively(const Interface& interface_,
-                     const std::vector<typename Interface::Complex::Approximate_point>& start,
+                     const std::vector<typename Interface::Complex::Point>& start,
                      const Velocity& velocity, double t, double dt, double tolerance) {
   using Complex = typename Interface::Complex;
   namespace odeint = boost::numeric::odeint;
   using State = std::vector<double>; // coordinates of all vertices
-  using Points = std::vector<typename Complex::Approximate_point>;
+  using Points = std::vector<typename Complex::Point>;
   static constexpr int d = Complex::dimension;
   const auto points = [](const State& state) {
     Points result;
@@ -206,9 +205,9 @@ Place follow_rate(const Place& start, double t, double dt, Integration_scheme sc
 
 // Returns points moved by `step` times their velocities.
 template <class Complex>
-std::vector<typename Complex::Approximate_point>
-advanced(std::vector<typename Complex::Approximate_point> points,
-         const std::vector<typename Complex::Approximate_vector>& velocities, double step) {
+std::vector<typename Complex::Point>
+advanced(std::vector<typename Complex::Point> points,
+         const std::vector<typename Complex::Vector>& velocities, double step) {
   for (std::size_t i = 0; i < points.size(); ++i)
     points[i] = points[i] + step * velocities[i];
   return points;
@@ -217,13 +216,11 @@ advanced(std::vector<typename Complex::Approximate_point> points,
 // Returns the end points of the paths of all vertices, by one step of an explicit Runge-Kutta
 // method.
 template <class Interface, class Velocity>
-std::vector<typename Interface::Complex::Approximate_point>
-integrate_with_fixed_steps(const Interface& interface_,
-                           const std::vector<typename Interface::Complex::Approximate_point>& start,
-                           const Velocity& velocity, double t, double dt,
-                           Integration_scheme scheme) {
+std::vector<typename Interface::Complex::Point> integrate_with_fixed_steps(
+    const Interface& interface_, const std::vector<typename Interface::Complex::Point>& start,
+    const Velocity& velocity, double t, double dt, Integration_scheme scheme) {
   using Complex = typename Interface::Complex;
-  using Points = std::vector<typename Complex::Approximate_point>;
+  using Points = std::vector<typename Complex::Point>;
   const auto rate = [&](const Points& positions, double time) {
     return velocities_at(interface_, positions, time, velocity);
   };
@@ -234,11 +231,10 @@ integrate_with_fixed_steps(const Interface& interface_,
 // guides free vertices, so `Integration_scheme::rk4` is used for fields. A position is not finite
 // where a velocity is not finite. \pre is_flow_of_space
 template <class Complex, class Velocity>
-std::vector<typename Complex::Approximate_point>
-follow_flow(const typename Complex::Domain& domain,
-            const std::vector<typename Complex::Approximate_point>& start, const Velocity& velocity,
-            double t, double dt) {
-  using Points = std::vector<typename Complex::Approximate_point>;
+std::vector<typename Complex::Point> follow_flow(const typename Complex::Domain& domain,
+                                                 const std::vector<typename Complex::Point>& start,
+                                                 const Velocity& velocity, double t, double dt) {
+  using Points = std::vector<typename Complex::Point>;
   if constexpr (is_flow_map<Complex, Velocity>) {
     Points result;
     for (const auto& p : start)
@@ -251,7 +247,7 @@ follow_flow(const typename Complex::Domain& domain,
         if (has_finite_coordinates(p))
           finite.push_back(p);
       const auto velocities = field_at<Complex>(domain, finite, time, velocity);
-      std::vector<typename Complex::Approximate_vector> result;
+      std::vector<typename Complex::Vector> result;
       auto next = velocities.begin();
       for (const auto& p : points)
         result.push_back(has_finite_coordinates(p) ? *next++ : p - ORIGIN);
@@ -264,13 +260,13 @@ follow_flow(const typename Complex::Domain& domain,
 // Returns the positions of the vertices of an interface at t + dt, for each form of a velocity. If
 // `error` is not null, it gets the error that an interface step estimates.
 template <class Interface, class Velocity>
-std::vector<typename Interface::Complex::Approximate_point>
+std::vector<typename Interface::Complex::Point>
 find_destinations(const Interface& interface_,
-                  const std::vector<typename Interface::Complex::Approximate_point>& start,
+                  const std::vector<typename Interface::Complex::Point>& start,
                   const Velocity& velocity, double t, double dt, Integration_scheme scheme,
                   double tolerance, double* error = nullptr) {
   using Complex = typename Interface::Complex;
-  using Point = typename Complex::Approximate_point;
+  using Point = typename Complex::Point;
   if constexpr (is_flow_map<Complex, Velocity>) {
     std::vector<Point> result;
     for (const Point& p : start)

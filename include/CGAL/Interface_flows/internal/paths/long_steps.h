@@ -15,8 +15,7 @@ namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the least distance of points from the sides of the domain; infinity if it is not a box.
 template <class Complex>
-double distance_from_sides(const Complex& dsc,
-                           const std::vector<typename Complex::Approximate_point>& points) {
+double distance_from_sides(const Complex& dsc, const std::vector<typename Complex::Point>& points) {
   const Domain_box<Complex> box(dsc);
   double result = std::numeric_limits<double>::infinity();
   if (box.is_box())
@@ -34,9 +33,9 @@ double distance_from_sides(const Complex& dsc,
 // \param limit longest displacement of a vertex relative to its neighbors, in edge lengths
 template <class Complex>
 double length_of_step(const Complex& dsc, const Interface_vertices<Complex>& interface_,
-                      const std::vector<typename Complex::Approximate_point>& destinations,
+                      const std::vector<typename Complex::Point>& destinations,
                       bool is_flow_of_space, bool moves_segments, double limit) {
-  using Vector = typename Complex::Approximate_vector;
+  using Vector = typename Complex::Vector;
   static constexpr double together = 4; // longest displacement with neighbors, in the same unit
   std::vector<Vector> displacements;
   std::vector<double> lengths; // in units of the limit

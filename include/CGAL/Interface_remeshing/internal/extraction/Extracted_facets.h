@@ -22,7 +22,7 @@ template <class Complex> struct Extracted_facets
 {
   static constexpr int d = Complex::dimension;
   using Vertex_handle = typename Complex::Vertex_handle;
-  using Point = typename Complex::Approximate_point;
+  using Point = typename Complex::Point;
   using Label = typename Complex::Label;
 
   std::vector<Vertex_handle> vertices; // by increasing time stamp, followed by periodic images

@@ -24,8 +24,8 @@ namespace CGAL::Deformable_simplicial_complexes::internal {
 // The bending of the interface of a snapshot at its vertices.
 template <class Complex> struct Interface_bends
 {
-  using Points = std::vector<typename Complex::Approximate_point>;
-  using Vector = typename Complex::Approximate_vector;
+  using Points = std::vector<typename Complex::Point>;
+  using Vector = typename Complex::Vector;
 
   // Returns the unit normals, out of the larger label; 0 where the facet normals cancel each other.
   // In the plane, it is the normal of the circle through a vertex and its two neighbors.
@@ -100,9 +100,9 @@ void for_each_edge_of(const Facets& facets, const Function& function) {
 // meet, have none.
 template <class Complex> struct Smooth_normals
 {
-  using Points = std::vector<typename Complex::Approximate_point>;
+  using Points = std::vector<typename Complex::Point>;
 
-  std::vector<typename Complex::Approximate_vector> normals;
+  std::vector<typename Complex::Vector> normals;
   std::vector<char> is_smooth; // whether a vertex has a normal
 
   // The feature angle is in degrees.
@@ -126,7 +126,7 @@ template <class Complex> class Curvature_lengths
 {
 public:
   using Snapshot = Interface_snapshot<Complex>;
-  using Points = std::vector<typename Complex::Approximate_point>;
+  using Points = std::vector<typename Complex::Point>;
 
   Curvature_lengths(const Snapshot& interface_, const Points& positions,
                     const Smooth_normals<Complex>& normals, double tolerance, double shortest)

@@ -36,9 +36,9 @@ Changed_facets facets_changed_by_collapse(const Complex& complex,
 // curve is a function over the edge, and passes through both centers and their other neighbors.
 // Returns `nullopt` where the curve would be steep.
 template <class Complex>
-std::optional<typename Complex::Approximate_point>
-curved_midpoint(const Complex& complex, const Interface_fan_2<Complex>& a,
-                const Interface_fan_2<Complex>& b) {
+std::optional<typename Complex::Point> curved_midpoint(const Complex& complex,
+                                                       const Interface_fan_2<Complex>& a,
+                                                       const Interface_fan_2<Complex>& b) {
   const auto p = complex.position(a.center());
   const auto edge = complex.position_near(p, b.center()) - p;
   const auto beyond = [&](const Interface_fan_2<Complex>& fan, const auto& from, auto than) {
@@ -56,7 +56,7 @@ curved_midpoint(const Complex& complex, const Interface_fan_2<Complex>& a,
                at_middle = at_x + (at_u - at_x) * (.5 - x) / (u - x);
   static constexpr double highest = .25; // height above the edge, in edge lengths
   const double height = std::clamp(-.25 * at_middle, -highest, highest);
-  return p + .5 * edge + height * typename Complex::Approximate_vector(-edge.y(), edge.x());
+  return p + .5 * edge + height * typename Complex::Vector(-edge.y(), edge.x());
 }
 
 // Computes the smoothed position of the center of a fan. The center moves parallel to the line
@@ -90,7 +90,7 @@ bool null_space_position(const Complex& complex, const Interface_fan_2<Complex>&
   const auto p = complex.position(fan.center()) + step;
   const double shorter = std::sqrt(
       (std::min)((to_previous - step).squared_length(), (to_next - step).squared_length()));
-  target = complex.exact(p);
+  target = p;
   return shorter > (std::min)(a, b) &&
          star_quality(complex, complex.quality_measure(), fan.center(), star, p, 0) >=
              (std::min)(minimum_quality, worst) &&
@@ -100,9 +100,8 @@ bool null_space_position(const Complex& complex, const Interface_fan_2<Complex>&
 // Returns the unit normal at the center of a fan; a null vector if the facet normals cancel each
 // other.
 template <class Complex>
-typename Complex::Approximate_vector_3 normal_of(const Interface_fan_3<Complex>& fan,
-                                                 const Complex& complex) {
-  using Vector = typename Complex::Approximate_vector_3;
+typename Complex::Vector_3 normal_of(const Interface_fan_3<Complex>& fan, const Complex& complex) {
+  using Vector = typename Complex::Vector_3;
   const auto p = complex.position(fan.center());
   Vector sum(0, 0, 0);
   for (std::size_t i = 0; i < fan.size(); ++i) {
@@ -120,9 +119,9 @@ typename Complex::Approximate_vector_3 normal_of(const Interface_fan_3<Complex>&
 // their normals (A. Vlachos and others, Curved PN triangles, I3D 2001). Used for surfaces that are
 // too steep for a height function over a plane.
 template <class Complex>
-typename Complex::Approximate_point_3 midpoint_by_normals(const Complex& complex,
-                                                          const Interface_fan_3<Complex>& a,
-                                                          const Interface_fan_3<Complex>& b) {
+typename Complex::Point_3 midpoint_by_normals(const Complex& complex,
+                                              const Interface_fan_3<Complex>& a,
+                                              const Interface_fan_3<Complex>& b) {
   const auto p = complex.position(a.center()), q = complex.position_near(p, b.center());
   const auto n = normal_of(a, complex), m = normal_of(b, complex);
   return midpoint(p, q) - (((q - p) * n) * n + ((p - q) * m) * m) / 8;
@@ -134,10 +133,10 @@ typename Complex::Approximate_point_3 midpoint_by_normals(const Complex& complex
 // 45 degrees, midpoint_by_normals() is used instead. Returns `nullopt` if there are too few
 // vertices for the fit, or the facet normals cancel each other.
 template <class Complex>
-std::optional<typename Complex::Approximate_point_3>
-curved_midpoint(const Complex& complex, const Interface_fan_3<Complex>& a,
-                const Interface_fan_3<Complex>& b) {
-  using Vector = typename Complex::Approximate_vector_3;
+std::optional<typename Complex::Point_3> curved_midpoint(const Complex& complex,
+                                                         const Interface_fan_3<Complex>& a,
+                                                         const Interface_fan_3<Complex>& b) {
+  using Vector = typename Complex::Vector_3;
   static constexpr Eigen::Index coefficients = 6;
   static constexpr double steep_cosine = .7071;
   const auto p = complex.position(a.center()), q = complex.position_near(p, b.center());

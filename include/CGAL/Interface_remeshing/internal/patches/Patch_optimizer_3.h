@@ -169,7 +169,7 @@ template <class Complex> class Patch_optimizer_3
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
   using Cell_handle = typename Complex::Cell_handle;
-  using Vector = typename Complex::Approximate_vector_3;
+  using Vector = typename Complex::Vector_3;
 
   explicit Patch_optimizer_3(const Complex& complex)
       : m_complex(complex), m_copy(complex.geom_traits(), complex.quality_measure()),
@@ -300,7 +300,6 @@ private:
   // Moves all free vertices randomly, by a fraction of their shortest edges.
   void move_vertices() {
     static constexpr double farthest = .4, nearest = .02;
-    const auto exact = m_copy.geom_traits().construct_exact_point_3_object();
     for (Vertex_handle v : m_copy.vertices()) {
       if (v->is_interface() || m_copy.is_boundary(v))
         continue;
@@ -313,7 +312,7 @@ private:
             shortest = (std::min)(shortest, (m_copy.position(c->vertex(i)) - p).squared_length());
       for (double part = farthest; part > nearest; part /= 2) {
         const double x = coordinate(), y = coordinate(), z = coordinate();
-        const auto q = exact(p + part * std::sqrt(shortest) * Vector(x, y, z));
+        const auto q = p + part * std::sqrt(shortest) * Vector(x, y, z);
         if (m_copy.is_positive_star(v, m_star, q)) {
           m_copy.set_point(v, m_star, q);
           break;

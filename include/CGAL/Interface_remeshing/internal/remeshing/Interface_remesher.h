@@ -88,7 +88,7 @@ public:
       if (!null_space_position(m_complex, fan, m_star, m_options.aggressiveness,
                                radians(m_options.feature_angle), m_options.quality_threshold,
                                target) ||
-          !m_tolerance.allows_motion(v, m_star, m_complex.approximate(target)))
+          !m_tolerance.allows_motion(v, m_star, target))
         continue;
       smooth_vertex(m_complex, v, m_star, target, m_visitor);
       ++m_report.smoothed;
@@ -208,7 +208,7 @@ private:
   bool has_small_angle(Cell_handle c, int k) const {
     const auto v = m_complex.facet_vertices({c, k});
     const auto p = m_complex.position(v[0]);
-    return smallest_angle(std::array<typename Complex::Approximate_point_3, 3>{
+    return smallest_angle(std::array<typename Complex::Point_3, 3>{
                p, m_complex.position_near(p, v[1]), m_complex.position_near(p, v[2])}) <
            radians(m_options.minimum_facet_angle);
   }
@@ -272,7 +272,7 @@ private:
 
   // Returns the target edge length at the midpoint of an edge. It is stored with the midpoint,
   // because an edge is measured several times and a sizing field can take long.
-  double size(Vertex_handle v, Vertex_handle w, const typename Complex::Approximate_point& middle) {
+  double size(Vertex_handle v, Vertex_handle w, const typename Complex::Point& middle) {
     if (!m_unit.is_sizing_field())
       return m_unit(middle);
     const auto [size, is_new] = m_sizes.try_emplace(std::uint64_t(v->id()) << 32 | w->id());
@@ -312,7 +312,7 @@ private:
   // Returns the midpoint of an interface edge on the smooth surface. Returns `nullopt` where the
   // interface is not a single smooth sheet, has a feature, or both ends are on the boundary of the
   // domain.
-  std::optional<typename Complex::Approximate_point> curved_middle(Cell_handle c, int i, int j) {
+  std::optional<typename Complex::Point> curved_middle(Cell_handle c, int i, int j) {
     if (m_complex.is_boundary(c->vertex(i)) && m_complex.is_boundary(c->vertex(j)))
       return std::nullopt;
     const Fan a = fan(c->vertex(i)), b = fan(c->vertex(j));
@@ -353,7 +353,7 @@ private:
   const Interface_improvement_options<Complex>& m_options;
   Edge_unit<Complex> m_unit;
   // midpoints of edges and target edge lengths there, by the ids of the vertices
-  std::unordered_map<std::uint64_t, std::pair<typename Complex::Approximate_point, double>> m_sizes;
+  std::unordered_map<std::uint64_t, std::pair<typename Complex::Point, double>> m_sizes;
   For_each_index m_sequential;
   Mesh_improver<Complex> m_improver;
   Interface_tolerance<Complex> m_tolerance;

@@ -19,12 +19,10 @@ namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns the area of a triangle or the volume of a tetrahedron. It is positive iff the corners are
 // positively oriented, up to rounding.
-template <class Space>
-double signed_measure(const std::array<typename Space::Approximate_point, 3>& t) {
+template <class Space> double signed_measure(const std::array<typename Space::Point, 3>& t) {
   return Space::frame(t).parallelotope / 2;
 }
-template <class Space>
-double signed_measure(const std::array<typename Space::Approximate_point, 4>& t) {
+template <class Space> double signed_measure(const std::array<typename Space::Point, 4>& t) {
   return Space::frame(t).parallelotope / 6;
 }
 
@@ -37,7 +35,7 @@ template <class Space> class Clipping_simplex
 {
 public:
   static constexpr int n = Space::dimension + 1;
-  using Corners = std::array<typename Space::Approximate_point, n>;
+  using Corners = std::array<typename Space::Point, n>;
 
   explicit Clipping_simplex(const Corners& corners)
       : m_corners(corners), m_box(corners[0].bbox()), m_normals(Space::frame(corners).normals) {
@@ -72,7 +70,7 @@ public:
 private:
   Corners m_corners;
   decltype(m_corners[0].bbox()) m_box;
-  std::array<typename Space::Approximate_vector, n> m_normals; // outward
+  std::array<typename Space::Vector, n> m_normals; // outward
 };
 
 // The intersection of an edge of a simplex with the line or plane of facet k. The edge is given by

@@ -42,7 +42,7 @@ template <class Complex>
 void write_cells_vtu(const std::string& path, const Complex& dsc, const Mesh_arrays& arrays) {
   using Vertex_handle = typename Complex::Vertex_handle;
   const Written_vertices<Complex> number(dsc);
-  std::vector<typename Complex::Approximate_point> points; // in the frame of the complex
+  std::vector<typename Complex::Point> points; // in the frame of the complex
   std::vector<Vertex_handle> vertices = number.vertices();
   for (const auto v : vertices)
     points.push_back(dsc.position(v));

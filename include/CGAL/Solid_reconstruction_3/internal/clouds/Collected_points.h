@@ -11,7 +11,7 @@
 #include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Mesh_support/named_parameters.h>
 
-#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/number_utils.h>
 
 #include <vector>
@@ -26,8 +26,8 @@ namespace internal {
 // Points of any kernel, and their normals. There are no normals, or as many as points.
 struct Collected_points
 {
-  std::vector<Simple_cartesian<double>::Point_3> points;
-  std::vector<Simple_cartesian<double>::Vector_3> normals;
+  std::vector<Epick::Point_3> points;
+  std::vector<Epick::Vector_3> normals;
 
   template <class P> void add_point(const P& p) {
     points.emplace_back(to_double(p.x()), to_double(p.y()), to_double(p.z()));

@@ -14,11 +14,11 @@
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Euclidean_distance.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Kd_tree.h>
 #include <CGAL/Orthogonal_k_neighbor_search.h>
 #include <CGAL/Search_traits_3.h>
 #include <CGAL/Search_traits_adapter.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Splitters.h>
 #include <CGAL/property_map.h>
 
@@ -31,7 +31,7 @@
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
-using Cloud_kernel = Simple_cartesian<double>;
+using Cloud_kernel = Epick;
 
 // The plane that fits points by least squares: their barycenter, the normal, and the root mean
 // square of their distances.

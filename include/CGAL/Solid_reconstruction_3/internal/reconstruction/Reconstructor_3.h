@@ -249,7 +249,7 @@ private:
   void deform(const Snapshot& front, const std::vector<Point>& positions,
               const std::vector<Vector>& displacements,
               double minimum_angle = Deformation_options<Complex>().minimum_angle) {
-    std::vector<typename Complex::Approximate_point> destinations;
+    std::vector<typename Complex::Point> destinations;
     for (std::size_t v = 0; v < displacements.size(); ++v) {
       const Point q = positions[v] + displacements[v];
       destinations.emplace_back(q.x(), q.y(), q.z());

@@ -115,7 +115,6 @@ template <class Complex> Complex complex_of_shell(const Cloud_shell_3& shell) {
   const Octree_3 octree = shell.octree();
   const Octree_tetrahedra_3 mesh(
       octree, [](unsigned level, const Octree_3::Place& /*block*/) { return int(level); });
-  const auto construct_point = result.geom_traits().construct_exact_point_3_object();
   std::vector<std::array<double, 3>> coordinates;
   std::vector<typename Complex::Point> points;
   coordinates.reserve(mesh.points.size());
@@ -123,7 +122,7 @@ template <class Complex> Complex complex_of_shell(const Cloud_shell_3& shell) {
   for (const auto& place : mesh.points) {
     const std::array<double, 3> p = shell.coordinates(place);
     coordinates.push_back(p);
-    points.push_back(construct_point({p[0], p[1], p[2]}));
+    points.emplace_back(p[0], p[1], p[2]);
   }
   std::vector<int> labels;
   labels.reserve(mesh.tetrahedra.size());

@@ -24,5 +24,5 @@ internal::improve_whole_mesh(CGAL_DSC_COMPILED_COMPLEX&,
 CGAL_DSC_INSTANTIATION template Deformation_report<CGAL_DSC_COMPILED_COMPLEX>
 internal::deform(CGAL_DSC_COMPILED_COMPLEX&,
                  const std::vector<CGAL_DSC_COMPILED_COMPLEX::Vertex_handle>&,
-                 const std::vector<CGAL_DSC_COMPILED_COMPLEX::Approximate_point>&,
+                 const std::vector<CGAL_DSC_COMPILED_COMPLEX::Point>&,
                  const Deformation_options<CGAL_DSC_COMPILED_COMPLEX>&);

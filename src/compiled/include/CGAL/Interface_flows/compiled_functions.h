@@ -7,21 +7,20 @@
 
 CGAL_DSC_INSTANTIATION template void
 Normal_offset::operator()(const Interface_snapshot<CGAL_DSC_COMPILED_COMPLEX>&,
-                          const std::vector<CGAL_DSC_COMPILED_COMPLEX::Approximate_point>&, double,
-                          std::vector<CGAL_DSC_COMPILED_COMPLEX::Approximate_vector>&) const;
+                          const std::vector<CGAL_DSC_COMPILED_COMPLEX::Point>&, double,
+                          std::vector<CGAL_DSC_COMPILED_COMPLEX::Vector>&) const;
 CGAL_DSC_INSTANTIATION template internal::Opened_corners<CGAL_DSC_COMPILED_COMPLEX>
 Normal_offset::open_corners(CGAL_DSC_COMPILED_COMPLEX&,
                             const Interface_snapshot<CGAL_DSC_COMPILED_COMPLEX>&, double,
                             Any_visitor<CGAL_DSC_COMPILED_COMPLEX>&) const;
-CGAL_DSC_INSTANTIATION template void Mean_curvature_velocity::operator()(
-    const Interface_snapshot<CGAL_DSC_COMPILED_COMPLEX>&,
-    const std::vector<CGAL_DSC_COMPILED_COMPLEX::Approximate_point>&, double,
-    std::vector<CGAL_DSC_COMPILED_COMPLEX::Approximate_vector>&) const;
+CGAL_DSC_INSTANTIATION template void
+Mean_curvature_velocity::operator()(const Interface_snapshot<CGAL_DSC_COMPILED_COMPLEX>&,
+                                    const std::vector<CGAL_DSC_COMPILED_COMPLEX::Point>&, double,
+                                    std::vector<CGAL_DSC_COMPILED_COMPLEX::Vector>&) const;
 CGAL_DSC_INSTANTIATION template double
 Mean_curvature_flow::operator()(const Interface_snapshot<CGAL_DSC_COMPILED_COMPLEX>&,
-                                const std::vector<CGAL_DSC_COMPILED_COMPLEX::Approximate_point>&,
-                                double, double,
-                                std::vector<CGAL_DSC_COMPILED_COMPLEX::Approximate_point>&) const;
+                                const std::vector<CGAL_DSC_COMPILED_COMPLEX::Point>&, double,
+                                double, std::vector<CGAL_DSC_COMPILED_COMPLEX::Point>&) const;
 CGAL_DSC_INSTANTIATION template Volume_report<CGAL_DSC_COMPILED_COMPLEX>
 internal::restore_all_volumes(CGAL_DSC_COMPILED_COMPLEX&,
                               const std::map<CGAL_DSC_COMPILED_COMPLEX::Label, double>&,

@@ -17,8 +17,7 @@
 
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
-using Torus_complex_2 = Deformable_simplicial_complex_2<Deformable_simplicial_complex_traits_2<>,
-                                                        Default, Torus_domain<2>>;
+using Torus_complex_2 = Deformable_simplicial_complex_2<Epick, Default, Torus_domain<2>>;
 }
 
 #define CGAL_DSC_COMPILED_COMPLEX internal::Torus_complex_2

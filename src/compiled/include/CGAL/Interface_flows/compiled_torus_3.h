@@ -18,8 +18,7 @@
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 using Torus_complex_3 =
-    Deformable_simplicial_complex_3<Deformable_simplicial_complex_traits_3<>, Default,
-                                    Volume_length_ratio_3, Torus_domain<3>>;
+    Deformable_simplicial_complex_3<Epick, Default, Volume_length_ratio_3, Torus_domain<3>>;
 }
 
 #define CGAL_DSC_COMPILED_COMPLEX internal::Torus_complex_3
