@@ -31,7 +31,7 @@ inline long components(const Complex& complex, int label) {
   betti_numbers::Joined_sets sets;
   std::vector<std::size_t> cells;
   for (const Complex::Cell_handle c : complex.triangulation().finite_cell_handles()) {
-    if (c->label() != label)
+    if (c->subdomain_index() != label)
       continue;
     cells.push_back(c->time_stamp());
     for (int i = 0; i < 4; ++i)

@@ -87,7 +87,7 @@ void add_proposals_for_cells(const Complex& complex) {
   });
   // With a threshold of 1, each cell is examined.
   add("propose_relabeling", [&](Cell_handle c, std::size_t, auto&) {
-    Complex::Label label = c->label();
+    Complex::Label label = c->subdomain_index();
     return DSC::propose_relabeling(complex, c, 1., label);
   });
 }

@@ -73,7 +73,8 @@ struct Phases
       vertices.emplace(v->time_stamp(), complex.position(v));
     for (const Complex::Facet& f : complex.interface_facets()) {
       const Triangle t = time_stamps(complex, f);
-      const Labels labels = {f.first->label(), f.first->neighbor(f.second)->label()};
+      const Labels labels = {f.first->subdomain_index(),
+                             f.first->neighbor(f.second)->subdomain_index()};
       facets.emplace(t, labels);
       for (std::size_t i = 0; i < 3; ++i) {
         lines[std::minmax(t[i], t[(i + 1) % 3])].insert(labels.begin(), labels.end());
@@ -294,7 +295,8 @@ struct Triple_angles
           std::swap(edge.first, edge.second);
         const Point p = complex.position(edge.first);
         const Vector along = complex.position(edge.second) - p, d = complex.position(v[i]) - p;
-        edges[edge].push_back({facet.first->label(), facet.first->neighbor(facet.second)->label(),
+        edges[edge].push_back({facet.first->subdomain_index(),
+                               facet.first->neighbor(facet.second)->subdomain_index(),
                                d - (d * along / along.squared_length()) * along});
       }
     }

@@ -151,7 +151,7 @@ public:
     const auto control = [&](const Complex& complex, Complex::Cell_handle c, int label) {
       const bool is_granted = policy.topology_control(complex, c, label);
       if (is_granted)
-        granted.insert({c->label(), label});
+        granted.insert({c->subdomain_index(), label});
       return is_granted;
     };
     const Report report = advect(field, policy, control);

@@ -32,7 +32,7 @@ struct Bubble
     const Complex& complex = fluid.complex();
     double area = 0, perimeter = 0;
     for (auto c : complex.cells())
-      if (c->label() == 1) {
+      if (c->subdomain_index() == 1) {
         const double share = complex.measure(c) / 3;
         area += 3 * share;
         for (int i = 0; i < 3; ++i) {

@@ -54,7 +54,7 @@ std::size_t length_of_triple_line(const Complex& complex) {
     auto cell = triangulation.incident_cells(edge), first = cell;
     do {
       if (!triangulation.is_infinite(cell))
-        labels.insert(cell->label());
+        labels.insert(cell->subdomain_index());
     } while (++cell != first);
     edges += labels.size() > 2;
   }

@@ -46,7 +46,7 @@ std::map<int, int> numbers_of_sides(const Complex& foam) {
     foam.star(v, star);
     std::set<int> labels;
     for (auto c : star)
-      labels.insert(c->label());
+      labels.insert(c->subdomain_index());
     for (int label : labels)
       if (labels.size() == 3)
         ++result[label];

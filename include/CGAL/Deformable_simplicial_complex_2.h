@@ -101,13 +101,13 @@ auto Deformable_simplicial_complex_2<Tr, Tds, D>::label_regions() const
   std::set<std::pair<Label, std::size_t>> vertices;
   for (auto c : this->finite_cells()) {
     Label_region& r = *std::lower_bound(
-        result.begin(), result.end(), c->label(),
+        result.begin(), result.end(), c->subdomain_index(),
         [](const Label_region& region, Label label) { return region.label < label; });
     ++r.euler_characteristic;
     for (int i = 0; i < 3; ++i) {
       r.euler_characteristic += vertices.emplace(r.label, c->vertex(i)->time_stamp()).second;
       const auto n = c->neighbor(i);
-      const bool is_shared = !this->is_infinite(n) && n->label() == r.label;
+      const bool is_shared = !this->is_infinite(n) && n->subdomain_index() == r.label;
       r.euler_characteristic -= !is_shared || c->time_stamp() < n->time_stamp();
       if (this->is_interface(typename Base::Facet(c, i)))
         r.length += this->measure(typename Base::Facet(c, i));

@@ -113,7 +113,8 @@ template <class Tr, class Tds, class Qm, class D>
 double Deformable_simplicial_complex_3<Tr, Tds, Qm, D>::area(Label label) const {
   double result = 0;
   for (const Facet& f : interface_facets())
-    if (f.first->label() == label || f.first->neighbor(f.second)->label() == label)
+    if (f.first->subdomain_index() == label ||
+        f.first->neighbor(f.second)->subdomain_index() == label)
       result += area(f);
   return result;
 }
@@ -132,7 +133,8 @@ int Deformable_simplicial_complex_3<Tr, Tds, Qm, D>::euler_characteristic(Label 
   std::vector<std::pair<std::size_t, std::size_t>> edges;
   int facets = 0;
   for (const Facet& f : interface_facets()) {
-    if (f.first->label() != label && f.first->neighbor(f.second)->label() != label)
+    if (f.first->subdomain_index() != label &&
+        f.first->neighbor(f.second)->subdomain_index() != label)
       continue;
     ++facets;
     const auto v = this->facet_vertices(f);
@@ -169,7 +171,8 @@ auto Deformable_simplicial_complex_3<Tr, Tds, Qm, D>::label_interfaces() const
   };
   std::vector<Part> parts;
   for (const Facet& f : interface_facets()) {
-    const std::array<Label, 2> labels = {f.first->label(), f.first->neighbor(f.second)->label()};
+    const std::array<Label, 2> labels = {f.first->subdomain_index(),
+                                         f.first->neighbor(f.second)->subdomain_index()};
     const double facet_area = area(f);
     for (Label label : labels) {
       of(label).area += facet_area;

@@ -20,12 +20,15 @@ namespace CGAL {
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Vertex of a deformable simplicial complex in space.
+Vertex of a deformable simplicial complex in space. Its data about surface patches can be set when
+`Labeled_complex::release()` was called.
 
 \tparam Traits model of `DeformableSimplicialComplexTraits_3`
-\tparam Vb a vertex base class of 3D triangulations with points
+\tparam Vb a vertex base class of 3D triangulations with points. Data that it adds are copied with a
+        complex, and a vertex keeps them while it exists; `DeformationVisitor` tells when vertices
+        are created, merged and removed.
 
-\cgalModels `DeformableSimplicialComplexVertexBase_3`
+\cgalModels{SimplicialMeshVertexBase_3}
 */
 template <class Traits, class Vb = Triangulation_vertex_base_3<Traits>>
 class Deformable_simplicial_complex_vertex_base_3
@@ -45,7 +48,54 @@ public:
     using Other = Deformable_simplicial_complex_vertex_base_3<Traits, Vb2>;
   };
 
+  using Subdomain_index = int;     ///< a label
+  using Surface_patch_index = int; ///< number of a surface patch
+  using Curve_index = int;         ///< number of a curve
+  using Corner_index = int;        ///< number of a corner
+  using Index = int;               ///< one of these
+  using FT = typename Traits::FT;  ///< `double`
+
   using Vb::Vb;
+
+  /// Returns the dimension of the part of the model that contains the vertex: 3 in the interior of
+  /// a label, 2 on the interface; outside a complex, what was set.
+  int in_dimension() const {
+    return !this->m_is_in_complex ? this->m_dimension : this->is_interface() ? 2 : 3;
+  }
+  /// Returns the index of the part of the model that contains the vertex.
+  Index index() const { return this->m_is_in_complex ? 0 : this->m_index; }
+  /// Sets `in_dimension()`. \pre the vertex belongs to no complex
+  void set_dimension(int dimension) {
+    CGAL_precondition(!this->m_is_in_complex);
+    this->m_dimension = std::int8_t(dimension);
+  }
+  /// Sets `index()`. \pre the vertex belongs to no complex
+  void set_index(Index index) {
+    CGAL_precondition(!this->m_is_in_complex);
+    this->m_index = index;
+  }
+
+  /// \name Cache of Mesh_complex_3_in_triangulation_3
+  /// @{
+
+  /// Returns whether the cached numbers are right.
+  bool is_c2t3_cache_valid() const { return this->m_are_facets_known; }
+  /// Forgets the cached numbers.
+  void invalidate_c2t3_cache() { this->m_are_facets_known = false; }
+  /// Caches the numbers of facets on patches at the vertex, and of their connected groups.
+  /// \pre the vertex belongs to no complex
+  void set_c2t3_cache(std::size_t facets, std::size_t components) {
+    CGAL_precondition(!this->m_is_in_complex);
+    this->m_interface_degree = std::uint32_t(facets);
+    this->m_id = std::uint32_t(components);
+    this->m_are_facets_known = true;
+  }
+  /// Returns the cached number of facets.
+  std::size_t cached_number_of_incident_facets() const { return this->m_interface_degree; }
+  /// Returns the cached number of connected groups of facets.
+  std::size_t cached_number_of_components() const { return this->m_id; }
+
+  /// @}
 };
 
 } // namespace CGAL

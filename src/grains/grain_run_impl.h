@@ -45,7 +45,8 @@ public:
     arrays.cells.push_back({"misorientation", "Float64", 1, {}});
     static constexpr double none = -1; // at particles, which have no orientation
     for (const auto& facet : complex.interface_facets()) {
-      const int a = facet.first->label(), b = facet.first->neighbor(facet.second)->label();
+      const int a = facet.first->subdomain_index(),
+                b = facet.first->neighbor(facet.second)->subdomain_index();
       arrays.cells.back().values.push_back(
           std::min(a, b) == particle_label ? none : orientations.misorientation(a, b) / degree);
     }
@@ -308,7 +309,7 @@ Complex first_grains(const Grain_run& run, const DSC::Interface_energy& energy, 
   Complex result =
       make(edge, [&](const Point& p) { return particles.contain(p) ? particle_label : 1; });
   for (auto c : result.cells())
-    if (c->label() != particle_label) {
+    if (c->subdomain_index() != particle_label) {
       const Point first = result.position(c->vertex(0));
       auto middle = first;
       for (int i = 1; i <= d; ++i)

@@ -89,8 +89,8 @@ public:
         array_of<std::int64_t>(cells.size(), d + 1, [&](std::size_t i, std::size_t j) {
           return images.index(numbers(cells[i]->vertex(int(j))), complex.corner(cells[i], int(j)));
         });
-    const auto labels =
-        array_of<std::int32_t>(cells.size(), [&](std::size_t i) { return cells[i]->label(); });
+    const auto labels = array_of<std::int32_t>(
+        cells.size(), [&](std::size_t i) { return cells[i]->subdomain_index(); });
     return py::make_tuple(images.points(), indices, labels, images.ids(), images.vertices());
   }
 

@@ -230,7 +230,7 @@ public:
     const py::gil_scoped_acquire lock;
     const py::array_t<double> point = array_of<double>(
         std::size_t(Complex::dimension), [&](std::size_t i) { return center[int(i)]; });
-    return bool(py::bool_(m_function.call(cell->label(), label, point)));
+    return bool(py::bool_(m_function.call(cell->subdomain_index(), label, point)));
   }
 
 private:

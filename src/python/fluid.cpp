@@ -279,7 +279,7 @@ private:
     require_liquid(fluid, *label);
     const DSC::Vertex_numbers numbers(complex, vertices);
     for (const auto c : complex.cells())
-      for (int i = 0; i < Complex::corners && c->label() == *label; ++i)
+      for (int i = 0; i < Complex::corners && c->subdomain_index() == *label; ++i)
         result[numbers(c->vertex(i))] = value_at(c->vertex(i), *label);
     return result;
   }

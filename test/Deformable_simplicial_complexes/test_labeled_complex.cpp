@@ -49,7 +49,7 @@ Complex three_disks() {
 // Returns a finite cell of a label.
 Cell a_cell(const Complex& complex, int label) {
   for (Cell c : complex.cells())
-    if (c->label() == label)
+    if (c->subdomain_index() == label)
       return c;
   return Cell();
 }
@@ -176,7 +176,7 @@ TEST(Labeled_complex, counts_components_before_they_are_numbered) {
   Complex complex = three_disks();
   EXPECT_EQ(complex.number_of_components(1), 1u);
   for (Cell c : complex.cells())
-    if (c->label() == 2)
+    if (c->subdomain_index() == 2)
       complex.relabel(c, 1);
   EXPECT_EQ(complex.number_of_components(1), 2u);
   EXPECT_EQ(complex.number_of_components(2), 0u);

@@ -174,7 +174,7 @@ TEST(Threads, change_no_bit_of_flows_in_space) {
 TEST(Threads, find_the_same_cells) {
   Complex dsc = solid(small_meshes::ball);
   ASSERT_GT(DSC::improve_mesh(dsc).flipped, 0u);
-  const auto is_inside = [](Complex::Cell_handle c) { return c->label() == 1; };
+  const auto is_inside = [](Complex::Cell_handle c) { return c->subdomain_index() == 1; };
   std::vector<Complex::Cell_handle> expected;
   for (auto c : dsc.cells())
     if (is_inside(c))

@@ -180,11 +180,12 @@ int euler_characteristic(const Complex& dsc, int label) {
   std::set<Vertex_handle> vertices;
   int edges = 0, cells = 0;
   for (auto c : dsc.finite_cells())
-    if (c->label() == label) {
+    if (c->subdomain_index() == label) {
       ++cells;
       for (int i = 0; i < 3; ++i) {
         vertices.insert(c->vertex(i));
-        edges += c->neighbor(i)->label() != label || c->time_stamp() < c->neighbor(i)->time_stamp();
+        edges += c->neighbor(i)->subdomain_index() != label ||
+                 c->time_stamp() < c->neighbor(i)->time_stamp();
       }
     }
   return int(vertices.size()) - edges + cells;

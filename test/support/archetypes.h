@@ -7,11 +7,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/quality_measures.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Triangulation_data_structure_3.h>
-#include <CGAL/Triangulation_ds_cell_base_3.h>
-#include <CGAL/Triangulation_ds_vertex_base_3.h>
 #include <CGAL/enum.h>
-#include <CGAL/tags.h>
 
 #include <array>
 #include <cstddef>
@@ -43,80 +39,6 @@ public:
   class Construct_point_3;
 
   Orientation_3 orientation_3_object() const { return {}; }
-};
-
-// DeformableSimplicialComplexVertexBase_3
-
-template <class Tds = void> class Vertex_base : public CGAL::Triangulation_ds_vertex_base_3<Tds>
-{
-  using Base = CGAL::Triangulation_ds_vertex_base_3<Tds>;
-
-public:
-  template <class Tds2> struct Rebind_TDS
-  {
-    using Other = Vertex_base<Tds2>;
-  };
-  using Point = Traits::Point_3;
-  using Has_timestamp = CGAL::Tag_true;
-
-  const Point& point() const { return m_point; }
-  void set_point(const Point& p) { m_point = p; }
-  std::size_t time_stamp() const { return m_time_stamp; }
-  void set_time_stamp(std::size_t stamp) { m_time_stamp = stamp; }
-  bool is_interface() const { return m_interface_degree > 0; }
-  std::uint32_t interface_degree() const { return m_interface_degree; }
-  void set_interface_degree(std::uint32_t degree) { m_interface_degree = degree; }
-  std::uint8_t boundary_class() const { return m_boundary_class; }
-  void set_boundary_class(std::uint8_t boundary_class) { m_boundary_class = boundary_class; }
-  float spacing() const { return m_spacing; }
-  void set_spacing(float spacing) { m_spacing = spacing; }
-  std::uint32_t id() const { return m_id; }
-  void set_id(std::uint32_t id) { m_id = id; }
-
-private:
-  Point m_point;
-  std::size_t m_time_stamp = std::size_t(-1);
-  std::uint32_t m_id = 0, m_interface_degree = 0;
-  float m_spacing = 0;
-  std::uint8_t m_boundary_class = 0;
-};
-
-// DeformableSimplicialComplexCellBase_3
-
-template <class Tds = void> class Cell_base : public CGAL::Triangulation_ds_cell_base_3<Tds>
-{
-  using Base = CGAL::Triangulation_ds_cell_base_3<Tds>;
-
-public:
-  template <class Tds2> struct Rebind_TDS
-  {
-    using Other = Cell_base<Tds2>;
-  };
-  using Has_timestamp = CGAL::Tag_true;
-  using Base::Base;
-
-  std::size_t time_stamp() const { return m_time_stamp; }
-  void set_time_stamp(std::size_t stamp) { m_time_stamp = stamp; }
-  std::uint32_t id() const { return m_id; }
-  void set_id(std::uint32_t id) { m_id = id; }
-  int label() const { return m_label; }
-  void set_label(int label) { m_label = label; }
-  double quality() const { return m_quality; }
-  void set_quality(double quality) { m_quality = quality; }
-  std::uint32_t component() const { return m_component; }
-  void set_component(std::uint32_t component) { m_component = component; }
-  float noted_quality() const { return m_noted_quality; }
-  void set_noted_quality(float quality) { m_noted_quality = quality; }
-  std::uint8_t failures() const { return m_failures; }
-  void set_failures(std::uint8_t bits) { m_failures = bits; }
-
-private:
-  int m_label = 0;
-  std::uint32_t m_component = 0, m_id = 0;
-  std::uint8_t m_failures = 0;
-  float m_noted_quality = 1;
-  double m_quality = 1;
-  std::size_t m_time_stamp = std::size_t(-1);
 };
 
 // TetrahedronQualityMeasure_3
@@ -208,8 +130,7 @@ public:
   }
 };
 
-using Complex = CGAL::Deformable_simplicial_complex_3<
-    Traits, CGAL::Triangulation_data_structure_3<Vertex_base<>, Cell_base<>>, Quality_measure>;
+using Complex = CGAL::Deformable_simplicial_complex_3<Traits, CGAL::Default, Quality_measure>;
 
 inline Complex make_complex(const small_meshes::Labeled_mesh& mesh) {
   Complex dsc;

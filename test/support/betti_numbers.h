@@ -136,10 +136,12 @@ template <class Complex> Betti_numbers of_interface(const Complex& dsc) {
     count.add(
         std::array<std::size_t, 3>{v[0]->time_stamp(), v[1]->time_stamp(), v[2]->time_stamp()});
   }
-  return from(count,
-              parts_with_outside(
-                  dsc, [](auto) { return true; },
-                  [&](auto c, auto n) { return !dsc.is_infinite(n) && c->label() != n->label(); }));
+  return from(count, parts_with_outside(
+                         dsc, [](auto) { return true; },
+                         [&](auto c, auto n) {
+                           return !dsc.is_infinite(n) &&
+                                  c->subdomain_index() != n->subdomain_index();
+                         }));
 }
 
 // The Betti numbers that a deformation with topology control preserves.
@@ -162,8 +164,8 @@ struct Topology
 template <class Complex> Topology of_complex(const Complex& dsc) {
   Topology result;
   for (auto label : dsc.labels())
-    result.labels[label] = {of_cells(dsc, [&](auto c) { return c->label() == label; }),
-                            of_cells(dsc, [&](auto c) { return c->label() != label; })};
+    result.labels[label] = {of_cells(dsc, [&](auto c) { return c->subdomain_index() == label; }),
+                            of_cells(dsc, [&](auto c) { return c->subdomain_index() != label; })};
   result.surface = of_interface(dsc);
   return result;
 }

@@ -18,7 +18,7 @@ template <class C> using Cell_values = stamped_values::Values<typename C::Cell_h
 template <class C> double integral(const C& dsc, Cell_values<C>& averages, int label) {
   double result = 0;
   for (auto c : dsc.cells())
-    result += c->label() == label ? averages[c] * dsc.measure(c) : 0;
+    result += c->subdomain_index() == label ? averages[c] * dsc.measure(c) : 0;
   return result;
 }
 

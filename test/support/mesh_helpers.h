@@ -84,7 +84,7 @@ template <class Complex> std::vector<Interface_triangle> interface_triangles(con
     for (int i = 0; i < 3; ++i)
       t.first[i] = coordinates(dsc, v[i]);
     std::sort(t.first.begin(), t.first.end());
-    t.second = {f.first->label(), f.first->neighbor(f.second)->label()};
+    t.second = {f.first->subdomain_index(), f.first->neighbor(f.second)->subdomain_index()};
     result.push_back(t);
   }
   std::sort(result.begin(), result.end());

@@ -237,7 +237,7 @@ template <class Propose> int proposals_within_labels(const Complex& dsc, const P
     for (int i = 0; i < 4; ++i) {
       const bool proposed = propose(dsc, c, i, cavity);
       const Cell_handle n = c->neighbor(i);
-      if (dsc.is_infinite(n) || n->label() != c->label()) {
+      if (dsc.is_infinite(n) || n->subdomain_index() != c->subdomain_index()) {
         EXPECT_FALSE(proposed);
       }
       if (!proposed)
@@ -245,7 +245,7 @@ template <class Propose> int proposals_within_labels(const Complex& dsc, const P
       ++proposals;
       EXPECT_GT(cavity.quality_after(), cavity.quality_before());
       for (Cell_handle d : cavity.removed())
-        EXPECT_EQ(d->label(), c->label());
+        EXPECT_EQ(d->subdomain_index(), c->subdomain_index());
     }
   EXPECT_TRUE(dsc.state() == state);
   return proposals;

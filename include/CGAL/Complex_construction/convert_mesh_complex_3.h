@@ -116,19 +116,20 @@ void copy_to_mesh_complex(const Complex& complex, MeshComplex& mesh) {
 
   for (const Source_cell c : sources) {
     const Cell_handle copy = copies.at(c);
-    if (source.is_infinite(c) || c->label() == 0)
+    if (source.is_infinite(c) || c->subdomain_index() == 0)
       continue;
-    mesh.add_to_complex(copy, typename MeshComplex::Subdomain_index(c->label()));
+    mesh.add_to_complex(copy, typename MeshComplex::Subdomain_index(c->subdomain_index()));
     for (int i = 0; i < 4; ++i) {
       mesh.set_dimension(copy->vertex(i), 3);
-      mesh.set_index(copy->vertex(i), typename MeshComplex::Index(
-                                          typename MeshComplex::Subdomain_index(c->label())));
+      mesh.set_index(
+          copy->vertex(i),
+          typename MeshComplex::Index(typename MeshComplex::Subdomain_index(c->subdomain_index())));
     }
   }
   const auto facets = complex.interface_facets();
   std::vector<std::pair<int, int>> sides;
   for (const auto& [c, i] : facets) {
-    const int a = c->label(), b = c->neighbor(i)->label();
+    const int a = c->subdomain_index(), b = c->neighbor(i)->subdomain_index();
     sides.emplace_back((std::min)(a, b), (std::max)(a, b));
   }
   const Patch_indices_3<MeshComplex> patch_index(sides);

@@ -46,8 +46,8 @@ Changes_of_label<Complex> changes_of_label(const Complex& complex, const LabelAt
   Changes_of_label<Complex> result;
   std::vector<typename Complex::Point> to;
   for (std::size_t i = 0; i < facets.size(); ++i)
-    if (labels_behind[i] == facets[i].first->label() &&
-        labels_in_front[i] == facets[i].first->neighbor(facets[i].second)->label()) {
+    if (labels_behind[i] == facets[i].first->subdomain_index() &&
+        labels_in_front[i] == facets[i].first->neighbor(facets[i].second)->subdomain_index()) {
       result.facets.push_back(i);
       result.places.push_back(behind[i]);
       to.push_back(in_front[i]);

@@ -187,7 +187,7 @@ template <class Complex> void grow_domain(Complex& dsc, double factor = 1.5) {
   const auto vertices = grown.assign(layer.points(), layer.cells(), layer.labels());
   for (std::size_t i = 0; i < before.spacings.size(); ++i)
     if (before.spacings[i] > 0)
-      vertices[i]->set_spacing(before.spacings[i]);
+      internal::Simplex_access::set_spacing(vertices[i], before.spacings[i]);
   auto after = grown.state();
   after.mean_interface_edge = before.mean_interface_edge;
   after.minimum_interface_edge = before.minimum_interface_edge;

@@ -257,7 +257,7 @@ private:
         sides += m_complex.is_interface(typename Complex::Facet(c, i));
         corners += c->vertex(i)->is_interface();
       }
-      return c->label() == 0 && corners == 3 && sides < 2 &&
+      return c->subdomain_index() == 0 && corners == 3 && sides < 2 &&
              2 * m_complex.measure(c) / longest < 2 * step;
     });
   }

@@ -12,6 +12,7 @@
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/Simplex_data.h>
 #include <CGAL/Deformable_simplicial_complexes/State.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/apply_to_corners.h>
@@ -143,7 +144,7 @@ template <class Complex> void Ball_domain::classify_boundary(const Complex& comp
   });
   for (const auto& f : hull)
     for (Vertex_handle v : f)
-      v->set_boundary_class(is_box ? sides(v) : Boundary_class::fixed);
+      internal::Simplex_access::set_boundary_class(v, is_box ? sides(v) : Boundary_class::fixed);
 }
 
 template <class Complex>

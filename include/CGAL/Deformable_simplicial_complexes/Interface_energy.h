@@ -117,7 +117,8 @@ public:
   template <class Complex> double operator()(const Complex& complex) const {
     double result = 0;
     for (const auto& facet : complex.interface_facets())
-      result += tension(facet.first->label(), facet.first->neighbor(facet.second)->label()) *
+      result += tension(facet.first->subdomain_index(),
+                        facet.first->neighbor(facet.second)->subdomain_index()) *
                 complex.measure(facet);
     if (has_densities())
       for (const Label label : complex.labels())

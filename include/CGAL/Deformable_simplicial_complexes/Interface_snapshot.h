@@ -76,8 +76,8 @@ protected:
     std::vector<Facet> result(facets.size());
     for_each_index(facets.size(), [&](std::size_t k) {
       const auto& f = facets[k];
-      result[k].behind = f.first->label();
-      result[k].in_front = f.first->neighbor(f.second)->label();
+      result[k].behind = f.first->subdomain_index();
+      result[k].in_front = f.first->neighbor(f.second)->subdomain_index();
       const auto v = complex.facet_vertices(f);
       for (int i = 0; i < Complex::dimension; ++i)
         result[k].vertices[i] = numbers(v[i]);

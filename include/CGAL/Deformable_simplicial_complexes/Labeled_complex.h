@@ -24,6 +24,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/components/Component_tracker.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/components/kept_components.h>
 #include <CGAL/Mesh_support/For_each_index.h>
+#include <CGAL/Mesh_support/internal/numbers/Extent.h>
 
 namespace CGAL::Deformable_simplicial_complexes {
 
@@ -139,6 +140,29 @@ public:
   std::vector<Vertex_handle> assign(const std::vector<Point>& points,
                                     const std::vector<std::array<size_type, corners>>& cells,
                                     const std::vector<Label>& labels);
+
+  /*!
+  Replaces the complex by the cells of a triangulation, which is moved. Labels are the subdomain
+  indices of the cells. Handles stay valid. Takes time n log n in the number of cells.
+
+  \param triangulation such as one of `release()` that CGAL's algorithms have changed
+  \throws Invalid_cells_error as the other overload does; the indices are those of finite vertices
+          and of all cells by increasing time stamp. The complex is then unchanged, and so is the
+          triangulation, except that surface patches have the numbers that `release()` gives them
+  \pre `triangulation.is_valid()`
+  */
+  void assign(Triangulation&& triangulation);
+
+  /*!
+  Empties the complex, and returns its triangulation, for `Mesh_complex_3_in_triangulation_3`,
+  `tetrahedral_isotropic_remeshing()` and other functions of CGAL. Handles stay valid.
+
+  In space, facets between different subdomains get the numbers of surface patches, from 1 on, by
+  increasing pairs of labels; the outside of the domain has the label 0. The dimension of a vertex
+  is 3 inside a subdomain, 2 on a patch, and 1 where several patches meet. Its index is the label
+  or the number of the patch, and 0 on several patches. n log n in the number of cells.
+  */
+  Triangulation release();
 
   /// Stores vertices and cells along a Hilbert curve again, as `assign()` did. Handles are
   /// invalidated. Component events not taken yet are lost.
@@ -260,7 +284,7 @@ public:
   /// @{
 
   /// Returns the phase that fills c. It is 0 for infinite cells, where it has no meaning.
-  Label label(Cell_handle c) const { return c->label(); }
+  Label label(Cell_handle c) const { return c->subdomain_index(); }
   /// Returns the cached quality of c, at most 1 up to rounding; 1 for infinite cells.
   double quality(Cell_handle c) const { return c->quality(); }
   std::vector<Label> labels() const; ///< labels of cells, increasing
@@ -268,7 +292,7 @@ public:
   /// Returns whether the facet is between two finite cells of different labels.
   bool is_interface(const Facet& f) const {
     const Cell_handle a = f.first, b = a->neighbor(f.second);
-    return a->label() != b->label() && !is_infinite(a) && !is_infinite(b);
+    return a->subdomain_index() != b->subdomain_index() && !is_infinite(a) && !is_infinite(b);
   }
   /// Returns whether a facet of the interface contains v. Constant time.
   bool is_interface(Vertex_handle v) const { return v->is_interface(); }
@@ -475,8 +499,8 @@ protected:
   /// Constructs an empty complex.
   Labeled_complex(const Geom_traits& traits, const Quality_measure& quality, const Domain& domain)
       : m_triangulation(traits), m_quality_measure(quality), m_domain(domain) {}
-  /// Copies a complex, with its time stamps, components and pending component events. n log n in
-  /// the number of cells.
+  /// Copies a complex, with its time stamps, components and pending component events, and all data
+  /// that users have added to the bases of vertices and cells. n log n in the number of cells.
   Labeled_complex(const Labeled_complex& other);
   /// Moves a complex, and leaves `other` empty. Handles stay valid.
   Labeled_complex(Labeled_complex&& other) noexcept;
@@ -511,7 +535,7 @@ private:
   void set_quality(Cell_handle c, double quality) {
     m_number_of_flat_cells += quality < quality_floor;
     m_number_of_flat_cells -= c->quality() < quality_floor;
-    c->set_quality(quality);
+    internal::Simplex_access::set_quality(c, quality);
   }
   bool is_positive(Cell_handle c) const;
   void place(Vertex_handle v, const std::vector<Cell_handle>& star, const Point& p);
@@ -520,11 +544,12 @@ private:
   // Adds a number to the interface degree of each vertex of a facet.
   void count_interface_facet(const Facet& f, int number) {
     for (Vertex_handle v : facet_vertices(f))
-      v->set_interface_degree(v->interface_degree() + std::uint32_t(number));
+      internal::Simplex_access::set_interface_degree(v,
+                                                     v->interface_degree() + std::uint32_t(number));
   }
   // Changes the volumes of the label and of the component of a cell by some units of the totals.
   void add_volume(Cell_handle c, std::int64_t units) {
-    m_totals.add_volume(c->label(), units);
+    m_totals.add_volume(c->subdomain_index(), units);
     m_components.add_volume(c->component(), units);
   }
   bool has_several_labels(const std::vector<Cell_handle>& cells) const;
@@ -535,6 +560,13 @@ private:
   void sew(bool counts_interface);
   void initialize_caches();
   std::vector<Cell_handle> all_cells() const;
+  void copy_values(const Labeled_complex& other);
+  void copy_simplices(const Labeled_complex& other, const std::vector<Vertex_handle>& vertices,
+                      const std::vector<Cell_handle>& cells, bool keeps_time_stamps);
+  void join_simplices();
+  void leave_simplices();
+  static void check_number_of_cells(size_type number);
+  static void check_extent(const internal::Extent<dimension>& extent);
   void rebuild(const State& state);
   static std::vector<Cell_vertices> indices_of(const State& state);
   std::vector<Vertex_handle> create_vertices(const State& state);
@@ -573,5 +605,6 @@ private:
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/changes_impl.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/queries_impl.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/storage_impl.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/triangulation_impl.h>
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_LABELED_COMPLEX_H

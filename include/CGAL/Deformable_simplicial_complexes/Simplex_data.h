@@ -13,17 +13,24 @@
 
 #include <CGAL/tags.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
 namespace CGAL::Deformable_simplicial_complexes {
 
+namespace internal {
+struct Simplex_access;
+}
+
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
 Data of a vertex of a deformable simplicial complex, in any dimension, in addition to its point: a
-time stamp that orders vertices by creation, and values cached by the complex. Only the package may
-call the setters, since the complex caches these values.
+time stamp that orders vertices by creation, and values that the complex computes.
+
+Outside a complex, the memory of these values contains what `SimplicialMeshVertexBase_3` of CGAL
+requires, see `Labeled_complex::release()`.
 */
 class Vertex_data
 {
@@ -33,48 +40,50 @@ public:
   /// Returns the number in the order of creation; `std::size_t(-1)` for a vertex outside a
   /// container.
   std::size_t time_stamp() const { return m_time_stamp; }
-  /// Sets `time_stamp()`.
+  /// Sets `time_stamp()`. Containers call it.
   void set_time_stamp(std::size_t stamp) { m_time_stamp = stamp; }
 
+  /// \name In a Complex
+  /// @{
+
   /// Returns whether an incident facet is on the interface.
-  bool is_interface() const { return m_interface_degree > 0; }
+  bool is_interface() const { return interface_degree() > 0; }
   /// Returns the number of incident facets on the interface.
   std::uint32_t interface_degree() const { return m_interface_degree; }
-  /// Sets `interface_degree()`.
-  void set_interface_degree(std::uint32_t degree) { m_interface_degree = degree; }
-
   /// Returns the sides of the domain that the vertex lies on, see `Boundary_class`; 0 in the
   /// interior.
   std::uint8_t boundary_class() const { return m_boundary_class; }
-  /// Sets `boundary_class()`.
-  void set_boundary_class(std::uint8_t boundary_class) { m_boundary_class = boundary_class; }
-
   /// Returns the mean length of the interface edges at the vertex when the interface was built, or
   /// when it was last refined or coarsened there. Motion does not change it. It is 0 if the vertex
   /// was not on the interface then.
   float spacing() const { return m_spacing; }
-  /// Sets `spacing()`.
-  void set_spacing(float spacing) { m_spacing = spacing; }
-
   /// Returns an index into arrays beside the complex, less than its `vertex_id_bound()`. New
   /// vertices get the ids of removed vertices.
   std::uint32_t id() const { return m_id; }
-  /// Sets `id()`.
-  void set_id(std::uint32_t id) { m_id = id; }
 
-private:
+  /// @}
+
+protected:
+  friend struct internal::Simplex_access;
+
   std::size_t m_time_stamp = std::size_t(-1);
-  std::uint32_t m_id = 0;
-  std::uint32_t m_interface_degree = 0;
-  float m_spacing = 0;
+  std::uint32_t m_id = 0;               // outside a complex: connected groups of incident facets
+  std::uint32_t m_interface_degree = 0; // outside a complex: facets of surface patches
+  union {
+    float m_spacing;
+    int m_index = 0; // outside a complex: of the subdomain or the surface patch
+  };
   std::uint8_t m_boundary_class = 0;
+  bool m_is_in_complex = false;
+  std::int8_t m_dimension = -1;    // outside a complex: of the part that contains the vertex
+  bool m_are_facets_known = false; // outside a complex
 };
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Record of failed attempts to improve a cell. It is a class of its own since a single byte fits into
-a gap of the memory layout of a cell.
+Record of failed attempts to improve a cell. It is a class of its own since a few bytes fit into a
+gap of the memory layout of a cell.
 */
 class Cell_failures
 {
@@ -82,65 +91,139 @@ public:
   /// Returns the kinds of attempts that have failed since motion last changed the shape of the
   /// cell, as bits.
   std::uint8_t failures() const { return m_failures; }
-  /// Sets `failures()`.
-  void set_failures(std::uint8_t bits) { m_failures = bits; }
 
-private:
+protected:
+  friend struct internal::Simplex_access;
+
   std::uint8_t m_failures = 0;
+  bool m_is_in_complex = false;
 };
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-Data of a cell of a deformable simplicial complex, in any dimension: a label, the cached quality,
-the connected component of the label, a time stamp that orders cells by creation, and an id. Only
-the complex may call the setters, since they change values that it caches.
+Data of a cell of a deformable simplicial complex, in any dimension: the label, a time stamp that
+orders cells by creation, and values that the complex computes.
+
+Outside a complex, the memory of these values contains the surface patches of the facets, see
+`Labeled_complex::release()`.
 */
 class Cell_data
 {
 public:
   using Has_timestamp = Tag_true; ///< tells the container to number the cells
+  using Subdomain_index = int;    ///< a label
 
   /// Returns the number in the order of creation; `std::size_t(-1)` for a cell outside a container.
   std::size_t time_stamp() const { return m_time_stamp; }
-  /// Sets `time_stamp()`.
+  /// Sets `time_stamp()`. Containers call it.
   void set_time_stamp(std::size_t stamp) { m_time_stamp = stamp; }
+
+  /// Returns the label: the phase that fills the cell. It is 0 for infinite cells, where it has no
+  /// meaning.
+  Subdomain_index subdomain_index() const { return m_subdomain_index; }
+  /// Sets `subdomain_index()`. Use `Labeled_complex::relabel()` for a cell of a complex.
+  void set_subdomain_index(Subdomain_index index) { m_subdomain_index = index; }
+
+  /// \name In a Complex
+  /// @{
 
   /// Returns an index into arrays beside the complex, less than its `cell_id_bound()`. New cells
   /// get the ids of removed cells.
   std::uint32_t id() const { return m_id; }
-  /// Sets `id()`.
-  void set_id(std::uint32_t id) { m_id = id; }
-
-  /// Returns the phase that fills the cell. It is 0 for infinite cells, where it has no meaning.
-  int label() const { return m_label; }
-  /// Sets `label()`.
-  void set_label(int label) { m_label = label; }
-
   /// Returns the quality by the measure of the complex, at the last change of the cell.
-  double quality() const { return m_quality; }
-  /// Sets `quality()`.
-  void set_quality(double quality) { m_quality = quality; }
-
+  double quality() const { return m_cache.quality; }
   /// Returns the number of the connected component of the label.
-  std::uint32_t component() const { return m_component; }
-  /// Sets `component()`.
-  void set_component(std::uint32_t component) { m_component = component; }
-
+  std::uint32_t component() const { return m_cache.component; }
   /// Returns the quality at the last essential change of the cell's shape by motion or smoothing.
-  float noted_quality() const { return m_noted_quality; }
-  /// Sets `noted_quality()`.
-  void set_noted_quality(float quality) { m_noted_quality = quality; }
+  float noted_quality() const { return m_cache.noted_quality; }
 
-private:
-  int m_label = 0;
-  std::uint32_t m_component = 0;
-  float m_noted_quality = 1;
+  /// @}
+
+protected:
+  friend struct internal::Simplex_access;
+
+  struct Cache
+  {
+    double quality;
+    std::uint32_t component;
+    float noted_quality;
+  };
+  union {
+    Cache m_cache;
+    std::array<int, 4> m_patches = {0, 0, 0, 0}; // outside a complex
+  };
+  Subdomain_index m_subdomain_index = 0;
   std::uint32_t m_id = 0;
-  double m_quality = 1;
   std::size_t m_time_stamp = std::size_t(-1);
 };
 
+namespace internal {
+
+// Sets the values that the complex computes. Only the package may use it.
+struct Simplex_access
+{
+  // Begin the use of a simplex in a complex.
+  static void join(Vertex_data& v) {
+    v.m_is_in_complex = true;
+    v.m_interface_degree = 0;
+    v.m_spacing = 0;
+    v.m_boundary_class = 0;
+  }
+  static void join(Cell_data& c, Cell_failures& failures) {
+    c.m_cache = {1, 0, 1};
+    failures.m_is_in_complex = true;
+    failures.m_failures = 0;
+  }
+  // End the use of a simplex in a complex.
+  static void leave(Vertex_data& v) {
+    v.m_is_in_complex = v.m_are_facets_known = false;
+    v.m_dimension = -1;
+    v.m_index = 0;
+  }
+  static void leave(Cell_data& c, Cell_failures& failures, const std::array<int, 4>& patches) {
+    failures.m_is_in_complex = false;
+    c.m_patches = patches;
+  }
+  // Tells a vertex outside a complex the label of a cell, and the patch of one of its facets at the
+  // vertex, 0 for none. A vertex on several patches is on a curve, which has no number.
+  static void add_facet(Vertex_data& v, int label, int patch) {
+    const bool is_on_other = v.m_dimension == 1 || (v.m_dimension == 2 && v.m_index != patch);
+    if (patch != 0) {
+      v.m_dimension = is_on_other ? 1 : 2;
+      v.m_index = is_on_other ? 0 : patch;
+    } else if (v.m_dimension == -1 || v.m_dimension == 3) {
+      v.m_dimension = 3;
+      v.m_index = label;
+    }
+  }
+  template <class Handle> static void set_id(Handle simplex, std::uint32_t id) {
+    simplex->m_id = id;
+  }
+  template <class Handle> static void set_interface_degree(Handle v, std::uint32_t degree) {
+    v->m_interface_degree = degree;
+  }
+  template <class Handle> static void set_boundary_class(Handle v, std::uint8_t boundary_class) {
+    v->m_boundary_class = boundary_class;
+  }
+  template <class Handle> static void set_spacing(Handle v, float spacing) {
+    v->m_spacing = spacing;
+  }
+  template <class Handle> static void set_failures(Handle c, std::uint8_t bits) {
+    c->m_failures = bits;
+  }
+  template <class Handle> static void set_quality(Handle c, double quality) {
+    c->m_cache.quality = quality;
+  }
+  template <class Handle> static void set_component(Handle c, std::uint32_t component) {
+    c->m_cache.component = component;
+  }
+  template <class Handle> static void set_noted_quality(Handle c, float quality) {
+    c->m_cache.noted_quality = quality;
+  }
+};
+
+} // namespace internal
 } // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_SIMPLEX_DATA_H

@@ -78,7 +78,8 @@ Linear in the star. `commit_proposal()` calls this function.
 template <class Complex>
 void coarsen_spacing(const Complex& complex, typename Complex::Vertex_handle kept) {
   if (kept->spacing() > 0)
-    kept->set_spacing((std::max)(kept->spacing(), float(complex.interface_edge_length(kept))));
+    internal::Simplex_access::set_spacing(
+        kept, (std::max)(kept->spacing(), float(complex.interface_edge_length(kept))));
 }
 
 /*!
@@ -105,7 +106,7 @@ void commit_split(Complex& complex, Cavity<Complex>& cavity, typename Complex::V
   const auto middle = cavity.vertices().back().handle;
   if (middle->is_interface())
     for (auto refined : {v, middle, w})
-      refined->set_spacing(float(complex.interface_edge_length(refined)));
+      internal::Simplex_access::set_spacing(refined, float(complex.interface_edge_length(refined)));
   visitor.after_split(middle, v, w);
 }
 

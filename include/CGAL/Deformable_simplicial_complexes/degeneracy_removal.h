@@ -39,8 +39,9 @@ template <class Complex>
 bool propose_cap_flip(const Complex& complex, typename Complex::Cell_handle cell, int i,
                       Deformable_simplicial_complexes::Cavity<Complex>& cavity) {
   const auto other = cell->neighbor(i);
-  if (complex.is_infinite(other) || other->label() == cell->label() ||
-      !cell->vertex(i)->is_interface() || !relabeling_keeps_topology(complex, cell, other->label()))
+  if (complex.is_infinite(other) || other->subdomain_index() == cell->subdomain_index() ||
+      !cell->vertex(i)->is_interface() ||
+      !relabeling_keeps_topology(complex, cell, other->subdomain_index()))
     return false;
   internal::plan_flip(cell, i, other, cavity);
   return cavity.quality_after() > cavity.quality_before() && cavity.is_positive();

@@ -100,7 +100,8 @@ private:
   };
 
   bool has_same_label(Cell_handle c, Cell_handle d) const {
-    return m_complex.is_infinite(c) == m_complex.is_infinite(d) && c->label() == d->label();
+    return m_complex.is_infinite(c) == m_complex.is_infinite(d) &&
+           c->subdomain_index() == d->subdomain_index();
   }
 
   bool is_wall(Cell_handle c, int i) const { return !has_same_label(c, c->neighbor(i)); }
@@ -268,7 +269,8 @@ double volume_swept_by_collapse(const Complex& complex, typename Complex::Vertex
   for (auto c : star)
     for (int i = 0; i < Complex::corners; ++i) {
       if (complex.is_infinite(c) || c->vertex(i) == a || complex.is_infinite(c->neighbor(i)) ||
-          c->label() <= c->neighbor(i)->label()) // each facet of the interface once
+          c->subdomain_index() <=
+              c->neighbor(i)->subdomain_index()) // each facet of the interface once
         continue;
       auto corners = cell_corners(complex, c, from);
       corners[i] = to;

@@ -48,7 +48,7 @@ template <class Complex>
 bool propose_edge_flip(const Complex& complex, typename Complex::Cell_handle cell, int i,
                        Deformable_simplicial_complexes::Cavity<Complex>& cavity) {
   const auto other = cell->neighbor(i);
-  if (complex.is_infinite(other) || other->label() != cell->label())
+  if (complex.is_infinite(other) || other->subdomain_index() != cell->subdomain_index())
     return false;
   internal::plan_flip(cell, i, cell, cavity);
   return cavity.quality_after() > cavity.quality_before() && cavity.is_positive();

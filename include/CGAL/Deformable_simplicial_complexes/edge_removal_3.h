@@ -94,7 +94,8 @@ bool propose_edge_removal(const Complex& complex, typename Complex::Cell_handle 
   if (ring.is_too_large())
     return false;
   for (std::size_t k = 0; k < ring.size(); ++k) {
-    if (complex.is_infinite(ring.cell(k)) || ring.cell(k)->label() != cell->label())
+    if (complex.is_infinite(ring.cell(k)) ||
+        ring.cell(k)->subdomain_index() != cell->subdomain_index())
       return false;
     cavity.remove(ring.cell(k));
   }
@@ -132,15 +133,15 @@ bool propose_interface_edge_flip(const Complex& complex, typename Complex::Cell_
     if (complex.is_infinite(ring.cell(k)))
       return false;
     cavity.remove(ring.cell(k));
-    if (ring.cell(k)->label() != ring.cell(k + n - 1)->label())
+    if (ring.cell(k)->subdomain_index() != ring.cell(k + n - 1)->subdomain_index())
       sheets.push_back(k);
   }
   if (sheets.size() != 2)
     return false;
   // If one side consists of a single cell, the cell is relabeled to the other side.
   for (std::size_t k : sheets)
-    if (ring.cell(k)->label() != ring.cell(k + 1)->label() &&
-        !relabeling_keeps_topology(complex, ring.cell(k), ring.cell(k + 1)->label()))
+    if (ring.cell(k)->subdomain_index() != ring.cell(k + 1)->subdomain_index() &&
+        !relabeling_keeps_topology(complex, ring.cell(k), ring.cell(k + 1)->subdomain_index()))
       return false;
   const double bound = (std::min)(cavity.quality_before(), minimum_quality);
   return ring.triangulate(sheets[0], sheets[1], bound) &&

@@ -51,7 +51,7 @@ protected:
   // Returns whether the cells at the first facet are finite and of one label.
   bool is_inside_label() const {
     return !m_complex.is_infinite(m_first.below) && !m_complex.is_infinite(m_first.above) &&
-           m_first.below->label() == m_first.above->label();
+           m_first.below->subdomain_index() == m_first.above->subdomain_index();
   }
 
   std::array<Directed_edge, 3> edges_of_first() const {
@@ -69,7 +69,8 @@ protected:
     const int below = opposite(f.below, m_a), above = opposite(f.above, m_b);
     g = {f.below->neighbor(below), f.above->neighbor(above)};
     if (m_complex.is_infinite(g.below) || m_complex.is_infinite(g.above) ||
-        g.below->label() != f.below->label() || g.above->label() != f.below->label())
+        g.below->subdomain_index() != f.below->subdomain_index() ||
+        g.above->subdomain_index() != f.below->subdomain_index())
       return false;
     const int below_tip = opposite(g.below, m_a);
     apex = g.below->vertex(below_tip);

@@ -138,7 +138,7 @@ public:
 
   // Describes the exchange.
   Neighbor_exchange<Complex> exchange() const {
-    return {{m_cell->label(), m_other->label()},
+    return {{m_cell->subdomain_index(), m_other->subdomain_index()},
             {*m_beyond[0], m_beyond[1] ? *m_beyond[1] : *m_beyond[0]},
             m_complex.domain().canonical(middle())};
   }
@@ -233,7 +233,7 @@ private:
   }
 
   Phase phase(Cell_handle c) const {
-    return m_complex.is_infinite(c) ? Phase() : Phase(c->label());
+    return m_complex.is_infinite(c) ? Phase() : Phase(c->subdomain_index());
   }
   std::size_t skip(std::size_t k, const Phase& phase) const {
     while (k < m_sides.size() && this->phase(m_sides[k].cell) == phase)

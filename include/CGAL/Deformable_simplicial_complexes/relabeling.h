@@ -86,11 +86,11 @@ bool wets(const Complex& complex, typename Complex::Cell_handle cell, int facet,
           const Interface_energy& energy) {
   if (!energy.has_tensions())
     return false;
-  const auto own = cell->label(), behind = cell->neighbor(facet)->label();
+  const auto own = cell->subdomain_index(), behind = cell->neighbor(facet)->subdomain_index();
   std::vector<typename Complex::Cell_handle> star;
   complex.star(cell->vertex(facet), star);
   return std::any_of(star.begin(), star.end(), [&](auto c) {
-    const auto other = c->label();
+    const auto other = c->subdomain_index();
     return !complex.is_infinite(c) && other != own && other != behind &&
            energy.tension(other, behind) > energy.tension(other, own) + energy.tension(own, behind);
   });
@@ -135,24 +135,24 @@ bool propose_relabeling(const Complex& complex, typename Complex::Cell_handle ce
   const auto energy_as = [&](typename Complex::Label other) { // up to a constant factor
     double result = 0;
     for (int i = 0; i < Complex::corners; ++i)
-      if (!complex.is_infinite(cell->neighbor(i)) && cell->neighbor(i)->label() != other)
-        result += energy.tension(cell->neighbor(i)->label(), other) *
+      if (!complex.is_infinite(cell->neighbor(i)) && cell->neighbor(i)->subdomain_index() != other)
+        result += energy.tension(cell->neighbor(i)->subdomain_index(), other) *
                   std::sqrt(normals[i].squared_length());
     return result;
   };
   if (const int facet = internal::contact_facet(complex, cell, normals); facet >= 0) {
-    label = cell->neighbor(facet)->label();
+    label = cell->neighbor(facet)->subdomain_index();
     return !internal::wets(complex, cell, facet, energy);
   }
 
   if (!(cell->quality() < threshold / 2))
     return false;
-  double best = energy_as(cell->label());
+  double best = energy_as(cell->subdomain_index());
   bool is_found = false;
   for (int candidate = 0; candidate < Complex::corners; ++candidate) {
     if (!complex.is_interface(std::make_pair(cell, candidate)))
       continue;
-    const auto other = cell->neighbor(candidate)->label();
+    const auto other = cell->neighbor(candidate)->subdomain_index();
     if (const double changed = energy_as(other); changed < best) {
       best = changed;
       label = other;
@@ -280,8 +280,8 @@ of the domain, the same must hold for the sets together with the outside.
 template <class Complex>
 bool relabeling_keeps_topology(const Complex& complex, typename Complex::Cell_handle cell,
                                typename Complex::Label label) {
-  return internal::keeps_topology(complex, cell, label,
-                                  [](typename Complex::Cell_handle c) { return c->label(); });
+  return internal::keeps_topology(
+      complex, cell, label, [](typename Complex::Cell_handle c) { return c->subdomain_index(); });
 }
 
 /*!
@@ -304,7 +304,7 @@ bool relabeling_keeps_topology(const Complex& complex,
   using Cell_handle = typename Complex::Cell_handle;
   for (auto next = cells.begin(); next != cells.end(); ++next) {
     const auto label_of = [&](Cell_handle c) {
-      return std::find(cells.begin(), next, c) != next ? label : c->label();
+      return std::find(cells.begin(), next, c) != next ? label : c->subdomain_index();
     };
     const auto keeping = std::find_if(next, cells.end(), [&](Cell_handle c) {
       return internal::keeps_topology(complex, c, label, label_of);

@@ -67,8 +67,8 @@ public:
   bool operator()(const Complex& /*complex*/, typename Complex::Cell_handle cell,
                   typename Complex::Label label) const {
     const auto is_pair = [&](const std::pair<int, int>& pair) {
-      return pair == std::pair<int, int>(cell->label(), label) ||
-             pair == std::pair<int, int>(label, cell->label());
+      return pair == std::pair<int, int>(cell->subdomain_index(), label) ||
+             pair == std::pair<int, int>(label, cell->subdomain_index());
     };
     return std::any_of(m_pairs.begin(), m_pairs.end(), is_pair);
   }

@@ -104,7 +104,7 @@ private:
   bool may_be_passed(const Facet& f, Cell_handle seed) const {
     const Cell_handle next = f.cell->neighbor(f.index);
     return f.depth < maximum_depth && !m_complex.is_infinite(next) &&
-           next->label() == seed->label() && !encloses_vertex(next);
+           next->subdomain_index() == seed->subdomain_index() && !encloses_vertex(next);
   }
 
   // Returns whether a vertex would have all its cells in the set if the cell joined it.

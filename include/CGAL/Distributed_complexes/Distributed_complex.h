@@ -350,7 +350,7 @@ void Distributed_complex<Complex>::distribute(const Complex& complex, const Owne
       for (int i = 0; i <= d; ++i)
         cells.back().vertices[i] = numbers(c->vertex(i));
       cells.back().vertices = internal::canonical_cell(cells.back().vertices);
-      cells.back().data.label = c->label();
+      cells.back().data.label = c->subdomain_index();
       cells.back().data.noted_quality = c->noted_quality();
       cells.back().data.failures = c->failures();
     }

@@ -352,11 +352,11 @@ public:
   /// \pre The cell is finite, and its measure is not 0.
   Vorticity vorticity(typename Complex::Cell_handle c) const {
     Eigen::Vector3d result = Eigen::Vector3d::Zero();
-    if (m_properties.liquids().count(c->label()) > 0) {
+    if (m_properties.liquids().count(c->subdomain_index()) > 0) {
       const Linear_element<Complex> element(m_complex, c);
       for (int i = 0; i <= dimension; ++i)
         result += internal::eigen_vector(element.gradient(i))
-                      .cross(m_motion.velocity(c->vertex(i), c->label()));
+                      .cross(m_motion.velocity(c->vertex(i), c->subdomain_index()));
     }
     if constexpr (dimension == 2)
       return result.z();
@@ -728,7 +728,7 @@ private:
     return Carrier(
         m_complex, Motion_map(m_motion),
         [this](typename Complex::Cell_handle c) {
-          return m_properties.liquid(c->label()) != nullptr;
+          return m_properties.liquid(c->subdomain_index()) != nullptr;
         },
         Carried_gradient::mean); // preserves most of the kinetic energy
   }

@@ -203,7 +203,7 @@ private:
       if (!moves)
         continue;
       for (auto c : star) {
-        const Label before = c->label();
+        const Label before = c->subdomain_index();
         if (m_complex.is_infinite(c) || before == labels.begin()->second)
           continue;
         m_complex.relabel(c, labels.begin()->second);
@@ -224,7 +224,8 @@ private:
       measure += m_complex.measure(c);
       const int i = c->index(v);
       if (!m_complex.is_infinite(c->neighbor(i)))
-        areas[c->neighbor(i)->label()] += m_complex.measure(typename Complex::Facet(c, i));
+        areas[c->neighbor(i)->subdomain_index()] +=
+            m_complex.measure(typename Complex::Facet(c, i));
     }
     return m_flow.energy().of_boundary(label, areas) + m_flow.energy().density(label) * measure;
   }

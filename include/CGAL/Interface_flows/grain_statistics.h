@@ -103,7 +103,7 @@ void visit_interface_edges(const Complex& complex, const Visit& visit) {
       std::array<std::size_t, n> time_stamps;
       for (int i = 0; i < n; ++i)
         time_stamps[i] = vertices[i]->time_stamp();
-      angles.push_back({time_stamps, c->label(), angle, vertices});
+      angles.push_back({time_stamps, c->subdomain_index(), angle, vertices});
     });
   }
   // Stable, so that sums do not depend on the implementation.

@@ -210,7 +210,7 @@ public:
         Corners corners;
         for (int i = 0; i < Complex::corners; ++i)
           corners[i] = near(cavity.vertices()[t.vertices[i]].position);
-        add_target(corners, t.parent->label());
+        add_target(corners, t.parent->subdomain_index());
       }
     redistribute();
   }
@@ -226,7 +226,7 @@ public:
       if (!m_complex.is_infinite(c)) {
         Corners moved = internal::cell_corners(m_complex, c, m_middle);
         moved[c->index(v)] = position;
-        add_target(moved, c->label());
+        add_target(moved, c->subdomain_index());
       }
     redistribute();
   }
@@ -262,8 +262,8 @@ private:
         continue;
       if (m_from.empty())
         m_middle = m_complex.position(c->vertex(0));
-      m_from.push_back(
-          {Clipping(internal::cell_corners(m_complex, c, m_middle)), c->label(), get(m_values, c)});
+      m_from.push_back({Clipping(internal::cell_corners(m_complex, c, m_middle)),
+                        c->subdomain_index(), get(m_values, c)});
     }
   }
 

@@ -37,7 +37,7 @@ public:
     for (auto v : complex.vertices())
       m_positions.emplace_back(v->time_stamp(), complex.position(v));
     for (auto c : complex.cells())
-      m_labels.emplace_back(c->time_stamp(), c->label());
+      m_labels.emplace_back(c->time_stamp(), c->subdomain_index());
   }
 
   /// Returns the cells that did not exist in the snapshot, had another label, or had a corner at
@@ -49,7 +49,7 @@ public:
       return result;
     for (auto c : complex.cells()) {
       const auto* label = find(m_labels, c->time_stamp());
-      bool is_same = label != nullptr && *label == c->label();
+      bool is_same = label != nullptr && *label == c->subdomain_index();
       for (int i = 0; i < Complex::corners && is_same; ++i) {
         const auto* position = find(m_positions, c->vertex(i)->time_stamp());
         is_same = position != nullptr && *position == complex.position(c->vertex(i));

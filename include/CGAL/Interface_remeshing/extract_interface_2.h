@@ -103,7 +103,7 @@ connected_cells(const Complex& complex, typename Complex::Cell_handle first,
   for (std::size_t k = 0; k < result.size(); ++k)
     for (int i = 0; i < Complex::corners; ++i) {
       const auto next = result[k]->neighbor(i);
-      if (!complex.is_infinite(next) && next->label() == first->label() &&
+      if (!complex.is_infinite(next) && next->subdomain_index() == first->subdomain_index() &&
           found.insert(next).second)
         result.push_back(next);
     }
@@ -158,7 +158,7 @@ public:
 private:
   bool is_side(Cell_handle c, int i) const {
     const Cell_handle d = c->neighbor(i);
-    return m_complex.is_infinite(d) || d->label() != c->label();
+    return m_complex.is_infinite(d) || d->subdomain_index() != c->subdomain_index();
   }
 
   // Follows the boundary edge by edge; the next edge is always in the same fan of cells. The part

@@ -101,7 +101,7 @@ private:
   static double length(const Vector& v) { return std::sqrt(v.squared_length()); }
   Phase phase(std::size_t k) const {
     const Cell_handle c = m_sides[k].cell;
-    return m_complex.is_infinite(c) ? Phase() : Phase(c->label());
+    return m_complex.is_infinite(c) ? Phase() : Phase(c->subdomain_index());
   }
   double tension(const Phase& p, const Phase& q) const {
     return p && q ? m_energy.tension(*p, *q) : 0;

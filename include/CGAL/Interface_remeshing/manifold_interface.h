@@ -34,8 +34,8 @@ complement of a label, which includes the outside of the domain. Quadratic in th
 */
 template <class Complex>
 bool is_manifold_at(const Complex& complex, typename Complex::Vertex_handle v) {
-  return internal::Labeled_star<Complex>(complex, v,
-                                         [](typename Complex::Cell_handle c) { return c->label(); })
+  return internal::Labeled_star<Complex>(
+             complex, v, [](typename Complex::Cell_handle c) { return c->subdomain_index(); })
       .is_manifold();
 }
 

@@ -35,8 +35,9 @@ std::map<std::uint32_t, Component_cells<Complex>> components_of(Complex& complex
   complex.update_components();
   std::map<std::uint32_t, Component_cells<Complex>> result;
   for (auto c : complex.cells()) {
-    auto& component = result.try_emplace(complex.component(c), Component_cells<Complex>{c->label()})
-                          .first->second;
+    auto& component =
+        result.try_emplace(complex.component(c), Component_cells<Complex>{c->subdomain_index()})
+            .first->second;
     component.measure += complex.measure(c);
     component.cells.push_back(c);
   }
@@ -58,9 +59,9 @@ best_neighbor(const Complex& complex, const Component_cells<Complex>& component,
       if (const std::pair<typename Complex::Cell_handle, int> facet(c, i);
           complex.is_interface(facet)) {
         const auto neighbor = c->neighbor(i);
-        areas[neighbor->label()] += complex.measure(facet);
-        if (energy.mobility(component.label, neighbor->label()) > 0)
-          (is_left_out(neighbor) ? all : candidates).insert(neighbor->label());
+        areas[neighbor->subdomain_index()] += complex.measure(facet);
+        if (energy.mobility(component.label, neighbor->subdomain_index()) > 0)
+          (is_left_out(neighbor) ? all : candidates).insert(neighbor->subdomain_index());
       }
   double least = std::numeric_limits<double>::infinity();
   Label result = component.label;
@@ -86,7 +87,7 @@ std::optional<std::uint32_t> number_of_neighbor(const Complex& complex,
   for (auto c : component.cells)
     for (int i = 0; i < Complex::corners; ++i) {
       const auto neighbor = c->neighbor(i);
-      if (complex.is_infinite(neighbor) || neighbor->label() != label)
+      if (complex.is_infinite(neighbor) || neighbor->subdomain_index() != label)
         continue;
       const auto found = left.find(neighbor->time_stamp());
       if (found == left.end())

@@ -29,7 +29,8 @@ std::map<std::pair<typename Complex::Label, typename Complex::Label>, double>
 shared_measures(const Complex& complex) {
   std::map<std::pair<typename Complex::Label, typename Complex::Label>, double> result;
   for (const auto& facet : complex.interface_facets())
-    result[std::minmax({facet.first->label(), facet.first->neighbor(facet.second)->label()})] +=
+    result[std::minmax({facet.first->subdomain_index(),
+                        facet.first->neighbor(facet.second)->subdomain_index()})] +=
         complex.measure(facet);
   return result;
 }
@@ -48,7 +49,7 @@ std::vector<typename Complex::Label> labels_around(const Complex& complex,
   std::vector<typename Complex::Label> result;
   for (auto c : star)
     if (!complex.is_infinite(c))
-      result.push_back(c->label());
+      result.push_back(c->subdomain_index());
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;

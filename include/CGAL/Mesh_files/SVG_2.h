@@ -81,7 +81,8 @@ void write_svg(const std::string& path, const Complex& dsc, const IO::SVG_option
     if (options.draws_edges)
       canvas.add(corners, edges);
     for (int i = 0; i < 3; ++i)
-      if (dsc.is_interface(typename Complex::Facet(c, i)) && c->label() > c->neighbor(i)->label())
+      if (dsc.is_interface(typename Complex::Facet(c, i)) &&
+          c->subdomain_index() > c->neighbor(i)->subdomain_index())
         canvas.add(std::array<Point, 2>{corners[(i + 1) % 3], corners[(i + 2) % 3]}, lines);
   }
   std::vector<Svg_layer> layers;

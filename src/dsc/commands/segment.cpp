@@ -153,8 +153,9 @@ void draw(const std::string& path, const Tracked_complex_2& tracked,
   };
   for (const auto& facet : complex.interface_facets()) {
     const auto ends = complex.facet_vertices(facet);
-    picture.lines.push_back({{point(ends[0]), point(ends[1])},
-                             color_of_label(facet.first->label(), saturation, lightness)});
+    picture.lines.push_back(
+        {{point(ends[0]), point(ends[1])},
+         color_of_label(facet.first->subdomain_index(), saturation, lightness)});
   }
   write_picture(path, picture);
 }

@@ -33,18 +33,19 @@ public:
   const Fluid<Complex>& fluid() const { return m_fluid; }
 
   bool is_liquid(Cell_handle c) const {
-    return m_fluid.properties().liquids().count(c->label()) > 0;
+    return m_fluid.properties().liquids().count(c->subdomain_index()) > 0;
   }
   bool is_gas(Cell_handle c) const { return m_gas_pressures.count(component(c)) > 0; }
 
   /// Returns the velocity at a vertex of a cell.
   std::array<double, 3> velocity(Vertex_handle v, Cell_handle c) const {
-    return is_liquid(c) ? coordinates_of(m_fluid.velocity(v, c->label())) : std::array<double, 3>();
+    return is_liquid(c) ? coordinates_of(m_fluid.velocity(v, c->subdomain_index()))
+                        : std::array<double, 3>();
   }
   /// Returns the pressure at a vertex of a cell. The pressure of a gas is relative to vacuum.
   double pressure(Vertex_handle v, Cell_handle c) const {
     if (is_liquid(c))
-      return m_fluid.pressure(v, c->label());
+      return m_fluid.pressure(v, c->subdomain_index());
     const auto gas = m_gas_pressures.find(component(c));
     return gas == m_gas_pressures.end() ? 0 : gas->second;
   }

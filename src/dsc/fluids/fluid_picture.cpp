@@ -43,7 +43,7 @@ public:
   /// Returns the color of a cell. Cells without a value are white.
   Picture_color operator()(Cell_handle c) const {
     if (m_quantity.empty())
-      return color_of_label(c->label());
+      return color_of_label(c->subdomain_index());
     if (!m_fields.is_liquid(c))
       return {1, 1, 1};
     const double range = m_largest - m_least;

@@ -254,7 +254,7 @@ void move_to_holes(const Labels_of_places& labels, const Fluid_scene& scene, Com
   using Vertex_handle = typename Complex::Vertex_handle;
   std::set<Vertex_handle> at_holes;
   for (const auto c : complex.cells())
-    if (!is_liquid(scene, c->label()) && labels.is_in_hole(middle_of(complex, c)))
+    if (!is_liquid(scene, c->subdomain_index()) && labels.is_in_hole(middle_of(complex, c)))
       for (int i = 0; i < Complex::corners; ++i)
         at_holes.insert(c->vertex(i));
   if (at_holes.empty())

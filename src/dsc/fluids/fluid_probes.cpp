@@ -114,7 +114,8 @@ template <class Complex> Json height(const Complex& complex, const std::array<do
 template <class Complex> Json circularity(const Complex& complex, int label) {
   double surface = 0;
   for (const auto& f : complex.interface_facets())
-    if (f.first->label() == label || f.first->neighbor(f.second)->label() == label)
+    if (f.first->subdomain_index() == label ||
+        f.first->neighbor(f.second)->subdomain_index() == label)
       surface += complex.measure(f);
   const double volume = complex.measure(label);
   if (!(volume > 0) || !(surface > 0))
@@ -132,7 +133,7 @@ Json mean_of_label(const Complex& complex, int label, const VectorAt& vector_at)
   std::array<double, 3> sum = {};
   double volume = 0;
   for (const auto c : complex.cells()) {
-    if (c->label() != label)
+    if (c->subdomain_index() != label)
       continue;
     const double share = complex.measure(c) / Complex::corners;
     volume += complex.measure(c);
@@ -192,7 +193,7 @@ Json values_at(const Fluid<Complex>& fluid, const std::array<double, 3>& point) 
       velocity[axis] += weight * u[axis];
   }
   const bool is_liquid = fields.is_liquid(cell);
-  Json result = {{"label", cell->label()},
+  Json result = {{"label", cell->subdomain_index()},
                  {"pressure", is_liquid || fields.is_gas(cell) ? Json(pressure) : Json()},
                  {"velocity", is_liquid ? Json(velocity) : Json()}};
   if (fluid.has_field())

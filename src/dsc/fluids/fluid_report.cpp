@@ -82,7 +82,7 @@ Json components_json(const Fluid<Complex>& fluid, const Label_names& names) {
   const Complex& complex = fluid.complex();
   for (const auto c : complex.cells()) {
     Measured_component& component = present[c->component()];
-    component.label = c->label();
+    component.label = c->subdomain_index();
     component.volume += complex.measure(c);
     for (int i = 0; i < Complex::corners; ++i)
       component.extent.add(coordinates_of(complex.position(c->vertex(i))));

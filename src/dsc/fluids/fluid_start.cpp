@@ -108,7 +108,7 @@ void require_cells_of_all(const Fluid_scene& scene, const Complex& complex) {
   for (const auto c : complex.cells()) {
     const auto middle = middle_of(complex, c);
     for (std::size_t i = shapes.size(); i-- > 0;)
-      if (shapes[i].first == c->label() &&
+      if (shapes[i].first == c->subdomain_index() &&
           is_about(*shapes[i].second, middle, Complex::dimension)) {
         ++cells[i];
         break;
@@ -128,7 +128,7 @@ template <class Complex>
 void require_liquid_at_sources(const Fluid_scene& scene, const Complex& complex) {
   std::vector<bool> meets_liquid(scene.sources.size(), false);
   for (const auto c : complex.cells())
-    if (is_liquid(scene, c->label()))
+    if (is_liquid(scene, c->subdomain_index()))
       for (std::size_t i = 0; i < scene.sources.size(); ++i)
         if (!meets_liquid[i])
           meets_liquid[i] = is_in_source(scene.sources[i], middle_of(complex, c));
@@ -142,7 +142,7 @@ template <class Complex>
 void require_liquid_at_sides(const Fluid_scene& scene, const Complex& complex) {
   unsigned met = 0; // sides as bits
   for (const auto c : complex.cells())
-    if (is_liquid(scene, c->label()))
+    if (is_liquid(scene, c->subdomain_index()))
       for (int i = 0; i < Complex::corners; ++i)
         met |= c->vertex(i)->boundary_class();
   for (std::size_t side = 0; side < scene.sides.size(); ++side)
@@ -223,7 +223,7 @@ template <class Complex> void set_velocities(const Fluid_scene& scene, Fluid<Com
     of_component.resize(scene.liquids.size(), 0);
     const auto middle = middle_of(complex, c);
     for (std::size_t i = 0; i < scene.liquids.size(); ++i)
-      of_component[i] += scene.liquids[i].label == c->label() &&
+      of_component[i] += scene.liquids[i].label == c->subdomain_index() &&
                          is_about(scene.liquids[i].shape, middle, Complex::dimension);
   }
   using Vertex_handle = typename Complex::Vertex_handle;
@@ -234,7 +234,7 @@ template <class Complex> void set_velocities(const Fluid_scene& scene, Fluid<Com
     const auto most = std::max_element(of_component.begin(), of_component.end());
     if (*most > 0)
       for (int i = 0; i < Complex::corners; ++i)
-        liquid_of[{c->vertex(i), c->label()}] = std::size_t(most - of_component.begin());
+        liquid_of[{c->vertex(i), c->subdomain_index()}] = std::size_t(most - of_component.begin());
   }
   fluid.set_velocities([&](Vertex_handle v, int label) {
     const auto found = liquid_of.find({v, label});

@@ -35,7 +35,7 @@ bool has_room_around(const Complex& complex) {
   const auto all = triangulation.all_cell_handles();
   return std::all_of(all.begin(), all.end(), [&](Complex::Cell_handle c) {
     return !triangulation.is_infinite(c) ||
-           c->neighbor(c->index(triangulation.infinite_vertex()))->label() == 0;
+           c->neighbor(c->index(triangulation.infinite_vertex()))->subdomain_index() == 0;
   });
 }
 

@@ -161,7 +161,7 @@ private:
     };
     std::vector<Cell_handle> candidates;
     for (const Cell_handle c : cavity.removed())
-      if (!m_complex.is_infinite(c) && c->label() == planned.parent->label())
+      if (!m_complex.is_infinite(c) && c->subdomain_index() == planned.parent->subdomain_index())
         candidates.push_back(c);
     if (candidates.empty()) // the parent is infinite
       candidates = {*std::find_if(cavity.removed().begin(), cavity.removed().end(),

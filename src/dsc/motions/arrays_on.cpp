@@ -101,7 +101,7 @@ private:
         p[std::size_t(i)] = m_positions[numbers(c->vertex(i))];
       now.emplace_back(p);
       m_measures.push_back(DSC::internal::signed_measure<Space>(p));
-      labels.push_back(c->label());
+      labels.push_back(c->subdomain_index());
     }
     std::vector<Box> from = boxes_of(m_old), to = boxes_of(now);
     CGAL::box_intersection_d(
@@ -271,7 +271,7 @@ Labeled_tetrahedra tetrahedra_of(const Complex& complex, const Mesh_arrays& arra
     auto& tetrahedron = result.tetrahedra.emplace_back();
     for (int i = 0; i < 4; ++i)
       tetrahedron[std::size_t(i)] = numbers(c->vertex(i));
-    result.labels.push_back(c->label());
+    result.labels.push_back(c->subdomain_index());
   }
   return result;
 }

@@ -80,8 +80,8 @@ private:
   Cell_regions<Complex> regions() const {
     return Cell_regions<Complex>(m_complex, [&](Cell_handle c, int i) {
       const Cell_handle n = c->neighbor(i);
-      return c->label() != n->label() || (m_listed[c->id()] >> i & 1) != 0 || m_is_alone[c->id()] ||
-             m_is_alone[n->id()] ||
+      return c->subdomain_index() != n->subdomain_index() || (m_listed[c->id()] >> i & 1) != 0 ||
+             m_is_alone[c->id()] || m_is_alone[n->id()] ||
              std::any_of(m_categories.begin(), m_categories.end(),
                          [&](const Mesh_array* array) { return differs(*array, c, n); });
     });

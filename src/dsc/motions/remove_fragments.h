@@ -32,12 +32,12 @@ typename Complex::Label label_around(const Complex& complex,
   for (const auto c : fragment.cells)
     for (int i = 0; i < Complex::corners; ++i)
       if (const auto n = c->neighbor(i);
-          !complex.triangulation().is_infinite(n) && n->label() != c->label())
-        ++facets[n->label()];
+          !complex.triangulation().is_infinite(n) && n->subdomain_index() != c->subdomain_index())
+        ++facets[n->subdomain_index()];
   const auto most =
       std::max_element(facets.begin(), facets.end(),
                        [](const auto& a, const auto& b) { return a.second < b.second; });
-  return most == facets.end() ? fragment.cells.front()->label() : most->first;
+  return most == facets.end() ? fragment.cells.front()->subdomain_index() : most->first;
 }
 
 } // namespace internal
@@ -60,7 +60,7 @@ std::size_t remove_fragments(Complex& complex, const Component_ranges& expected)
   }
   std::map<typename Complex::Label, std::vector<const Cells*>> of_label;
   for (const auto& component : components)
-    of_label[component.second.cells.front()->label()].push_back(&component.second);
+    of_label[component.second.cells.front()->subdomain_index()].push_back(&component.second);
   std::vector<std::pair<const Cells*, typename Complex::Label>> fragments;
   for (auto& [label, found] : of_label) {
     const auto range = expected.find(label);

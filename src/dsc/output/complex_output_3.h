@@ -46,7 +46,7 @@ template <class Complex> void write_picture_png(const std::string& path, const C
   Picture picture;
   picture.is_in_space = true;
   for (const auto& f : complex.interface_facets()) {
-    Picture_polygon triangle = {{}, color_of_label(f.first->label())};
+    Picture_polygon triangle = {{}, color_of_label(f.first->subdomain_index())};
     for (const auto v : complex.facet_vertices(f))
       triangle.corners.push_back(DSC::coordinates_of<3>(complex.user_position(v)));
     picture.polygons.push_back(std::move(triangle));

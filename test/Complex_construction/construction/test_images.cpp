@@ -54,7 +54,7 @@ void expect_image(const Complex& dsc, const DSC::Labeled_image_2& image) {
     for (double x = std::floor(box.xmin()) + .5; x < box.xmax(); ++x)
       for (double y = std::floor(box.ymin()) + .5; y < box.ymax(); ++y)
         if (contains(dsc, c, {x, y})) {
-          EXPECT_EQ(c->label(), image(Complex::Point_2(x, y))) << x << ' ' << y;
+          EXPECT_EQ(c->subdomain_index(), image(Complex::Point_2(x, y))) << x << ' ' << y;
         }
   }
 }

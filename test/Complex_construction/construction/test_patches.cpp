@@ -70,7 +70,7 @@ TEST(Patches, that_share_borders_separate_materials) {
     auto c = dsc.triangulation().incident_cells(e), first = c;
     do {
       if (!dsc.triangulation().is_infinite(c))
-        labels.insert(c->label());
+        labels.insert(c->subdomain_index());
     } while (++c != first);
     triple_edges += labels.size() == 3;
   }

@@ -251,11 +251,11 @@ TEST(Interface, of_pairs_of_labels) {
   EXPECT_EQ(dsc.interface_facets().size(), 56u);
   for (const auto& f : dsc.interface_facets()) {
     EXPECT_TRUE(dsc.is_interface(f));
-    EXPECT_GT(f.first->label(), f.first->neighbor(f.second)->label());
+    EXPECT_GT(f.first->subdomain_index(), f.first->neighbor(f.second)->subdomain_index());
   }
   for (const auto& f : dsc.interface_facets(1, 2)) {
     const auto v = dsc.facet_vertices(f);
-    EXPECT_EQ(f.first->label(), 2);
+    EXPECT_EQ(f.first->subdomain_index(), 2);
     // normals point out of label 2, where x is positive
     EXPECT_LT(CGAL::normal(v[0]->point(), v[1]->point(), v[2]->point()).x(), 0);
   }

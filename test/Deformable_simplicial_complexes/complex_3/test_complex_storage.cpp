@@ -270,7 +270,7 @@ TEST(Components, merge_and_split) {
   for (const auto& part : events[0].after) {
     std::size_t cells = 0;
     for (Cell_handle c : dsc.cells())
-      cells += c->label() == 1 && c->component() == part.component;
+      cells += c->subdomain_index() == 1 && c->component() == part.component;
     EXPECT_EQ(2 * cells, dsc.number_of_cells(1));
   }
 }
@@ -280,7 +280,7 @@ TEST(Components, events_come_in_order) {
   relabel(dsc, 1, [&](Cell_handle c) { return is_bridge(dsc, c); });
   EXPECT_EQ(dsc.number_of_components(1), 1u);
   dsc.update_components(); // the copy is only inspected
-  relabel(dsc, 0, [&](Cell_handle c) { return c->label() == 1; });
+  relabel(dsc, 0, [&](Cell_handle c) { return c->subdomain_index() == 1; });
   EXPECT_EQ(dsc.number_of_components(1), 0u);
   EXPECT_EQ(dsc.labels(), std::vector<int>{0});
   const auto events = dsc.take_component_events();
@@ -294,7 +294,7 @@ TEST(Components, events_come_in_order) {
 TEST(Components, what_happens_between_two_looks_is_one_event) {
   Complex dsc = make_bars();
   relabel(dsc, 1, [&](Cell_handle c) { return is_bridge(dsc, c); });
-  relabel(dsc, 0, [&](Cell_handle c) { return c->label() == 1; });
+  relabel(dsc, 0, [&](Cell_handle c) { return c->subdomain_index() == 1; });
   const auto events = dsc.take_component_events();
   ASSERT_EQ(events.size(), 2u); // of each bar
   expect_event(events[0], Event::Kind::vanished, 1, 1, 0);
@@ -315,8 +315,9 @@ TEST(Components, of_a_label_that_was_not_there_appear) {
 
 TEST(Components, one_of_two_vanishes) {
   Complex dsc = make_bars();
-  relabel(dsc, 0,
-          [&](Cell_handle c) { return c->label() == 1 && dsc.position(c->vertex(0)).x() > 0; });
+  relabel(dsc, 0, [&](Cell_handle c) {
+    return c->subdomain_index() == 1 && dsc.position(c->vertex(0)).x() > 0;
+  });
   const auto events = dsc.take_component_events();
   ASSERT_EQ(events.size(), 1u);
   expect_event(events[0], Event::Kind::vanished, 1, 1, 0);
@@ -361,6 +362,7 @@ TEST(Components, keep_their_numbers_in_states) {
 // Validity
 
 TEST(Is_valid, sees_what_was_tampered_with) {
+  using CGAL::Deformable_simplicial_complexes::internal::Simplex_access;
   const Complex good = used_complex();
   EXPECT_TRUE(good.is_valid());
   const auto expect_invalid = [&](auto tamper) {
@@ -369,17 +371,18 @@ TEST(Is_valid, sees_what_was_tampered_with) {
     EXPECT_FALSE(dsc.is_valid());
   };
   for (std::size_t i : {0, 20, 90}) {
-    expect_invalid([&](Complex& dsc) { dsc.cells()[i]->set_quality(.5); });
-    expect_invalid([&](Complex& dsc) { dsc.cells()[i]->set_label(9); });
-    expect_invalid([&](Complex& dsc) { dsc.cells()[i]->set_id(dsc.cells()[i + 1]->id()); });
-    expect_invalid([&](Complex& dsc) { dsc.vertices()[i]->set_id(1000000); });
+    expect_invalid([&](Complex& dsc) { Simplex_access::set_quality(dsc.cells()[i], .5); });
+    expect_invalid([&](Complex& dsc) { dsc.cells()[i]->set_subdomain_index(9); });
+    expect_invalid(
+        [&](Complex& dsc) { Simplex_access::set_id(dsc.cells()[i], dsc.cells()[i + 1]->id()); });
+    expect_invalid([&](Complex& dsc) { Simplex_access::set_id(dsc.vertices()[i], 1000000); });
     expect_invalid([&](Complex& dsc) {
       const Cell_handle c = dsc.cells()[i];
-      c->set_label(c->label() == 0 ? 1 : 0);
+      c->set_subdomain_index(c->subdomain_index() == 0 ? 1 : 0);
     });
     expect_invalid([&](Complex& dsc) {
       const Vertex_handle v = dsc.vertices()[i];
-      v->set_interface_degree(v->interface_degree() + 1);
+      Simplex_access::set_interface_degree(v, v->interface_degree() + 1);
     });
     expect_invalid([&](Complex& dsc) { // a small displacement, so that all cells stay positive
       const Vertex_handle v = dsc.vertices()[i];
@@ -392,7 +395,7 @@ TEST(Is_valid, sees_what_was_tampered_with) {
     });
     expect_invalid([&](Complex& dsc) {
       const Vertex_handle v = dsc.vertices()[i];
-      v->set_boundary_class(dsc.is_boundary(v) ? 0 : 1);
+      Simplex_access::set_boundary_class(v, dsc.is_boundary(v) ? 0 : 1);
     });
   }
 }
@@ -402,7 +405,7 @@ TEST(Is_valid, sees_sides_that_are_no_planes) {
   const Complex dsc = make_complex(grid(2, small_meshes::uniform));
   for (Vertex_handle v : dsc.vertices())
     if (dsc.is_boundary(v))
-      v->set_boundary_class(1); // also for the vertices at x = 1
+      Simplex_access::set_boundary_class(v, 1); // also for the vertices at x = 1
   EXPECT_FALSE(dsc.is_valid());
 }
 

@@ -402,7 +402,7 @@ struct Counting_visitor : public DSC::Deformation_visitor
     ++flipped;
   }
   void after_relabel(Cell_handle cell, int before) {
-    EXPECT_NE(cell->label(), before);
+    EXPECT_NE(cell->subdomain_index(), before);
     ++relabeled;
   }
   bool go_further(unsigned pass) {

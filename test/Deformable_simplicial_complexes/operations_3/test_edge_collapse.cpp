@@ -72,7 +72,7 @@ Complex collapsed_from_scratch(const Complex& dsc, Vertex_handle v, Vertex_handl
       t[i] = std::size_t(std::find(vertices.begin(), vertices.end(), u) - vertices.begin());
     }
     mesh.tetrahedra.push_back(t);
-    mesh.labels.push_back(c->label());
+    mesh.labels.push_back(c->subdomain_index());
   }
   Complex result;
   try {
@@ -92,7 +92,7 @@ std::vector<Cell> cells(const Complex& dsc) {
     for (int i = 0; i < 4; ++i)
       cell.first[i] = mesh_helpers::coordinates(dsc, c->vertex(i));
     std::sort(cell.first.begin(), cell.first.end());
-    cell.second = c->label();
+    cell.second = c->subdomain_index();
     result.push_back(cell);
   }
   std::sort(result.begin(), result.end());
@@ -277,8 +277,8 @@ TEST(Edge_collapse, does_not_separate_phases_that_touch_in_a_facet) {
   for (Cell_handle c : cap) {
     int shared = 0;
     for (int i = 0; i < 4; ++i)
-      shared += c->neighbor(i)->label() == 1;
-    if (c->label() == 0 && (c == outer || shared == 0))
+      shared += c->neighbor(i)->subdomain_index() == 1;
+    if (c->subdomain_index() == 0 && (c == outer || shared == 0))
       dsc.relabel(c, 2);
   }
   Cavity cavity(dsc);

@@ -27,7 +27,7 @@ std::vector<Cell_handle> component(const Complex& dsc, Cell_handle seed) {
   for (std::size_t k = 0; k < cells.size(); ++k)
     for (int i = 0; i < 4; ++i) {
       const Cell_handle n = cells[k]->neighbor(i);
-      if (!dsc.is_infinite(n) && n->label() == seed->label() &&
+      if (!dsc.is_infinite(n) && n->subdomain_index() == seed->subdomain_index() &&
           std::find(cells.begin(), cells.end(), n) == cells.end())
         cells.push_back(n);
     }
@@ -124,7 +124,7 @@ int compare_with_brute_force(const Complex& dsc) {
     EXPECT_FALSE(inserted->is_interface());
     for (Cell_handle c : of_copy.created()) {
       EXPECT_TRUE(c->has_vertex(inserted));
-      EXPECT_EQ(c->label(), seed->label());
+      EXPECT_EQ(c->subdomain_index(), seed->subdomain_index());
     }
   }
   EXPECT_TRUE(dsc.state() == state);
@@ -160,7 +160,7 @@ TEST(Vertex_insertion, replaces_a_sliver_and_its_neighbors) {
   // All eight new tetrahedra are congruent, so the new vertex stays in the center.
   EXPECT_NEAR(cavity.quality_before(), volume_length_ratio(4 * h / 3, 16 + 16 * h * h), tolerance);
   EXPECT_NEAR(cavity.quality_after(), volume_length_ratio(1. / 6, 9 + 8 * h * h), tolerance);
-  EXPECT_LT((cavity.vertices().back().point - CGAL::ORIGIN).squared_length(), 1e-20);
+  EXPECT_LT((cavity.vertices().back().position - CGAL::ORIGIN).squared_length(), 1e-20);
   expect_valid_commit(dsc, cavity, volume_of_domain(dsc));
   EXPECT_EQ(dsc.number_of_cells(), 8u);
 }
@@ -184,7 +184,7 @@ TEST(Vertex_insertion, takes_no_cell_of_another_label) {
   const auto interface_before = mesh_helpers::interface_triangles(dsc);
   ASSERT_TRUE(propose_vertex_insertion(dsc, sliver, cavity));
   EXPECT_EQ(cavity.removed().size(), 3u);
-  EXPECT_LT(cavity.vertices().back().point.z(), -.1);
+  EXPECT_LT(cavity.vertices().back().position.z(), -.1);
   expect_valid_commit(dsc, cavity, volume_of_domain(dsc));
   EXPECT_EQ(mesh_helpers::interface_triangles(dsc), interface_before);
 }

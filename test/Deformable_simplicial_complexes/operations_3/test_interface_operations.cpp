@@ -127,7 +127,7 @@ double area_around(const Complex& dsc, Cell_handle c, int label) {
   double area = 0;
   for (int i = 0; i < 4; ++i) {
     const auto v = dsc.facet_vertices({c, i});
-    if (!dsc.is_infinite(c->neighbor(i)) && c->neighbor(i)->label() != label)
+    if (!dsc.is_infinite(c->neighbor(i)) && c->neighbor(i)->subdomain_index() != label)
       area += std::sqrt(
           CGAL::cross_product(v[1]->point() - v[0]->point(), v[2]->point() - v[0]->point())
               .squared_length());
@@ -175,16 +175,17 @@ TEST(Relabeling, follows_the_two_rules) {
     const int facet = facet_of_contact(dsc, c);
     if (facet >= 0) {
       EXPECT_TRUE(proposed);
-      EXPECT_EQ(label, c->neighbor(facet)->label());
+      EXPECT_EQ(label, c->neighbor(facet)->subdomain_index());
       ++by_projection;
       continue;
     }
-    int best = c->label();
+    int best = c->subdomain_index();
     for (int i = 0; i < 4; ++i)
       if (!dsc.is_infinite(c->neighbor(i)) &&
-          area_around(dsc, c, c->neighbor(i)->label()) < area_around(dsc, c, best) - tolerance)
-        best = c->neighbor(i)->label();
-    EXPECT_EQ(proposed, best != c->label());
+          area_around(dsc, c, c->neighbor(i)->subdomain_index()) <
+              area_around(dsc, c, best) - tolerance)
+        best = c->neighbor(i)->subdomain_index();
+    EXPECT_EQ(proposed, best != c->subdomain_index());
     if (proposed) {
       EXPECT_EQ(label, best);
       Complex copy = dsc;

@@ -88,7 +88,7 @@ TEST(Edge_removal, agrees_with_brute_force_in_a_grid) {
     bool is_allowed = !ring.empty();
     auto c = dsc.triangulation().incident_cells(e.cell, e.i, e.j), done = c;
     do {
-      is_allowed = is_allowed && c->label() == e.cell->label();
+      is_allowed = is_allowed && c->subdomain_index() == e.cell->subdomain_index();
       before = (std::min)(before, c->quality());
     } while (++c != done);
     const double best =

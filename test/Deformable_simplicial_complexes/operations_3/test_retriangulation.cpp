@@ -105,7 +105,7 @@ TEST(Multi_face_retriangulation, is_best_of_all_triangulations_of_a_loop) {
         EXPECT_NEAR(cavity.quality_after(), best, tolerance);
         EXPECT_NEAR(from_above.quality_after(), best, tolerance);
         for (Cell_handle c : cavity.removed())
-          EXPECT_EQ(c->label(), below->label());
+          EXPECT_EQ(c->subdomain_index(), below->subdomain_index());
 
         Complex copy = dsc;
         Cavity of_copy(copy);

@@ -84,8 +84,8 @@ bool is_surrounded_once(const Complex& dsc, Vertex_handle v, int label) {
   for (Cell_handle c : star)
     for (int k = 0; k < 4; ++k) {
       const Cell_handle n = c->neighbor(k);
-      if (c->vertex(k) == v || dsc.is_infinite(c) || c->label() != label ||
-          (!dsc.is_infinite(n) && n->label() == label))
+      if (c->vertex(k) == v || dsc.is_infinite(c) || c->subdomain_index() != label ||
+          (!dsc.is_infinite(n) && n->subdomain_index() == label))
         continue;
       std::vector<std::size_t> ends;
       for (int i = 0; i < 4; ++i)
@@ -150,7 +150,7 @@ TEST(Manifold_relabeling, opens_a_tunnel_between_parts) {
     EXPECT_EQ(cells.front(), c);
     EXPECT_FALSE(DSC::relabeling_keeps_topology(dsc, cells, 1));
     for (Cell_handle d : cells) {
-      EXPECT_EQ(d->label(), 0);
+      EXPECT_EQ(d->subdomain_index(), 0);
       dsc.relabel(d, 1);
     }
     EXPECT_EQ(number_of_pinches(dsc), 0u);
@@ -166,7 +166,7 @@ TEST(Manifold_relabeling, can_be_refused_where_the_topology_is_kept) {
   Complex dsc = make_complex(grid(6, small_meshes::ball));
   std::size_t kept = 0, pinched = 0;
   for (Cell_handle c : dsc.cells()) {
-    const int label = c->label();
+    const int label = c->subdomain_index();
     if (!DSC::relabeling_keeps_topology(dsc, c, 1 - label))
       continue;
     dsc.relabel(c, 1 - label);
@@ -189,7 +189,8 @@ TEST(Manifold_relabeling, keeps_its_promise_on_random_labels) {
       Complex dsc = make_complex(grid(4, noise(number_of_labels, part, random)));
       std::vector<Cell_handle> cells;
       for (Cell_handle c : dsc.cells()) {
-        const int label = int(random.below(std::size_t(number_of_labels))), before = c->label();
+        const int label = int(random.below(std::size_t(number_of_labels))),
+                  before = c->subdomain_index();
         if (label == before || c->time_stamp() % 4 != 0)
           continue;
         const auto state = dsc.state();
@@ -202,7 +203,7 @@ TEST(Manifold_relabeling, keeps_its_promise_on_random_labels) {
         const bool keeps = DSC::relabeling_keeps_topology(dsc, cells, label);
         const auto topology = keeps ? betti_numbers::of_complex(dsc) : Topology();
         for (Cell_handle d : cells) {
-          ASSERT_EQ(d->label(), before);
+          ASSERT_EQ(d->subdomain_index(), before);
           dsc.relabel(d, label);
         }
         for (Cell_handle d : cells)

@@ -18,7 +18,7 @@ using betti_numbers::Betti_numbers;
 
 const Betti_numbers ball = {1, 0, 0}, sphere = {1, 0, 1};
 
-bool has_label_1(Cell_handle c) { return c->label() == 1; }
+bool has_label_1(Cell_handle c) { return c->subdomain_index() == 1; }
 
 template <class NamedParameters>
 DSC::Deformation_report<Complex> deform(Complex& dsc,
@@ -47,7 +47,8 @@ Vector to_the_middle(const Position& p) { return Vector(p.x() > 0 ? -.08 : .08, 
 TEST(Betti_numbers, of_known_shapes) {
   const Complex solid = make_complex(grid(4, small_meshes::cube));
   EXPECT_EQ(betti_numbers::of_cells(solid, has_label_1), ball);
-  EXPECT_EQ(betti_numbers::of_cells(solid, [](Cell_handle c) { return c->label() == 0; }), sphere);
+  EXPECT_EQ(betti_numbers::of_cells(solid, [](Cell_handle c) { return c->subdomain_index() == 0; }),
+            sphere);
   EXPECT_EQ(betti_numbers::of_interface(solid), sphere);
   const auto is_frame = [](const Point& p) {
     return int(std::abs(p.z()) < .5 && (std::abs(p.x()) > .5) + (std::abs(p.y()) > .5) == 1);
@@ -74,7 +75,7 @@ TEST(Relabeling_topology, cells_at_the_side_of_a_solid_keep_it) {
       facets += dsc.is_interface(std::make_pair(c, i));
       vertices += c->vertex(i)->is_interface();
     }
-    const bool keeps = relabeling_keeps_topology(dsc, c, 1 - c->label());
+    const bool keeps = relabeling_keeps_topology(dsc, c, 1 - c->subdomain_index());
     if (facets == 1 && vertices == 3) {
       EXPECT_TRUE(keeps);
       ++kept;
@@ -104,7 +105,7 @@ TEST(Relabeling_topology, agrees_with_betti_numbers_on_random_labels) {
       for (int i = 0; i < 100; ++i) {
         const Cell_handle c = cells[random.below(cells.size())];
         const int label = int(random.below(std::size_t(number_of_labels)));
-        if (label == c->label() || !relabeling_keeps_topology(dsc, c, label))
+        if (label == c->subdomain_index() || !relabeling_keeps_topology(dsc, c, label))
           continue;
         dsc.relabel(c, label);
         ++kept;
@@ -124,7 +125,7 @@ TEST(Relabeling_topology, names_no_change_where_there_is_none) {
     bool is_far = true;
     for (int i = 0; i < 4; ++i)
       is_far = is_far && !dsc.is_boundary(c->vertex(i));
-    if (c->label() != 0 || !is_far || c->time_stamp() % 8 != 0)
+    if (c->subdomain_index() != 0 || !is_far || c->time_stamp() % 8 != 0)
       continue;
     const auto before = betti_numbers::of_complex(dsc);
     const bool keeps = relabeling_keeps_topology(dsc, c, 1);
@@ -247,7 +248,7 @@ TEST(Topology_control, eight_labels_change_only_where_granted) {
       const auto recorded = [&](const Complex& complex, Cell_handle c, int label) {
         const bool is_granted = control(complex, c, label);
         if (is_granted)
-          granted.insert({c->label(), label});
+          granted.insert({c->subdomain_index(), label});
         return is_granted;
       };
       const double length = random(.5, 2) * dsc.mean_interface_edge();

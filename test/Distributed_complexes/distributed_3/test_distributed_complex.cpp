@@ -865,7 +865,7 @@ TEST(Part_of_a_complex, May_touch_itself) {
       state.cells.emplace_back();
       for (int i = 0; i < 4; ++i)
         state.cells.back()[i] = std::uint32_t(indices[c][i] + 1);
-      state.cell_labels.push_back(chosen[c]->label());
+      state.cell_labels.push_back(chosen[c]->subdomain_index());
       state.noted_qualities.push_back(1);
       state.failures.push_back(0);
     }

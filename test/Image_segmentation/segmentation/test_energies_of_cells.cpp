@@ -32,7 +32,7 @@ template <class Gain> auto energy_of(const Complex& complex, const Gain& gain) {
 template <class Energy> double total(const Complex& complex, const Energy& energy, double tension) {
   double result = 0;
   for (auto c : complex.cells())
-    result += energy(c, c->label());
+    result += energy(c, c->subdomain_index());
   for (const auto& f : complex.interface_facets())
     result += tension * complex.measure(f);
   return result;
@@ -51,7 +51,7 @@ TEST(Relabel_by_energy, ends_in_a_local_minimum) {
   EXPECT_TRUE(complex.is_valid());
   const double least = total(complex, energy, 1);
   for (auto c : complex.cells()) {
-    const int label = c->label();
+    const int label = c->subdomain_index();
     complex.relabel(c, 1 - label);
     EXPECT_GT(total(complex, energy, 1), least);
     complex.relabel(c, label);
@@ -120,7 +120,7 @@ TEST(Relabel_by_energy, counts_neighbors_that_changed_before) {
   });
   // Both prefer the label 1, but their common boundary has no energy only if both get it.
   const auto energy = [&](Complex::Cell_handle c, int label) {
-    const bool is_inside = c->label() > 1 || label > 1 || label == 1;
+    const bool is_inside = c->subdomain_index() > 1 || label > 1 || label == 1;
     return is_inside ? (label == 1 ? -.5 : 0) * complex.measure(c) : 0.;
   };
   DSC::Relabeling_options<Complex> options;

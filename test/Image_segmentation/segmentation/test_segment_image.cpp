@@ -101,7 +101,7 @@ TEST(Segment_image, finds_a_disk_in_a_ring) {
   const DSC::Image_moments<2> moments(image);
   for (auto c : complex.cells()) {
     const auto of_cell = moments(complex, c);
-    const double intensity = report.phases[std::size_t(c->label())].intensities.front();
+    const double intensity = report.phases[std::size_t(c->subdomain_index())].intensities.front();
     energy +=
         of_cell.squares - 2 * intensity * of_cell.sums[0] + intensity * intensity * of_cell.pixels;
   }

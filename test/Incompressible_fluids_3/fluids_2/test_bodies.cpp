@@ -261,7 +261,7 @@ TEST(Rigid_body, falls_without_liquid) {
   body.angular_velocity = Vector(0, 0, 1);
   fluid.add_body(DSC::Ball_solid_3(body.center, .3, DSC::Solid_side::inside), body);
   for (auto c : complex.cells())
-    if (c->label() == 1)
+    if (c->subdomain_index() == 1)
       complex.relabel(c, 0);
   for (int k = 0; k < 4; ++k)
     fluid.advance(.25);
@@ -519,7 +519,7 @@ TEST(Box_solid, in_a_liquid_needs_a_hole) {
     for (Complex::Cell_handle c : complex.cells())
       if (const auto p = complex.corner(c, 0) + (complex.corner(c, 1) - complex.corner(c, 0)) / 3 +
                          (complex.corner(c, 2) - complex.corner(c, 0)) / 3;
-          c->label() == 1) {
+          c->subdomain_index() == 1) {
         const double depth = (std::min)((std::min)(p.x(), 1 - p.x()), (std::min)(p.y(), 1 - p.y()));
         if (depth > farthest) {
           farthest = depth;

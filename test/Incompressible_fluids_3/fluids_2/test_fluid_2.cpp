@@ -34,7 +34,7 @@ Vector rotation(const Point& p) { return {-p.y(), p.x()}; }
 double angular_momentum(const Fluid& fluid, int label) {
   double result = 0;
   for (auto c : fluid.complex().cells()) {
-    if (c->label() != label)
+    if (c->subdomain_index() != label)
       continue;
     // The products of linear functions are integrated exactly at the midpoints of the edges.
     for (int i = 0; i < 3; ++i) {
@@ -50,7 +50,7 @@ double angular_momentum(const Fluid& fluid, int label) {
 double greatest_velocity(const Fluid& fluid, int label) {
   double result = 0;
   for (auto c : fluid.complex().cells())
-    for (int i = 0; i < 3 && c->label() == label; ++i)
+    for (int i = 0; i < 3 && c->subdomain_index() == label; ++i)
       result = (std::max)(result, fluid.velocity(c->vertex(i), label).squared_length());
   return std::sqrt(result);
 }
@@ -94,7 +94,7 @@ TEST(Fluid_2, that_rotates_has_twice_its_angular_velocity_as_vorticity) {
       is_at_interface = is_at_interface || complex.is_interface(c->vertex(i));
     // At the interface, the normal velocities of both liquids are equal.
     EXPECT_TRUE(is_at_interface ||
-                std::abs(fluid.vorticity(c) - (c->label() == 1 ? 2 : -6)) < 1e-10);
+                std::abs(fluid.vorticity(c) - (c->subdomain_index() == 1 ? 2 : -6)) < 1e-10);
   }
 }
 

@@ -155,7 +155,7 @@ TEST(Marangoni, drop_moves_to_smaller_tensions) {
     EXPECT_TRUE(fluid.advance(.02).repetitions.empty());
   double x = 0, y = 0;
   for (auto c : complex.cells())
-    for (int i = 0; i < 3 && c->label() == 1; ++i) {
+    for (int i = 0; i < 3 && c->subdomain_index() == 1; ++i) {
       x += complex.measure(c) / 3 * complex.position(c->vertex(i)).x();
       y += complex.measure(c) / 3 * complex.position(c->vertex(i)).y();
     }

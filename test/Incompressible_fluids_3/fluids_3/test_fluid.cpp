@@ -22,7 +22,7 @@ Vector vector(const Complex::Point& p) { return {p.x(), p.y(), p.z()}; }
 std::vector<Complex::Vertex_handle> vertices_of_liquids(const Complex& complex) {
   std::vector<Complex::Vertex_handle> result;
   for (auto c : complex.cells())
-    if (c->label() != 0)
+    if (c->subdomain_index() != 0)
       for (int i = 0; i < 4; ++i)
         result.push_back(c->vertex(i));
   std::sort(result.begin(), result.end());
@@ -345,7 +345,9 @@ TEST(Fluid, that_rotates_has_twice_its_angular_velocity_as_vorticity) {
     return Vector(CGAL::cross_product(omega, vector(complex.position(v))));
   });
   for (auto c : complex.cells())
-    EXPECT_LT(length(fluid.vorticity(c) - (c->label() == 1 ? 2 * omega : Vector(0, 0, 0))), 1e-10);
+    EXPECT_LT(
+        length(fluid.vorticity(c) - (c->subdomain_index() == 1 ? 2 * omega : Vector(0, 0, 0))),
+        1e-10);
 }
 
 // A ball of liquid rotates in another liquid at rest. The state can be saved.

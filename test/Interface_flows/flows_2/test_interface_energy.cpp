@@ -142,8 +142,12 @@ TEST(Interface_energy, is_the_sum_over_pairs_and_labels) {
   energy.set_density([](int label) { return .1 * label; });
   double length = 0, area = 0;
   for (const auto& facet : complex.interface_facets())
-    length += complex.measure(facet) *
-              (facet.first->label() + facet.first->neighbor(facet.second)->label() == 3 ? 1.5 : 1);
+    length +=
+        complex.measure(facet) *
+        (facet.first->subdomain_index() + facet.first->neighbor(facet.second)->subdomain_index() ==
+                 3
+             ? 1.5
+             : 1);
   for (int label : {1, 2, 3})
     area += .1 * label * complex.area(label);
   EXPECT_NEAR(energy(complex), length + area, 1e-12);
@@ -202,7 +206,8 @@ TEST(Interface_energy, walls_of_mobility_0_stay) {
   Complex complex = disk_between_two_labels(12, .6);
   const auto expect_on_line = [&] {
     for (const auto& facet : complex.interface_facets())
-      if (facet.first->label() + facet.first->neighbor(facet.second)->label() == 3)
+      if (facet.first->subdomain_index() + facet.first->neighbor(facet.second)->subdomain_index() ==
+          3)
         for (auto v : complex.facet_vertices(facet)) {
           EXPECT_EQ(complex.position(v).y(), 0);
         }
@@ -235,7 +240,7 @@ TEST(Interface_energy, particle_pins_a_wall) {
       double x = 0;
       for (int i = 0; i < 3; ++i)
         x += complex.position(c->vertex(i)).x() / 3;
-      if (c->label() == 0 && x > 0)
+      if (c->subdomain_index() == 0 && x > 0)
         ahead.push_back(c);
     }
     for (auto c : ahead)
@@ -272,7 +277,8 @@ TEST(Interface_energy, thin_layer_stays_if_it_wets) {
     std::size_t proposed = 0;
     int label = 0;
     for (auto c : complex.cells())
-      proposed += c->label() == 3 && DSC::propose_relabeling(complex, c, .1, label, energy);
+      proposed +=
+          c->subdomain_index() == 3 && DSC::propose_relabeling(complex, c, .1, label, energy);
     EXPECT_EQ(proposed, tension < 2 ? 8u : 0u);
   }
 }
@@ -306,7 +312,7 @@ TEST(Interface_energy, decides_whether_neighbors_are_exchanged) {
     bool is_proposed = false;
     for (auto c : complex.cells())
       for (int i = 0; i < 3; ++i)
-        if (c->label() == 1 && c->neighbor(i)->label() == 2)
+        if (c->subdomain_index() == 1 && c->neighbor(i)->subdomain_index() == 2)
           is_proposed =
               is_proposed ||
               DSC::propose_neighbor_exchange(complex, c, i, .5, cavity, energy).has_value();
@@ -387,7 +393,8 @@ TEST(Interface_energy, lens_has_the_angle_of_young) {
   EXPECT_NEAR(complex.area(3), area, 1e-9);
   double width = 0, height = 0;
   for (const auto& facet : complex.interface_facets())
-    if (facet.first->label() == 3 || facet.first->neighbor(facet.second)->label() == 3)
+    if (facet.first->subdomain_index() == 3 ||
+        facet.first->neighbor(facet.second)->subdomain_index() == 3)
       for (auto v : complex.facet_vertices(facet)) {
         width = (std::max)(width, std::abs(complex.position(v).x()));
         height = (std::max)(height, std::abs(complex.position(v).y()));

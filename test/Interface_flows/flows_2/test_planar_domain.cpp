@@ -77,7 +77,7 @@ TEST(Domain_boundary_2, takes_a_phase_that_is_pressed_onto_it) {
   for (int step = 0; step < 4 && dsc.number_of_cells(1) > 0; ++step) {
     DSC::deform_interface(dsc, [&](Complex::Vertex_handle v) {
       const auto p = dsc.position(v);
-      return {p.x(), p.y() - .3};
+      return Complex::Point_2(p.x(), p.y() - .3);
     });
     ASSERT_TRUE(dsc.is_valid(true));
   }

@@ -54,14 +54,15 @@ std::map<int, std::size_t> numbers_of_components(const Complex& dsc) {
   for (Cell_handle seed : dsc.cells()) {
     if (!seen.insert(seed).second)
       continue;
-    ++result[seed->label()];
+    ++result[seed->subdomain_index()];
     std::vector<Cell_handle> front = {seed};
     while (!front.empty()) {
       const Cell_handle c = front.back();
       front.pop_back();
       for (int i = 0; i < 4; ++i) {
         const Cell_handle n = c->neighbor(i);
-        if (!dsc.is_infinite(n) && n->label() == c->label() && seen.insert(n).second)
+        if (!dsc.is_infinite(n) && n->subdomain_index() == c->subdomain_index() &&
+            seen.insert(n).second)
           front.push_back(n);
       }
     }
@@ -75,7 +76,7 @@ std::vector<Filled> filled_cells(const Complex& dsc, Random& random) {
   std::vector<Filled> result;
   for (Cell_handle c : dsc.cells())
     result.push_back({internal::Clipping_simplex<Complex::Space>(internal::cell_corners(dsc, c)),
-                      c->label(), random(-1, 1)});
+                      c->subdomain_index(), random(-1, 1)});
   return result;
 }
 
@@ -178,7 +179,8 @@ TEST(Labeled_star, knows_the_neighbors_of_cells) {
   auto vertices = dsc.vertices();
   vertices.push_back(dsc.triangulation().infinite_vertex());
   for (Vertex_handle v : vertices) {
-    const internal::Labeled_star<Complex> star(dsc, v, [](Cell_handle c) { return c->label(); });
+    const internal::Labeled_star<Complex> star(dsc, v,
+                                               [](Cell_handle c) { return c->subdomain_index(); });
     for (std::size_t i = 0; i < star.size(); ++i) {
       auto next = star.neighbors(i).begin();
       for (int k = 0; k < 4; ++k)
@@ -218,9 +220,9 @@ TEST(Components, are_known_after_relabelings_that_keep_them) {
     const auto cells = dsc.cells();
     const Cell_handle c = cells[random.below(cells.size())];
     const Cell_handle n = c->neighbor(int(random.below(4)));
-    if (dsc.is_infinite(n) || n->label() == c->label())
+    if (dsc.is_infinite(n) || n->subdomain_index() == c->subdomain_index())
       continue;
-    dsc.relabel(c, n->label());
+    dsc.relabel(c, n->subdomain_index());
     EXPECT_TRUE(dsc.is_valid(true));
     const auto events = dsc.take_component_events();
     EXPECT_TRUE(dsc.is_valid(true));
@@ -255,8 +257,8 @@ TEST(Components, are_known_after_many_relabelings) {
       const Cell_handle n = c->neighbor(int(random.below(4)));
       if (dsc.is_infinite(n))
         continue;
-      if (n->label() != c->label())
-        dsc.relabel(c, n->label());
+      if (n->subdomain_index() != c->subdomain_index())
+        dsc.relabel(c, n->subdomain_index());
       if (i % 3 == 0) {
         EXPECT_EQ(dsc.number_of_components(1), numbers_of_components(dsc)[1]);
       }

@@ -86,7 +86,7 @@ TEST(Grain_growth, wall_slides_along_a_particle) {
     double x = 0;
     for (int i = 0; i < 4; ++i)
       x += complex.position(c->vertex(i)).x() / 4;
-    if (c->label() == 1 && x > .4)
+    if (c->subdomain_index() == 1 && x > .4)
       above.push_back(c);
   }
   for (auto c : above)

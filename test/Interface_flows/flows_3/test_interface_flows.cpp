@@ -262,7 +262,7 @@ TEST(Face_offset, goes_outwards_at_a_thin_rim) {
   Complex dsc = make_complex(grid(4, wedge)); // its rim is on the y axis
   DSC::deform_interface(dsc, [&](Complex::Vertex_handle v) {
     const Position p = dsc.position(v);
-    return {p.x(), p.y(), .1 * p.z()};
+    return Position(p.x(), p.y(), .1 * p.z());
   });
   const std::vector<Position> before = Snapshot(dsc).positions(dsc);
   const std::vector<Position> after = destinations(dsc, DSC::Face_offset_3(1), .05);

@@ -88,16 +88,17 @@ TEST(Options, of_remeshing_are_those_of_the_named_parameters) {
       [](Complex& dsc) {
         DSC::Detail_options<Complex> options;
         options.sizing_field = sizes;
-        options.where = [](Complex::Cell_handle c) { return c->label() == 1; };
+        options.where = [](Complex::Cell_handle c) { return c->subdomain_index() == 1; };
         options.split_length = 2;
         options.change_interface = true;
         DSC::control_detail(dsc, options);
       },
       [](Complex& dsc) {
-        DSC::control_detail(dsc, parameters::sizing_field(sizes)
-                                     .where([](Complex::Cell_handle c) { return c->label() == 1; })
-                                     .split_length(2)
-                                     .change_interface(true));
+        DSC::control_detail(
+            dsc, parameters::sizing_field(sizes)
+                     .where([](Complex::Cell_handle c) { return c->subdomain_index() == 1; })
+                     .split_length(2)
+                     .change_interface(true));
       });
   expect_equal(
       [](Complex& dsc) {

@@ -50,7 +50,7 @@ double integral(const Complex& dsc, Cell_values& averages) {
 double integral(const Complex& dsc, Cell_values& averages, int label) {
   double result = 0;
   for (Cell_handle c : dsc.cells())
-    result += c->label() == label ? averages[c] * volume(dsc, c) : 0;
+    result += c->subdomain_index() == label ? averages[c] * volume(dsc, c) : 0;
   return result;
 }
 
@@ -292,7 +292,7 @@ TEST(Carried_values, move_with_the_flow) {
   Vertex_values values = linear_values(dsc);
   Cell_values averages;
   for (Cell_handle c : dsc.cells())
-    averages.set(c, c->label());
+    averages.set(c, c->subdomain_index());
   const Vector way(.02, .01, 0);
   carry(dsc, values, averages, [&](auto& visitor) {
     return DSC::deform_interface(

@@ -154,7 +154,7 @@ TEST(Null_space_smoothing, leaves_lines_between_labels_and_the_boundary) {
       std::vector<int> labels;
       for (Cell_handle c : star)
         if (!dsc.is_infinite(c))
-          labels.push_back(c->label());
+          labels.push_back(c->subdomain_index());
       std::sort(labels.begin(), labels.end());
       labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
       if (!DSC::propose_null_space_position(dsc, v, star, .9, 1., 0., target))

@@ -189,7 +189,7 @@ TEST(Shared_walls, may_be_written_with_few_digits) {
     auto result = surfaces;
     for (Surface& surface : result)
       for (Point& p : surface.points)
-        p = Point(rounded(p.x()), canonical(p.y()), canonical(p.z()));
+        p = Point(rounded(p.x()), rounded(p.y()), rounded(p.z()));
     return result;
   };
   const auto floats = round_all([](double x) { return double(float(x)); });

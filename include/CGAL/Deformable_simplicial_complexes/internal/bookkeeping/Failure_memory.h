@@ -9,6 +9,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BOOKKEEPING_FAILURE_MEMORY_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BOOKKEEPING_FAILURE_MEMORY_H
 
+#include <CGAL/Deformable_simplicial_complexes/Simplex_data.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -33,11 +35,11 @@ template <class Cell_handle> bool is_exhausted(Cell_handle c, Attempt attempt) {
 }
 
 template <class Cell_handle> void set_exhausted(Cell_handle c, Attempt attempt) {
-  c->set_failures(std::uint8_t(c->failures() | attempt));
+  Simplex_access::set_failures(c, std::uint8_t(c->failures() | attempt));
 }
 
 template <class Cell_handle> void clear_exhausted(Cell_handle c, Attempt attempt) {
-  c->set_failures(std::uint8_t(c->failures() & ~attempt));
+  Simplex_access::set_failures(c, std::uint8_t(c->failures() & ~attempt));
 }
 
 // Returns whether cells with two given qualities have different shapes. Differences due to rounding
@@ -51,7 +53,7 @@ inline bool is_essential_change(double before, double after) {
 template <class Cell_handle> bool note_shape(Cell_handle c) {
   if (!is_essential_change(c->noted_quality(), c->quality()))
     return false;
-  c->set_noted_quality(float(c->quality()));
+  Simplex_access::set_noted_quality(c, float(c->quality()));
   return true;
 }
 

@@ -9,8 +9,9 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BOOKKEEPING_ITEM_NUMBERS_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BOOKKEEPING_ITEM_NUMBERS_H
 
+#include <CGAL/Deformable_simplicial_complexes/Simplex_data.h>
+
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -29,10 +30,10 @@ public:
 
   void give(Handle item) {
     if (m_free.empty()) {
-      item->set_id(std::uint32_t(m_items.size()));
+      Simplex_access::set_id(item, std::uint32_t(m_items.size()));
       m_items.push_back(item);
     } else {
-      item->set_id(m_free.back());
+      Simplex_access::set_id(item, m_free.back());
       m_items[m_free.back()] = item;
       m_free.pop_back();
     }
@@ -75,10 +76,12 @@ template <class Vertex_handle, class Cell_handle> class Item_numbers
 {
 public:
   Vertex_handle add_vertex(Vertex_handle v) {
+    Simplex_access::join(*v);
     m_vertex_ids.give(v);
     return stamp(v);
   }
   Cell_handle add_cell(Cell_handle c) {
+    Simplex_access::join(*c, *c);
     m_cell_ids.give(c);
     return stamp(c);
   }

@@ -137,10 +137,10 @@ void CGAL_DSC_CLASS::note_motion(Cell_handle c) {
 // Clears the failures of a cell and of its neighbors with the same label.
 CGAL_DSC_TEMPLATE
 void CGAL_DSC_CLASS::forget_failures(Cell_handle c) {
-  c->set_failures(0);
+  internal::Simplex_access::set_failures(c, 0);
   for (int i = 0; i < corners; ++i)
-    if (c->neighbor(i)->label() == c->label())
-      c->neighbor(i)->set_failures(0);
+    if (c->neighbor(i)->subdomain_index() == c->subdomain_index())
+      internal::Simplex_access::set_failures(c->neighbor(i), 0);
 }
 
 CGAL_DSC_TEMPLATE
@@ -173,11 +173,12 @@ void CGAL_DSC_CLASS::set_points(const std::vector<Vertex_handle>& vertices,
             continue;
           CGAL_assertion(is_positive(c));
           CGAL_assertion(qualities[i] == cell_quality(c));
-          if (c->label() != cells[first]->label() || c->component() != cells[first]->component())
+          if (c->subdomain_index() != cells[first]->subdomain_index() ||
+              c->component() != cells[first]->component())
             first = i;
           volume_changes[first] += m_totals.units(measure(c)) - m_totals.units(measures[i]);
           flat_changes[block] += (qualities[i] < quality_floor) - (c->quality() < quality_floor);
-          c->set_quality(qualities[i]);
+          internal::Simplex_access::set_quality(c, qualities[i]);
           have_new_shapes[i] = internal::note_shape(c);
         }
       },
@@ -205,14 +206,14 @@ void CGAL_DSC_CLASS::relabel(Cell_handle c, Label label) {
   };
   const double volume = measure(c);
   count_interface(-1);
-  m_totals.remove_cell(c->label(), volume);
+  m_totals.remove_cell(c->subdomain_index(), volume);
   m_components.add_volume(c->component(), -m_totals.units(volume));
   m_totals.add_cell(label, volume);
-  c->set_label(label);
+  c->set_subdomain_index(label);
   count_interface(1);
   for (int i = 0; i < corners; ++i)
-    if (c->neighbor(i)->label() == label && !is_infinite(c->neighbor(i)))
-      c->set_component(c->neighbor(i)->component());
+    if (c->neighbor(i)->subdomain_index() == label && !is_infinite(c->neighbor(i)))
+      internal::Simplex_access::set_component(c, c->neighbor(i)->component());
   m_components.add_volume(c->component(), m_totals.units(volume));
   forget_failures(c);
 }
@@ -237,7 +238,7 @@ public:
         auto& v = m_cavity.m_vertices[i];
         v.handle = m_numbers.add_vertex(m_tds.create_vertex());
         v.handle->set_point(v.position);
-        v.handle->set_boundary_class(v.boundary_class);
+        internal::Simplex_access::set_boundary_class(v.handle, v.boundary_class);
       }
     m_cavity.m_created.reserve(m_cavity.m_planned.size());
     while (m_cavity.m_created.size() < m_cavity.m_planned.size())
@@ -295,7 +296,7 @@ void CGAL_DSC_CLASS::replace(Cavity& cavity) {
     removed.add(c);
     if (!is_infinite(c)) {
       const double volume = measure(c);
-      m_totals.remove_cell(c->label(), volume);
+      m_totals.remove_cell(c->subdomain_index(), volume);
       m_components.add_volume(c->component(), -m_totals.units(volume));
       m_number_of_flat_cells -= c->quality() < quality_floor;
     }
@@ -314,13 +315,13 @@ void CGAL_DSC_CLASS::replace(Cavity& cavity) {
       c->set_vertex(i, cavity.m_vertices[plan.vertices[i]].handle);
       c->vertex(i)->set_cell(c);
     }
-    c->set_component(plan.parent->component());
+    internal::Simplex_access::set_component(c, plan.parent->component());
     if (!is_infinite(c)) {
-      c->set_label(plan.parent->label());
+      c->set_subdomain_index(plan.parent->subdomain_index());
       set_quality(c, plan.quality);
-      c->set_noted_quality(float(plan.quality));
+      internal::Simplex_access::set_noted_quality(c, float(plan.quality));
       const double volume = measure(c);
-      m_totals.add_cell(c->label(), volume);
+      m_totals.add_cell(c->subdomain_index(), volume);
       m_components.add_volume(c->component(), m_totals.units(volume));
     }
   }
@@ -344,7 +345,7 @@ bool CGAL_DSC_CLASS::has_several_labels(const std::vector<Cell_handle>& cells) c
   const auto is_finite = [&](Cell_handle c) { return !is_infinite(c); };
   const auto first = std::find_if(cells.begin(), cells.end(), is_finite);
   return std::any_of(first, cells.end(), [&](Cell_handle c) {
-    return is_finite(c) && c->label() != (*first)->label();
+    return is_finite(c) && c->subdomain_index() != (*first)->subdomain_index();
   });
 }
 
@@ -367,7 +368,8 @@ void CGAL_DSC_CLASS::count_removed_interface(const Cavity& cavity, const interna
   for (Cell_handle c : cavity.removed())
     for (int i = 0; i < corners; ++i) {
       const Cell_handle n = c->neighbor(i);
-      const bool is_counted_from_other_side = removed.has(n) && n->label() < c->label();
+      const bool is_counted_from_other_side =
+          removed.has(n) && n->subdomain_index() < c->subdomain_index();
       if (is_interface(Facet(c, i)) && !is_counted_from_other_side)
         count_interface_facet(Facet(c, i), -1);
     }

@@ -9,7 +9,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_HILBERT_ORDER_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_HILBERT_ORDER_H
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Kernel_traits.h>
 #include <CGAL/Mesh_support/internal/threads/stoppable_sort.h>
 #include <CGAL/algorithm.h>
 
@@ -57,7 +57,9 @@ struct Stoppable_random_numbers
 template <class Space>
 std::vector<std::size_t> hilbert_order(const std::vector<typename Space::Point>& points) {
   using Map = Stoppable_point_map<typename Space::Point>;
-  using Sorter = typename Space::template Hilbert_sorter<Epick, Map>;
+  using Sorter =
+      typename Space::template Hilbert_sorter<typename Kernel_traits<typename Space::Point>::Kernel,
+                                              Map>;
   std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   Stoppable_random_numbers random_numbers;

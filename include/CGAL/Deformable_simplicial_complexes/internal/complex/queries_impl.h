@@ -145,7 +145,7 @@ auto CGAL_DSC_CLASS::interface_facets(const For_each_index& for_each_index) cons
     -> std::vector<Facet> {
   const auto is_listed = [&](Cell_handle c, int i) {
     const Cell_handle n = c->neighbor(i);
-    return n->label() < c->label() && !is_infinite(n);
+    return n->subdomain_index() < c->subdomain_index() && !is_infinite(n);
   };
   std::vector<Cell_handle> cells = finite_cells_if(
       [&](Cell_handle c) {
@@ -168,7 +168,8 @@ CGAL_DSC_TEMPLATE
 auto CGAL_DSC_CLASS::interface_facets(Label a, Label b) const -> std::vector<Facet> {
   std::vector<Facet> result = interface_facets();
   const auto other = [&](const Facet& f) {
-    return std::minmax(f.first->label(), f.first->neighbor(f.second)->label()) != std::minmax(a, b);
+    return std::minmax(f.first->subdomain_index(),
+                       f.first->neighbor(f.second)->subdomain_index()) != std::minmax(a, b);
   };
   result.erase(std::remove_if(result.begin(), result.end(), other), result.end());
   return result;

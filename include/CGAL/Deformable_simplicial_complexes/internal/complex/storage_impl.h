@@ -9,7 +9,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_STORAGE_IMPL_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_STORAGE_IMPL_H
 
-// Member functions of `Labeled_complex`: creation, state and validity.
+// Member functions of `Labeled_complex`: cells and states, from and to arrays; validity.
 
 #include <CGAL/Deformable_simplicial_complexes/Labeled_complex.h>
 #include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
@@ -30,29 +30,6 @@
 #define CGAL_DSC_CLASS Labeled_complex<Derived, Space, Quality, Domain>
 
 namespace CGAL::Deformable_simplicial_complexes {
-
-// Copies a complex by rebuilding it from its state. The copy of CGAL's triangulation is not used:
-// since CGAL 6 it has other time stamps, and it needs an infinite vertex.
-CGAL_DSC_TEMPLATE
-CGAL_DSC_CLASS::Labeled_complex(const Labeled_complex& other)
-    : m_triangulation(other.geom_traits()), m_quality_measure(other.m_quality_measure),
-      m_domain(other.m_domain), m_normalization(other.m_normalization),
-      m_mean_interface_edge(other.m_mean_interface_edge),
-      m_minimum_interface_edge(other.m_minimum_interface_edge) {
-  if (other.number_of_cells() > 0) {
-    rebuild(other.state());
-    const auto copy_time_stamps = [](const auto& from, const auto& to) {
-      for (size_type i = 0; i < from.size(); ++i)
-        to[i]->set_time_stamp(from[i]->time_stamp());
-    };
-    copy_time_stamps(other.vertices(), vertices());
-    copy_time_stamps(other.all_cells(), all_cells());
-    m_numbers.continue_time_stamps(other.m_numbers);
-    m_totals = other.m_totals;
-    m_components = other.m_components;
-  }
-  m_version = other.m_version;
-}
 
 // Returns all cells, including infinite ones, in the order of time stamps.
 CGAL_DSC_TEMPLATE
@@ -97,6 +74,23 @@ void CGAL_DSC_CLASS::swap(Labeled_complex& other) noexcept {
 }
 
 CGAL_DSC_TEMPLATE
+void CGAL_DSC_CLASS::check_number_of_cells(size_type number) {
+  static constexpr size_type maximum =
+      std::uint32_t(-1) / 8; // numbers of cells and facets have 32 bits
+  if (number == 0)
+    throw Invalid_cells_error("there are no cells; give at least one");
+  if (number > maximum)
+    throw Invalid_cells_error("there are 2^29 or more cells: use a coarser mesh");
+}
+
+CGAL_DSC_TEMPLATE
+void CGAL_DSC_CLASS::check_extent(const internal::Extent<dimension>& extent) {
+  if (!extent.is_measurable())
+    throw Invalid_cells_error("the extent of the domain is not between 1e-30 and 1e30; scale "
+                              "the points, so that volumes and qualities can be computed");
+}
+
+CGAL_DSC_TEMPLATE
 auto CGAL_DSC_CLASS::checked_barycenters(
     const std::vector<Point>& positions,
     const std::vector<std::array<size_type, corners>>& cells) const -> std::vector<Point> {
@@ -133,15 +127,10 @@ CGAL_DSC_TEMPLATE
 auto CGAL_DSC_CLASS::assign(const std::vector<Point>& points,
                             const std::vector<std::array<size_type, corners>>& tetrahedra,
                             const std::vector<Label>& labels) -> std::vector<Vertex_handle> {
-  if (tetrahedra.empty())
-    throw Invalid_cells_error("there are no cells; give at least one");
   if (labels.size() != tetrahedra.size())
     throw Invalid_cells_error("the number of labels differs from the number of cells: give "
                               "one label for each cell");
-  static constexpr size_type maximum =
-      std::uint32_t(-1) / 8; // numbers of cells and facets have 32 bits
-  if (tetrahedra.size() > maximum)
-    throw Invalid_cells_error("there are 2^29 or more cells: use a coarser mesh");
+  check_number_of_cells(tetrahedra.size());
 
   Labeled_complex result(geom_traits(), m_quality_measure, m_domain);
   std::vector<Point> positions;
@@ -151,9 +140,7 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point>& points,
       throw Invalid_cells_error("coordinates are not finite: correct or remove the point", {},
                                 {positions.size() - 1});
   }
-  if (!internal::extent_of<dimension>(positions).is_measurable())
-    throw Invalid_cells_error("the extent of the domain is not between 1e-30 and 1e30; scale "
-                              "the points, so that volumes and qualities can be computed");
+  check_extent(internal::extent_of<dimension>(positions));
   const Progress_phase phase("assembling the mesh");
   const std::vector<Point> barycenters = checked_barycenters(positions, tetrahedra);
   const std::vector<size_type> vertex_order = internal::hilbert_order<Space>(positions);
@@ -179,7 +166,7 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point>& points,
     const auto cell_handles = internal::create_cells<Space>(result.m_triangulation.tds(),
                                                             result.m_numbers, handles, cells);
     for (size_type i = 0; i < cell_order.size(); ++i)
-      cell_handles[i]->set_label(labels[cell_order[i]]);
+      cell_handles[i]->set_subdomain_index(labels[cell_order[i]]);
     result.check_stars(handles);
     result.check_boundary();
   } catch (const Invalid_cells_error& e) {
@@ -205,53 +192,6 @@ auto CGAL_DSC_CLASS::assign(const std::vector<Point>& points,
   for (size_type r : rank)
     in_input_order.push_back(handles[r]);
   return in_input_order;
-}
-
-CGAL_DSC_TEMPLATE
-void CGAL_DSC_CLASS::sort_storage() {
-  if (number_of_cells() == 0)
-    return;
-  const State before = state();
-  std::vector<Point> positions, barycenters;
-  for (const auto& p : before.points)
-    positions.push_back(point_at<Labeled_complex>(p));
-  for (const auto& c : before.cells) {
-    Vector sum(CGAL::NULL_VECTOR);
-    int finite = 0;
-    const std::uint32_t first = *std::find_if(c.begin(), c.end(), [](auto v) { return v != 0; });
-    for (std::uint32_t v : c)
-      if (v != 0) {
-        sum = sum + (m_domain.near(positions[first - 1], positions[v - 1]) - CGAL::ORIGIN);
-        ++finite;
-      }
-    barycenters.push_back(CGAL::ORIGIN + sum / finite);
-  }
-  const std::vector<size_type> vertex_order = internal::hilbert_order<Space>(positions);
-  const std::vector<size_type> cell_order = internal::hilbert_order<Space>(barycenters);
-
-  State after = before;
-  std::vector<std::uint32_t> vertex_rank(positions.size() + 1, 0), cell_rank(before.cells.size());
-  for (size_type i = 0; i < vertex_order.size(); ++i) {
-    vertex_rank[vertex_order[i] + 1] = std::uint32_t(i + 1);
-    after.points[i] = before.points[vertex_order[i]];
-    after.boundary_classes[i] = before.boundary_classes[vertex_order[i]];
-    after.spacings[i] = before.spacings[vertex_order[i]];
-  }
-  for (size_type i = 0; i < cell_order.size(); ++i) {
-    const size_type old = cell_order[i];
-    cell_rank[old] = std::uint32_t(i);
-    for (int j = 0; j < corners; ++j)
-      after.cells[i][j] = vertex_rank[before.cells[old][j]];
-    after.cell_labels[i] = before.cell_labels[old];
-    after.noted_qualities[i] = before.noted_qualities[old];
-    after.failures[i] = before.failures[old];
-    after.cell_components[i] = before.cell_components[old];
-  }
-  for (size_type v = 0; v < before.vertex_cells.size(); ++v) {
-    static constexpr size_type first = Domain::has_outside ? 0 : 1;
-    after.vertex_cells[vertex_rank[v + first] - first] = cell_rank[before.vertex_cells[v]];
-  }
-  rebuild(after);
 }
 
 CGAL_DSC_TEMPLATE
@@ -291,7 +231,7 @@ auto CGAL_DSC_CLASS::state() const -> State {
     result.cells.emplace_back();
     for (int i = 0; i < corners; ++i)
       result.cells.back()[i] = numbers(c->vertex(i));
-    result.cell_labels.push_back(c->label());
+    result.cell_labels.push_back(c->subdomain_index());
     result.noted_qualities.push_back(c->noted_quality());
     result.failures.push_back(c->failures());
     result.cell_components.push_back(is_infinite(c) ? 0 : c->component());
@@ -339,8 +279,8 @@ auto CGAL_DSC_CLASS::create_vertices(const State& state) -> std::vector<Vertex_h
     Progress_scope::check();
     vertices.push_back(m_numbers.add_vertex(m_triangulation.tds().create_vertex()));
     vertices.back()->set_point(point_at<Labeled_complex>(state.points[i]));
-    vertices.back()->set_boundary_class(state.boundary_classes[i]);
-    vertices.back()->set_spacing(state.spacings[i]);
+    internal::Simplex_access::set_boundary_class(vertices.back(), state.boundary_classes[i]);
+    internal::Simplex_access::set_spacing(vertices.back(), state.spacings[i]);
   }
   return vertices;
 }
@@ -352,8 +292,8 @@ void CGAL_DSC_CLASS::create_items(const State& state) {
       internal::create_cells<Space>(m_triangulation.tds(), m_numbers, vertices, indices_of(state));
   for (size_type i = 0; i < cells.size(); ++i) {
     if (!is_infinite(cells[i]))
-      cells[i]->set_label(state.cell_labels[i]);
-    cells[i]->set_failures(state.failures[i]);
+      cells[i]->set_subdomain_index(state.cell_labels[i]);
+    internal::Simplex_access::set_failures(cells[i], state.failures[i]);
   }
   static constexpr size_type first = Domain::has_outside ? 0 : 1;
   for (size_type v = first; v < vertices.size(); ++v)
@@ -363,7 +303,7 @@ void CGAL_DSC_CLASS::create_items(const State& state) {
     check_boundary();
   initialize_caches();
   for (size_type i = 0; i < cells.size(); ++i)
-    cells[i]->set_noted_quality(state.noted_qualities[i]);
+    internal::Simplex_access::set_noted_quality(cells[i], state.noted_qualities[i]);
   if (!m_components.renumber(*this, cells, state.cell_components))
     throw Invalid_cells_error(
         "the component numbers of the state do not match its cells: use an unmodified state");
@@ -435,10 +375,10 @@ void CGAL_DSC_CLASS::initialize_caches() {
     m_totals = internal::Label_totals(m_domain.measure());
   }
   for (Cell_handle c : finite_cells()) {
-    m_totals.add_cell(c->label(), measure(c));
+    m_totals.add_cell(c->subdomain_index(), measure(c));
     set_quality(c, cell_quality(c));
     for (int i = 0; i < corners; ++i)
-      if (c->neighbor(i)->label() < c->label() && is_interface(Facet(c, i)))
+      if (c->neighbor(i)->subdomain_index() < c->subdomain_index() && is_interface(Facet(c, i)))
         count_interface_facet(Facet(c, i), 1);
   }
   m_components.reset(*this, m_totals);
@@ -460,7 +400,7 @@ void CGAL_DSC_CLASS::measure_interface_edges() {
   m_mean_interface_edge = n == 0 ? 0 : sum / n;
   m_minimum_interface_edge = minimum;
   for (Vertex_handle v : finite_vertices())
-    v->set_spacing(float(interface_edge_length(v)));
+    internal::Simplex_access::set_spacing(v, float(interface_edge_length(v)));
 }
 
 CGAL_DSC_TEMPLATE
@@ -494,7 +434,7 @@ bool CGAL_DSC_CLASS::is_valid(bool verbose) const {
     Progress_scope::check();
     ++count;
     flat += c->quality() < quality_floor;
-    totals.add_volume(c->label(), totals.units(measure(c)));
+    totals.add_volume(c->subdomain_index(), totals.units(measure(c)));
     if (!report(is_positive(c), "a cell is not positively oriented", verbose) ||
         !report(c->quality() == cell_quality(c), "a cached quality is stale", verbose))
       return false;

@@ -54,9 +54,9 @@ public:
     std::vector<Cell_handle> left, joined;
     for (int i = 0; i < Complex::corners; ++i)
       if (const Cell_handle n = c->neighbor(i); !complex.is_infinite(n)) {
-        if (n->label() == c->label())
+        if (n->subdomain_index() == c->subdomain_index())
           left.push_back(n);
-        else if (n->label() == label)
+        else if (n->subdomain_index() == label)
           joined.push_back(n);
       }
     const bool joins_one =
@@ -106,7 +106,7 @@ public:
                     std::make_move_iterator(events.end()));
     // No exception is thrown from here on.
     for (auto c : complex.finite_cells())
-      c->set_component(now.of_cell[c->id()]);
+      Simplex_access::set_component(c, now.of_cell[c->id()]);
     m_components.swap(now.components);
     m_lineage.swap(lineage);
     m_counts.swap(counts);
@@ -144,7 +144,7 @@ public:
       }
       if (former[now] != numbers[i] || numbers[i] >= n)
         return false;
-      cells[i]->set_component(numbers[i]);
+      Simplex_access::set_component(cells[i], numbers[i]);
     }
     m_components = std::move(components);
     begin_lineage();
@@ -190,7 +190,8 @@ public:
       if (marks.has(seed))
         continue;
       const Number i = seed->component();
-      if (i >= m_components.size() || is_found[i] || m_components[i].label != seed->label())
+      if (i >= m_components.size() || is_found[i] ||
+          m_components[i].label != seed->subdomain_index())
         return false;
       is_found[i] = true;
       std::int64_t volume = 0;
@@ -297,7 +298,7 @@ private:
     for (std::size_t next = 0; next < result.size(); ++next)
       for (int i = 0; i < Complex::corners; ++i)
         if (const Cell_handle n = result[next]->neighbor(i);
-            n->label() == seed->label() && !complex.is_infinite(n))
+            n->subdomain_index() == seed->subdomain_index() && !complex.is_infinite(n))
           marks.add(n, result);
     return result;
   }
@@ -307,7 +308,7 @@ private:
     Marks marks = cell_marks(complex);
     for (Cell_handle seed : complex.finite_cells())
       if (!marks.has(seed)) {
-        add_one(m_counts, seed->label());
+        add_one(m_counts, seed->subdomain_index());
         component_of(complex, seed, marks);
       }
     m_is_counted = true;
@@ -343,8 +344,8 @@ private:
         const Origin origin(c->component(), component);
         // A cell that changed its label without a neighbor to join has no component of this label
         // as its origin.
-        const bool has_origin =
-            origin.first < m_components.size() && m_components[origin.first].label == c->label();
+        const bool has_origin = origin.first < m_components.size() &&
+                                m_components[origin.first].label == c->subdomain_index();
         if (has_origin && (origins.empty() || origins.back() != origin))
           origins.push_back(origin);
         oldest.back().first = (std::min)(oldest.back().first, c->time_stamp());
@@ -358,11 +359,12 @@ private:
         front.pop_back();
         for (int i = 0; i < Complex::corners; ++i) {
           const Cell_handle n = c->neighbor(i);
-          if (n->label() == c->label() && of_cell[n->id()] == none && !complex.is_infinite(n))
+          if (n->subdomain_index() == c->subdomain_index() && of_cell[n->id()] == none &&
+              !complex.is_infinite(n))
             visit(n);
         }
       }
-      found.push_back({seed->label(), volume});
+      found.push_back({seed->subdomain_index(), volume});
     }
     std::sort(oldest.begin(), oldest.end());
     std::vector<Number> rank(found.size());

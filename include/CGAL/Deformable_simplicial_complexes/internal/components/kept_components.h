@@ -36,7 +36,7 @@ bool are_connected(const Complex& complex, typename Complex::Cell_handle a,
     for (std::size_t side : {0, 1})
       for (int i = 0; i < Complex::corners; ++i) {
         const auto n = reached[side][k]->neighbor(i);
-        if (n->label() != a->label() || complex.is_infinite(n))
+        if (n->subdomain_index() != a->subdomain_index() || complex.is_infinite(n))
           continue;
         if (marks[1 - side].has(n))
           return true;
@@ -67,7 +67,7 @@ bool are_connected_nearby(const Complex& complex,
       bool is_in_reach = false;
       for (int j = 0; j < Complex::corners && !is_in_reach; ++j)
         is_in_reach = is_near(n->vertex(j));
-      if (is_in_reach && n != avoided && n->label() == cells.front()->label() &&
+      if (is_in_reach && n != avoided && n->subdomain_index() == cells.front()->subdomain_index() &&
           !complex.is_infinite(n))
         marks.add(n, reached);
     }
@@ -114,7 +114,8 @@ public:
 
   // Returns whether two adjacent cells are connected through their common facet.
   bool are_connected(Cell_handle a, Cell_handle b) const {
-    return a->label() == b->label() && !m_complex.is_infinite(a) && !m_complex.is_infinite(b);
+    return a->subdomain_index() == b->subdomain_index() && !m_complex.is_infinite(a) &&
+           !m_complex.is_infinite(b);
   }
 
 private:

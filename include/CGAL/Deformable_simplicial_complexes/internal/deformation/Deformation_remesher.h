@@ -190,7 +190,7 @@ private:
   // label.
   bool is_interface_from(Cell_handle c, int i) const {
     const Cell_handle n = c->neighbor(i);
-    return n->label() < c->label() && !m_complex.is_infinite(n);
+    return n->subdomain_index() < c->subdomain_index() && !m_complex.is_infinite(n);
   }
 
   // Returns whether a facet will have a small angle that is clearly smaller than before the motion:

@@ -301,7 +301,7 @@ public:
   void measure_new_spacings() {
     for (Vertex_handle v : m_complex.finite_vertices())
       if (v->is_interface() && !(v->spacing() > 0))
-        v->set_spacing(float(m_complex.interface_edge_length(v)));
+        Simplex_access::set_spacing(v, float(m_complex.interface_edge_length(v)));
   }
 
   Report report(unsigned passes) {
@@ -330,7 +330,7 @@ private:
   void record_swept_volumes() {
     const auto is_at_interface = [](Cell_handle c) {
       for (int i = 0; i < Complex::corners; ++i)
-        if (c->neighbor(i)->label() < c->label())
+        if (c->neighbor(i)->subdomain_index() < c->subdomain_index())
           return true;
       return false;
     };
@@ -366,9 +366,9 @@ private:
                         [&](Cell_handle c) { return m_rigid_components.is_distorted(c); }) &&
            std::all_of(cells.begin(), cells.end(), [&](Cell_handle c) {
              for (int i = 0; i < Complex::corners; ++i)
-               if (const Cell_handle n = c->neighbor(i); n->label() < c->label() &&
-                                                         !m_complex.is_infinite(n) &&
-                                                         !m_rigid_components.keeps_facet(c, i))
+               if (const Cell_handle n = c->neighbor(i);
+                   n->subdomain_index() < c->subdomain_index() && !m_complex.is_infinite(n) &&
+                   !m_rigid_components.keeps_facet(c, i))
                  return false;
              return true;
            });

@@ -277,15 +277,15 @@ private:
     for (int i = 0; i < 4; ++i) {
       if (!m_complex.is_interface(std::make_pair(c, i)))
         continue;
-      const Label label = c->neighbor(i)->label();
+      const Label label = c->neighbor(i)->subdomain_index();
       double before = 0, after = 0;
       bool is_inside = true;
       for (int k = 0; k < 4; ++k) {
         is_inside = is_inside && !m_complex.is_infinite(c->neighbor(k));
-        const Label other = c->neighbor(k)->label();
+        const Label other = c->neighbor(k)->subdomain_index();
         const double area = m_complex.area(std::make_pair(c, k));
         before += other == label ? area : 0;
-        after += other == c->label() ? area : 0;
+        after += other == c->subdomain_index() ? area : 0;
       }
       if (!is_inside || !(after < growth * before) ||
           !m_tolerance.allows_relabeling(std::make_pair(c, i)) || !relabel(c, label))

@@ -145,13 +145,13 @@ private:
     for (const auto& [facet, volume] : facets) {
       edge = (std::max)(edge, longest_edge(corners(facet)));
       swept += std::abs(volume);
-      labels[facet.first->label()].gain += volume;
-      labels[facet.first->neighbor(facet.second)->label()].gain -= volume;
+      labels[facet.first->subdomain_index()].gain += volume;
+      labels[facet.first->neighbor(facet.second)->subdomain_index()].gain -= volume;
     }
     if (swept <= rounding * std::pow(edge, Complex::dimension))
       return true;
     for (Cell_handle c : stars_of(*m_complex, finite_vertices_of(cells)))
-      if (const auto found = labels.find(c->label()); found != labels.end()) {
+      if (const auto found = labels.find(c->subdomain_index()); found != labels.end()) {
         found->second.volume += m_complex->measure(c);
         found->second.change += change_by_motion(c);
         for (int i = 0; i < Complex::corners; ++i)
@@ -179,7 +179,8 @@ private:
   // Returns whether the facet is on the interface and its cell has the larger label.
   bool is_first_side(const Facet& facet) const {
     const Cell_handle c = facet.first, n = c->neighbor(facet.second);
-    return !m_complex->is_infinite(c) && !m_complex->is_infinite(n) && n->label() < c->label();
+    return !m_complex->is_infinite(c) && !m_complex->is_infinite(n) &&
+           n->subdomain_index() < c->subdomain_index();
   }
 
   std::vector<Vertex_handle> finite_vertices_of(const std::vector<Cell_handle>& cells) const {

@@ -33,7 +33,7 @@ public:
       for (int k = 0; k < 4; ++k) {
         const Cell_handle d = Cell_handle(c)->neighbor(k);
         if (c->vertex(k) != m_ends[0] && c->vertex(k) != m_ends[1] && !complex.is_infinite(d) &&
-            !complex.is_infinite(Cell_handle(c)) && c->label() > d->label())
+            !complex.is_infinite(Cell_handle(c)) && c->subdomain_index() > d->subdomain_index())
           add(Cell_handle(c), k);
       }
     } while (++c != done);
@@ -68,9 +68,10 @@ private:
   void add(Cell_handle c, int k) {
     m_is_between_two_labels =
         m_is_between_two_labels &&
-        (m_facets.empty() || (c->label() == m_behind && c->neighbor(k)->label() == m_in_front));
-    m_behind = c->label();
-    m_in_front = c->neighbor(k)->label();
+        (m_facets.empty() ||
+         (c->subdomain_index() == m_behind && c->neighbor(k)->subdomain_index() == m_in_front));
+    m_behind = c->subdomain_index();
+    m_in_front = c->neighbor(k)->subdomain_index();
     const auto v = m_complex.facet_vertices({c, k});
     m_facets.push_back({seen(v[0]), seen(v[1]), seen(v[2])});
     for (Vertex_handle w : v)

@@ -42,13 +42,14 @@ public:
         continue;
       for (int i = 0; i < 3; ++i) {
         const Cell_handle d = c->neighbor(i);
-        if (c->vertex(i) == v || complex.is_infinite(d) || c->label() <= d->label())
+        if (c->vertex(i) == v || complex.is_infinite(d) ||
+            c->subdomain_index() <= d->subdomain_index())
           continue;
         m_is_between_two_labels =
-            m_is_between_two_labels &&
-            (m_size == 0 || (c->label() == m_behind && d->label() == m_in_front));
-        m_behind = c->label();
-        m_in_front = d->label();
+            m_is_between_two_labels && (m_size == 0 || (c->subdomain_index() == m_behind &&
+                                                        d->subdomain_index() == m_in_front));
+        m_behind = c->subdomain_index();
+        m_in_front = d->subdomain_index();
         // Each interface edge has the larger label on its left: one edge ends at the center, the
         // other one starts there.
         m_neighbors[c->vertex((i + 1) % 3) == v] = c->vertex(3 - i - c->index(v));
@@ -103,16 +104,17 @@ public:
         continue;
       for (int i = 0; i < 4; ++i) {
         const Cell_handle d = c->neighbor(i);
-        if (c->vertex(i) == v || complex.is_infinite(d) || c->label() <= d->label())
+        if (c->vertex(i) == v || complex.is_infinite(d) ||
+            c->subdomain_index() <= d->subdomain_index())
           continue;
         const auto w = complex.facet_vertices({c, i});
         const std::size_t k = std::find(w.begin(), w.end(), v) - w.begin();
         m_facets.push_back({w[(k + 1) % 3], w[(k + 2) % 3]});
-        m_is_between_two_labels =
-            m_is_between_two_labels &&
-            (m_facets.size() == 1 || (c->label() == m_behind && d->label() == m_in_front));
-        m_behind = c->label();
-        m_in_front = d->label();
+        m_is_between_two_labels = m_is_between_two_labels &&
+                                  (m_facets.size() == 1 || (c->subdomain_index() == m_behind &&
+                                                            d->subdomain_index() == m_in_front));
+        m_behind = c->subdomain_index();
+        m_in_front = d->subdomain_index();
       }
     }
   }

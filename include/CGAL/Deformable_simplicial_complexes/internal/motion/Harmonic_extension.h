@@ -279,7 +279,7 @@ private:
       for (Cell_handle c : star) {
         if (m_complex.is_infinite(c))
           continue;
-        m_labels[i] = c->label();
+        m_labels[i] = c->subdomain_index();
         std::array<std::uint32_t, Complex::corners> number;
         typename Linear_element<Complex>::Corners corners;
         int own = 0;

@@ -45,7 +45,8 @@ void add_swept_volumes(const Complex& complex,
   for (auto c : cells)
     for (int i = 0; i < Complex::corners; ++i) {
       const auto n = c->neighbor(i);
-      if (complex.is_infinite(c) || complex.is_infinite(n) || c->label() <= n->label())
+      if (complex.is_infinite(c) || complex.is_infinite(n) ||
+          c->subdomain_index() <= n->subdomain_index())
         continue; // each facet of the interface once
       std::array<typename Complex::Point, Complex::dimension> from, to;
       for (int k = 0; k < Complex::dimension; ++k) {
@@ -54,8 +55,8 @@ void add_swept_volumes(const Complex& complex,
         to[k] = complex.domain().near(from[k], after(v));
       }
       const double volume = swept_volume<Complex>(from, to);
-      add(c->label(), volume);
-      add(n->label(), -volume);
+      add(c->subdomain_index(), volume);
+      add(n->subdomain_index(), -volume);
     }
 }
 

@@ -148,9 +148,9 @@ std::vector<typename Part::Vertex_handle> assign_part(Part& part,
   sew_facets<Space>(builder.tds(), cells, facets, first);
   join_infinite_cells<Space>(builder.tds(), vertices[0], cells);
   for (std::size_t i = 0; i < state.cells.size(); ++i) {
-    cells[i]->set_label(state.cell_labels[i]);
-    cells[i]->set_failures(state.failures[i]);
-    cells[i]->set_noted_quality(state.noted_qualities[i]);
+    cells[i]->set_subdomain_index(state.cell_labels[i]);
+    Simplex_access::set_failures(cells[i], state.failures[i]);
+    Simplex_access::set_noted_quality(cells[i], state.noted_qualities[i]);
   }
   builder.finish();
   part = std::move(result);

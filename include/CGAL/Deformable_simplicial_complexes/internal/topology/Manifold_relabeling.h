@@ -127,7 +127,7 @@ public:
 
   // `cells` are finite cells of one label. The additional cells are appended to them.
   Manifold_relabeling(const Complex& complex, std::vector<Cell_handle>& cells, Label label)
-      : m_complex(complex), m_cells(cells), m_old(cells.front()->label()), m_new(label) {
+      : m_complex(complex), m_cells(cells), m_old(cells.front()->subdomain_index()), m_new(label) {
     for (Cell_handle c : cells)
       enlist(c);
   }
@@ -142,7 +142,7 @@ public:
           m_vertices.end())
         continue; // visited later
       const Star star(m_complex, v, [&](Cell_handle c) {
-        return m_time_stamps.count(c->time_stamp()) != 0 ? m_new : c->label();
+        return m_time_stamps.count(c->time_stamp()) != 0 ? m_new : c->subdomain_index();
       });
       if (star.is_manifold())
         continue;

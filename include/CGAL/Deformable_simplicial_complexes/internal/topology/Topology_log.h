@@ -57,7 +57,7 @@ public:
   // Records that a cell is about to take another label, which changes the topology.
   void record(Cell_handle c, Label label) {
     m_changes.push_back({m_complex.domain().canonical(barycenter(m_complex, c)), c, c->time_stamp(),
-                         c->label(), label, c->component()});
+                         c->subdomain_index(), label, c->component()});
   }
 
   // Finds the events since the last call and reports them to the visitor. Must be called before

@@ -108,7 +108,7 @@ private:
       Progress_scope::check();
       if (is_small_component(c, component, large) && is_to_go(component)) {
         const Label label = surrounding_label(component);
-        if (label == c->label() || !complete(component, label) ||
+        if (label == c->subdomain_index() || !complete(component, label) ||
             std::any_of(component.begin(), component.end(),
                         [&](Cell_handle d) { return m_complex.is_constrained(d); }) ||
             !may_change_topology(c, label))
@@ -139,7 +139,7 @@ private:
                  !m_complex.is_constrained(c);
       for (int k = 0; k < Complex::corners; ++k) {
         const Cell_handle n = c->neighbor(k);
-        if (!m_complex.is_infinite(n) && n->label() == c->label() &&
+        if (!m_complex.is_infinite(n) && n->subdomain_index() == c->subdomain_index() &&
             std::find(component.begin(), component.end(), n) == component.end())
           component.push_back(n);
       }
@@ -169,8 +169,8 @@ private:
     for (Cell_handle c : component)
       for (int i = 0; i < Complex::corners; ++i)
         if (m_complex.is_interface(std::make_pair(c, i)))
-          areas[c->neighbor(i)->label()] += m_complex.measure(std::make_pair(c, i));
-    Label result = component.front()->label();
+          areas[c->neighbor(i)->subdomain_index()] += m_complex.measure(std::make_pair(c, i));
+    Label result = component.front()->subdomain_index();
     double least = std::numeric_limits<double>::infinity();
     for (const auto& candidate : areas) {
       const double energy = m_energy.of_boundary(candidate.first, areas);
@@ -216,7 +216,7 @@ private:
   // Returns whether a cell passes a small part of the volume around it to a label.
   bool is_small(Cell_handle c, Label label) {
     for (int i = 0; i < Complex::corners; ++i)
-      if (!m_complex.is_infinite(c->neighbor(i)) && c->neighbor(i)->label() == label)
+      if (!m_complex.is_infinite(c->neighbor(i)) && c->neighbor(i)->subdomain_index() == label)
         return m_tolerance.allows_relabeling({c, i});
     return false;
   }
@@ -248,7 +248,7 @@ private:
 
   // Relabels cells of one label. The visitor is called after all cells have the new label.
   void relabel(const std::vector<Cell_handle>& cells, Label label) {
-    const Label before = cells.front()->label();
+    const Label before = cells.front()->subdomain_index();
     for (Cell_handle c : cells) {
       m_log.record_relabeling(before, label, m_contacts.final_volume(c));
       m_complex.relabel(c, label);

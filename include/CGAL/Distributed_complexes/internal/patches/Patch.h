@@ -329,7 +329,7 @@ private:
       for (int i = 0; i < corners; ++i)
         cell.vertices[i] = ids[numbers(c->vertex(i))];
       cell.vertices = canonical_cell(cell.vertices);
-      cell.data.label = c->label();
+      cell.data.label = c->subdomain_index();
       cell.data.noted_quality = c->noted_quality();
       cell.data.failures = c->failures();
       cell.data.component = c->component(); // of the part; replaced by find_components()

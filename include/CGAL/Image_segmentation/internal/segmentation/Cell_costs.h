@@ -118,7 +118,8 @@ public:
     std::vector<std::vector<std::pair<double, double>>> costs(m_intensities.size());
     for (const Cell_handle c : m_complex.cells())
       if (const double pixels = fields(c)[0]; pixels > 0)
-        costs[std::size_t(c->label())].emplace_back((*this)(c, c->label()) / pixels, pixels);
+        costs[std::size_t(c->subdomain_index())].emplace_back(
+            (*this)(c, c->subdomain_index()) / pixels, pixels);
     std::vector<double> result(m_intensities.size(), double(channels()));
     for (std::size_t label = 0; label < costs.size(); ++label) {
       std::sort(costs[label].begin(), costs[label].end());
@@ -148,7 +149,7 @@ public:
   double total() {
     double result = 0;
     for (const Cell_handle c : m_complex.cells())
-      result += (*this)(c, c->label());
+      result += (*this)(c, c->subdomain_index());
     return result;
   }
 

@@ -72,7 +72,7 @@ public:
   void label_cells() {
     m_costs.update(m_for_each_index);
     for (const Cell_handle c : m_complex.cells())
-      if (const int best = label_of_least_cost(c); best != c->label())
+      if (const int best = label_of_least_cost(c); best != c->subdomain_index())
         m_complex.relabel(c, best);
   }
 
@@ -187,12 +187,12 @@ private:
     m_costs.update(m_for_each_index);
     for (const Cell_handle c : m_complex.cells())
       if (excess(c, usual) > 0)
-        if (const int best = label_of_least_cost(c); best != c->label())
+        if (const int best = label_of_least_cost(c); best != c->subdomain_index())
           m_complex.relabel(c, best);
   }
 
   int label_of_least_cost(Cell_handle c) {
-    int result = c->label();
+    int result = c->subdomain_index();
     for (const int label : m_relabeling.labels)
       if (m_costs(c, label) < m_costs(c, result))
         result = label;
@@ -207,8 +207,8 @@ private:
 
   // Returns the cost of a cell beyond that of the noise and its fluctuation.
   double excess(Cell_handle c, const std::vector<double>& usual) {
-    const double pixels = m_costs.fields(c)[0], of_pixel = usual[std::size_t(c->label())];
-    return m_costs(c, c->label()) - of_pixel * pixels -
+    const double pixels = m_costs.fields(c)[0], of_pixel = usual[std::size_t(c->subdomain_index())];
+    return m_costs(c, c->subdomain_index()) - of_pixel * pixels -
            Rule::significant * of_pixel * std::sqrt(2 * pixels / double(m_costs.channels()));
   }
 

@@ -63,10 +63,10 @@ public:
       for (int i = 0; i < Complex::corners; ++i)
         if (const auto neighbor = c->neighbor(i);
             !m_complex.is_infinite(neighbor) && !is_own(neighbor))
-          m_areas[neighbor->label()] += m_complex.measure(std::make_pair(c, i));
+          m_areas[neighbor->subdomain_index()] += m_complex.measure(std::make_pair(c, i));
       measure += has_densities ? m_complex.measure(c) : 0;
     }
-    const Label present = cells.front()->label();
+    const Label present = cells.front()->subdomain_index();
     const auto energy_of = [&](Label label) {
       double result = m_options.interface_energy.of_boundary(label, m_areas) +
                       m_options.interface_energy.density(label) * measure;
@@ -96,7 +96,7 @@ public:
 
   void relabel(const std::vector<Cell_handle>& cells, Label label) {
     for (auto c : cells) {
-      const Label before = c->label();
+      const Label before = c->subdomain_index();
       m_complex.relabel(c, label);
       if (m_options.visitor)
         m_options.visitor->after_relabel(c, before);
@@ -140,7 +140,7 @@ std::size_t relabel_by_energy(Complex& complex, const EnergyOfCell& energy_of_ce
       Progress_scope::check();
       single.front() = c;
       const auto label = chooser.best(single, [](Cell_handle) { return false; });
-      if (label == c->label() ||
+      if (label == c->subdomain_index() ||
           (options.topology_control && !relabeling_keeps_topology(complex, c, label) &&
            !options.topology_control(complex, c, label)))
         continue;
@@ -186,7 +186,7 @@ std::size_t relabel_components_by_energy(Complex& complex, const EnergyOfCell& e
     const auto& cells = components.at(number).cells;
     const auto label = chooser.best(
         cells, [&, own = number](Cell_handle c) { return number_of.at(c->time_stamp()) == own; });
-    if (label == cells.front()->label() ||
+    if (label == cells.front()->subdomain_index() ||
         (options.topology_control && !options.topology_control(complex, cells.front(), label)))
       continue;
     chooser.relabel(cells, label);

@@ -209,7 +209,7 @@ auto Incompressible_fluid<Complex, Solver>::flattest_cell() const -> Fluid_repet
   Fluid_repetition::Point result = ORIGIN;
   double lowest = std::numeric_limits<double>::infinity();
   for (typename Complex::Cell_handle c : m_complex.cells())
-    if (m_properties.liquid(c->label()) && c->quality() < lowest) {
+    if (m_properties.liquid(c->subdomain_index()) && c->quality() < lowest) {
       lowest = c->quality();
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
       for (int i = 0; i < Complex::corners; ++i)

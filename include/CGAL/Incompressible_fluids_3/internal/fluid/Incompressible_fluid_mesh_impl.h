@@ -73,7 +73,7 @@ Incompressible_fluid<Complex, Solver>::adapt_lengths(double tolerance,
   Detail_options<Complex> detail;
   detail.sizing_field = [edge = mean_edge()](const auto&) { return edge; };
   detail.where = [this](typename Complex::Cell_handle c) {
-    return m_properties.liquid(c->label()) != nullptr;
+    return m_properties.liquid(c->subdomain_index()) != nullptr;
   };
   detail.split_length = is_new ? longest_of_new : longest;
   detail.collapse_length = is_new ? 0. : shortest;

@@ -47,7 +47,7 @@ public:
                    const Volumes& present)
       : m_snapshot(complex), m_present(present) {
     const auto component = [&](typename Complex::Cell_handle c) {
-      return properties.liquid(c->label()) ? int(c->component()) : void_component;
+      return properties.liquid(c->subdomain_index()) ? int(c->component()) : void_component;
     };
     const auto facets = complex.interface_facets();
     for (std::size_t i = 0; i < facets.size(); ++i) {

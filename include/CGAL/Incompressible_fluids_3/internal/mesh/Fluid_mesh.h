@@ -94,7 +94,7 @@ template <class Complex> struct Fluid_mesh
     }
     std::vector<Cell_handle> liquid;
     for (Cell_handle c : complex.finite_cells())
-      if (properties.liquid(c->label()))
+      if (properties.liquid(c->subdomain_index()))
         liquid.push_back(c);
     vertices = vertices_of(complex, liquid);
     sort_along_axis(complex);
@@ -244,7 +244,8 @@ private:
     unordered.reserve(liquid.size());
     std::vector<std::size_t> begin(vertices.size() + 1, 0); // of the cells of each first vertex
     for (Cell_handle c : liquid) {
-      Cell cell{{}, {}, properties.liquid(c->label()), c->label(), c->component()};
+      Cell cell{
+          {}, {}, properties.liquid(c->subdomain_index()), c->subdomain_index(), c->component()};
       for (std::size_t i = 0; i < corners; ++i)
         cell.vertices[i] = numbers(c->vertex(int(i)));
       const Index first = *std::min_element(cell.vertices.begin(), cell.vertices.end());
@@ -268,9 +269,9 @@ private:
   void add_gases(const Complex& complex, const Fluid_properties& properties) {
     std::map<std::uint32_t, Gas_component> components;
     for (auto c : complex.cells())
-      if (properties.gas(c->label())) {
-        const auto component =
-            components.emplace(c->component(), Gas_component{c->component(), c->label(), 0.});
+      if (properties.gas(c->subdomain_index())) {
+        const auto component = components.emplace(
+            c->component(), Gas_component{c->component(), c->subdomain_index(), 0.});
         component.first->second.volume += complex.measure(c);
       }
     for (const auto& component : components)
@@ -289,7 +290,8 @@ private:
   void add_facets(const Complex& complex, const Vertex_numbers& numbers,
                   const Fluid_properties& properties) {
     for (const auto& f : complex.interface_facets()) {
-      const int behind = f.first->label(), in_front = f.first->neighbor(f.second)->label();
+      const int behind = f.first->subdomain_index(),
+                in_front = f.first->neighbor(f.second)->subdomain_index();
       const bool is_behind = properties.liquid(behind), is_in_front = properties.liquid(in_front);
       if (!is_behind && !is_in_front)
         continue;
@@ -319,7 +321,7 @@ private:
       positions[i] = eigen_vector(complex.position_near(first, ends[i]));
     const double area = area_vector(positions).norm();
     for (Cell_handle c : {f.first, f.first->neighbor(f.second)}) {
-      const double viscosity = properties.liquid(c->label())->viscosity;
+      const double viscosity = properties.liquid(c->subdomain_index())->viscosity;
       if (!(viscosity > 0))
         return 0;
       const double height = dimension * complex.measure(c) / area;

@@ -215,7 +215,7 @@ private:
     for (const auto c : star) {
       const int i = c->index(corner);
       for (int j = (i + 1) % 3; j != i; j = (j + 1) % 3) {
-        if (c->label() == c->neighbor(3 - i - j)->label())
+        if (c->subdomain_index() == c->neighbor(3 - i - j)->subdomain_index())
           continue;
         const Vector d = m_complex.displacement(corner, c->vertex(j));
         const double cosine = d * direction / Complex::Space::length(d);

@@ -56,7 +56,7 @@ public:
     for (Vertex_handle v : m_copied) {
       m_time_stamps.push_back(v->time_stamp());
       if (copy.is_boundary(v))
-        v->set_boundary_class(Boundary_class::fixed);
+        Simplex_access::set_boundary_class(v, Boundary_class::fixed);
     }
     return true;
   }
@@ -81,7 +81,7 @@ public:
     m_components.clear();
     for (Cell_handle c : copy.cells()) {
       m_tetrahedra.push_back(corners_of(c, numbers));
-      m_components.push_back(c->label());
+      m_components.push_back(c->subdomain_index());
     }
   }
 
@@ -128,7 +128,7 @@ private:
       for (add(seed); next < m_replaced.size(); ++next)
         for (int i = 0; i < 4; ++i) {
           const Cell_handle n = m_replaced[next]->neighbor(i);
-          if (unseen.has(n) && n->label() == seed->label())
+          if (unseen.has(n) && n->subdomain_index() == seed->subdomain_index())
             add(n);
         }
       m_parents.push_back(seed);

@@ -122,7 +122,7 @@ public:
           commit();
           const auto other = m_cavity.vertices().back().handle;
           for (auto junction : {v, other})
-            junction->set_spacing(float(m_complex.interface_edge_length(junction)));
+            Simplex_access::set_spacing(junction, float(m_complex.interface_edge_length(junction)));
         }
       }
   }

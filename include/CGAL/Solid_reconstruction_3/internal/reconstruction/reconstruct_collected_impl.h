@@ -145,7 +145,7 @@ template <class Complex> Complex complex_of_shell(const Cloud_shell_3& shell) {
       std::vector<typename Complex::Cell_handle> star, cells;
       result.star(v, star);
       const auto out =
-          std::find_if(star.begin(), star.end(), [&](auto c) { return c->label() == 0; });
+          std::find_if(star.begin(), star.end(), [&](auto c) { return c->subdomain_index() == 0; });
       if (!propose_manifold_relabeling(result, *out, 1, cells))
         cells = star;
       for (auto c : cells)
