@@ -405,7 +405,8 @@ TEST(Is_valid, sees_sides_that_are_no_planes) {
   const Complex dsc = make_complex(grid(2, small_meshes::uniform));
   for (Vertex_handle v : dsc.vertices())
     if (dsc.is_boundary(v))
-      Simplex_access::set_boundary_class(v, 1); // also for the vertices at x = 1
+      CGAL::Deformable_simplicial_complexes::internal::Simplex_access::set_boundary_class(
+          v, 1); // also for the vertices at x = 1
   EXPECT_FALSE(dsc.is_valid());
 }
 
