@@ -168,12 +168,12 @@ PUBLIC_OF_PART = {
     "complex": """
         Ball_domain Boundary_class Cavity Component_event Deformable_simplicial_complex_2
         Deformable_simplicial_complex_3 Deformable_simplicial_complex_cell_base_3
-        Deformable_simplicial_complex_face_base_2 Deformable_simplicial_complex_traits_2
-        Deformable_simplicial_complex_traits_3 Deformable_simplicial_complex_vertex_base_2
+        Deformable_simplicial_complex_face_base_2
+        Deformable_simplicial_complex_vertex_base_2
         Deformable_simplicial_complex_vertex_base_3 Interface_snapshot Labeled_complex Linear_element State
         Torus_domain Simplex_data Vertex_numbers exceptions quality_measures star_union Solid_domain""",
     "operations": """
-        Any_visitor Improvement_report Interface_energy commit_proposal
+        Deformation_visitor Improvement_report Interface_energy commit_proposal
         degeneracy_removal edge_collapse edge_flip_2 edge_removal_3 edge_split
         multi_face_removal_3 relabeling 
         vertex_insertion vertex_smoothing """,

@@ -24,7 +24,7 @@ using Vertex_handle = Complex::Vertex_handle;
 // Stores a temperature for each vertex and follows creations and removals of vertices. Handles are
 // ordered by the creation of their vertices, not by addresses, so the order in the map is
 // deterministic.
-struct Temperatures : public DSC::Deformation_visitor
+struct Temperatures : public DSC::Deformation_visitor<Complex>
 {
   explicit Temperatures(const Complex& complex) : complex(complex) {}
 
@@ -32,12 +32,12 @@ struct Temperatures : public DSC::Deformation_visitor
   std::map<Vertex_handle, double> temperature;
   unsigned splits = 0, insertions = 0, collapses = 0, relabeled_cells = 0;
 
-  void after_split(Vertex_handle v, Vertex_handle a, Vertex_handle b) {
+  void after_split(Vertex_handle v, Vertex_handle a, Vertex_handle b) override {
     temperature[v] = (temperature.at(a) + temperature.at(b)) / 2;
     ++splits;
   }
   // Sets the mean of the neighbors with known temperatures; other neighbors may be new, too.
-  void after_insertion(Vertex_handle v) {
+  void after_insertion(Vertex_handle v) override {
     std::vector<Vertex_handle> neighbors;
     complex.triangulation().finite_adjacent_vertices(v, std::back_inserter(neighbors));
     double sum = 0;
@@ -50,14 +50,14 @@ struct Temperatures : public DSC::Deformation_visitor
     temperature[v] = known == 0 ? 0 : sum / known;
     ++insertions;
   }
-  void before_collapse(Vertex_handle removed, Vertex_handle /*kept*/) {
+  void before_collapse(Vertex_handle removed, Vertex_handle /*kept*/) override {
     temperature.erase(removed);
     ++collapses;
   }
-  void after_relabel(Complex::Cell_handle /*cell*/, int /*before*/) { ++relabeled_cells; }
+  void after_relabel(Complex::Cell_handle /*cell*/, int /*before*/) override { ++relabeled_cells; }
 
   // Allows at most two passes; the next step moves vertices that do not arrive.
-  bool go_further(unsigned pass) { return pass <= 2; }
+  bool go_further(unsigned pass) override { return pass <= 2; }
 };
 
 int main() {

@@ -28,7 +28,7 @@ numbers the patches; from then on, they can be set.
 
 \tparam Traits model of `DeformableSimplicialComplexTraits_3`
 \tparam Cb a cell base class of 3D triangulations. Data that it adds are copied with a complex, and
-        a cell keeps them while it exists; `DeformationVisitor` tells when cells are replaced.
+        a cell keeps them while it exists; `Deformation_visitor` tells when cells are replaced.
 
 \cgalModels{SimplicialMeshCellBase_3}
 */

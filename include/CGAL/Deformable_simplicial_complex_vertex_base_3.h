@@ -25,7 +25,7 @@ Vertex of a deformable simplicial complex in space. Its data about surface patch
 
 \tparam Traits model of `DeformableSimplicialComplexTraits_3`
 \tparam Vb a vertex base class of 3D triangulations with points. Data that it adds are copied with a
-        complex, and a vertex keeps them while it exists; `DeformationVisitor` tells when vertices
+        complex, and a vertex keeps them while it exists; `Deformation_visitor` tells when vertices
         are created, merged and removed.
 
 \cgalModels{SimplicialMeshVertexBase_3}

@@ -8,7 +8,7 @@
 #include "Guarded.h"
 #include "arrays.h"
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Interface_remeshing/Carried_cell_averages.h>
 #include <CGAL/Interface_remeshing/Carried_vertex_values.h>
 #include <CGAL/Interface_remeshing/Number_rows.h>
@@ -139,12 +139,12 @@ public:
 
 /// A visitor that transfers the values of a complex while it exists. On vertices they are
 /// interpolated, on cells their integrals are conserved.
-template <class Complex> class Value_visitor final : public DSC::Any_visitor<Complex>
+template <class Complex> class Value_visitor final : public DSC::Deformation_visitor<Complex>
 {
 public:
-  using typename DSC::Any_visitor<Complex>::Vertex_handle;
-  using typename DSC::Any_visitor<Complex>::Cell_handle;
-  using typename DSC::Any_visitor<Complex>::Star;
+  using typename DSC::Deformation_visitor<Complex>::Vertex_handle;
+  using typename DSC::Deformation_visitor<Complex>::Cell_handle;
+  using typename DSC::Deformation_visitor<Complex>::Star;
 
   Value_visitor(const Complex& complex, Complex_object<Complex>& object) {
     if (!object.vertex_values.is_empty())

@@ -4,6 +4,7 @@
 #include "small_meshes.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/quality_measures.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -52,9 +53,9 @@ public:
   }
 };
 
-// DeformationVisitor; it is passed by reference, so it is not copyable
+// A visitor; it is passed by reference, so it is not copyable
 
-template <class Complex> class Visitor
+template <class Complex> class Visitor : public DSC::Deformation_visitor<Complex>
 {
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
@@ -64,18 +65,18 @@ public:
   Visitor(const Visitor&) = delete;
   Visitor& operator=(const Visitor&) = delete;
 
-  void before_replacement(const typename Complex::Cavity&) {}
-  void after_replacement(const typename Complex::Cavity&) {}
+  void before_replacement(const typename Complex::Cavity&) override {}
+  void after_replacement(const typename Complex::Cavity&) override {}
   void before_smoothing(Vertex_handle, const std::vector<Cell_handle>&,
-                        const typename Complex::Point_3&) {}
-  void after_smoothing(Vertex_handle, const std::vector<Cell_handle>&) {}
-  void after_split(Vertex_handle, Vertex_handle, Vertex_handle) {}
-  void before_collapse(Vertex_handle, Vertex_handle) {}
-  void after_flip(const std::vector<Cell_handle>&) {}
-  void after_relabel(Cell_handle, int) {}
-  template <class Vertex_handle> void after_insertion(Vertex_handle) {}
-  template <class Event> void after_topology_event(const Event&) {}
-  bool go_further(unsigned) { return true; }
+                        const typename Complex::Point_3&) override {}
+  void after_smoothing(Vertex_handle, const std::vector<Cell_handle>&) override {}
+  void after_split(Vertex_handle, Vertex_handle, Vertex_handle) override {}
+  void before_collapse(Vertex_handle, Vertex_handle) override {}
+  void after_flip(const std::vector<Cell_handle>&) override {}
+  void after_relabel(Cell_handle, int) override {}
+  void after_insertion(Vertex_handle) override {}
+  void after_topology_event(const DSC::Topology_event<Complex>&) override {}
+  bool go_further(unsigned) override { return true; }
 };
 
 // The destination of a vertex, InterfaceFlowMap, VelocityField, InterfaceVelocity, and

@@ -13,7 +13,7 @@
 #include <CGAL/Complex_construction/Construction_options.h>
 #include <CGAL/Complex_construction/Thin_part_options.h>
 #include <CGAL/Complex_construction/internal/thin_parts/Thickness.h>
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver.h>
 #include <CGAL/Interface_remeshing/refine_cells.h>
 #include <CGAL/Mesh_support/For_each_index.h>
@@ -38,7 +38,7 @@ namespace internal {
 template <class Complex>
 std::size_t bisect(Complex& complex, const std::vector<Coarse_facet<Complex>>& facets,
                    std::size_t most) {
-  Any_visitor<Complex> none;
+  Deformation_visitor<Complex> none;
   Cavity<Complex> cavity(complex);
   Improvement_report report;
   std::vector<std::size_t> time_stamps;
@@ -141,7 +141,7 @@ void improve_new_mesh(Complex& dsc, const Construction_options<Complex::dimensio
     refine_thin_parts(dsc, options.thin_parts);
   const Progress_phase phase("improving the mesh");
   if (options.improve) {
-    Any_visitor<Complex> visitor;
+    Deformation_visitor<Complex> visitor;
     const For_each_index sequential;
     Mesh_improver<Complex> improver(dsc, visitor, options.quality_threshold, sequential);
     improver.improve_all(options.quality_threshold, options.number_of_iterations, 0);

@@ -301,7 +301,7 @@ private:
           !propose_edge_split(m_complex, c, i, j, p, cavity))
         continue;
       Improvement_report report;
-      Any_visitor<Complex> nobody;
+      Deformation_visitor<Complex> nobody;
       commit_split(m_complex, cavity, a, b, nobody, report);
       m_rays[cavity.vertices().back().handle->time_stamp()] = {angle, length, state,
                                                                length < m_radius, 0};

@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Mesh_support/named_parameters.h>
 #include <CGAL/Mesh_support/parameter_values.h>
@@ -108,9 +108,9 @@ template <class Complex> struct Deformation_options
   bool flow_moves_all = false;
   /// Number of threads if linked with TBB. The result does not depend on it.
   unsigned number_of_threads = 1;
-  /// Visitor of the changes, such as a `Visitor_adaptor`; it must outlive the deformation. None if
+  /// Visitor of the changes; it must outlive the deformation. None if
   /// null.
-  Any_visitor<Complex>* visitor = nullptr;
+  Deformation_visitor<Complex>* visitor = nullptr;
 
   /// Throws an exception unless all values are in their ranges.
   /// \throws Error if a value is out of its range
@@ -193,8 +193,10 @@ auto call_with_parameters(const Complex& complex, const NamedParameters& np, Opt
     if constexpr (is_given<NamedParameters, visitor_t>) {
       auto given = parameter(np, visitor_t());
       auto& visitor = unwrap(given);
-      Visitor_adaptor<Complex, std::remove_reference_t<decltype(visitor)>> adaptor(visitor);
-      visit_option<visitor_t>(defaults, [&](const char*, auto& pointer) { pointer = &adaptor; });
+      static_assert(std::is_base_of<Deformation_visitor<Complex>,
+                                    std::remove_reference_t<decltype(visitor)>>::value,
+                    "a visitor derives from Deformation_visitor<Complex>");
+      visit_option<visitor_t>(defaults, [&](const char*, auto& pointer) { pointer = &visitor; });
       return call(std::as_const(defaults));
     } else
       return call(std::as_const(defaults));

@@ -151,7 +151,7 @@ public:
           triangulation, except that surface patches have the numbers that `release()` gives them
   \pre `triangulation.is_valid()`
   */
-  void assign(Triangulation&& triangulation);
+  template <class D = Domain> void assign(Triangulation&& triangulation);
 
   /*!
   Empties the complex, and returns its triangulation, for `Mesh_complex_3_in_triangulation_3`,

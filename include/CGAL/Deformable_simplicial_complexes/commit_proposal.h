@@ -11,9 +11,10 @@
 
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Simplex_data.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/destinations/Interface_tolerance.h>
 
 namespace CGAL::Deformable_simplicial_complexes {
@@ -38,7 +39,8 @@ size of the cavity, plus the costs of `Complex::replace()` for components.
         complex is valid.
 */
 template <class Complex>
-void replace_cavity(Complex& complex, Cavity<Complex>& cavity, Any_visitor<Complex>& visitor) {
+void replace_cavity(Complex& complex, Cavity<Complex>& cavity,
+                    Deformation_visitor<Complex>& visitor) {
   visitor.before_replacement(cavity);
   complex.replace(cavity);
   visitor.after_replacement(cavity);
@@ -61,7 +63,7 @@ motion. Linear in the star.
 template <class Complex>
 void smooth_vertex(Complex& complex, typename Complex::Vertex_handle v,
                    const std::vector<typename Complex::Cell_handle>& star,
-                   const typename Complex::Point& target, Any_visitor<Complex>& visitor) {
+                   const typename Complex::Point& target, Deformation_visitor<Complex>& visitor) {
   visitor.before_smoothing(v, star, target);
   complex.set_point(v, star, target);
   visitor.after_smoothing(v, star);
@@ -98,7 +100,7 @@ the interface, its ends and the new vertex get a new spacing.
 */
 template <class Complex>
 void commit_split(Complex& complex, Cavity<Complex>& cavity, typename Complex::Vertex_handle v,
-                  typename Complex::Vertex_handle w, Any_visitor<Complex>& visitor,
+                  typename Complex::Vertex_handle w, Deformation_visitor<Complex>& visitor,
                   Improvement_report& report) {
   CGAL_precondition(cavity.kind() == Proposal_kind::split);
   replace_cavity(complex, cavity, visitor);
@@ -125,8 +127,8 @@ Commits a collapse, an insertion or a flip, calls the visitor, and counts the op
 \throws Stale_proposal_error as `replace_cavity()`
 */
 template <class Complex>
-void commit_proposal(Complex& complex, Cavity<Complex>& cavity, Any_visitor<Complex>& visitor,
-                     Improvement_report& report) {
+void commit_proposal(Complex& complex, Cavity<Complex>& cavity,
+                     Deformation_visitor<Complex>& visitor, Improvement_report& report) {
   switch (cavity.kind()) {
   case Proposal_kind::collapse: {
     const bool is_of_interface = cavity.vanishing_vertex()->is_interface();

@@ -11,9 +11,9 @@
 
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/deformation/Interface_deformer.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/local_edge_length.h>
@@ -29,7 +29,7 @@ namespace internal {
 // maximum number of passes is reached, or `go_further(pass)` returns false. Returns the report.
 template <class Complex>
 Deformation_report<Complex> do_passes(Interface_deformer<Complex>& deformer,
-                                      Any_visitor<Complex>& visitor, unsigned maximum) {
+                                      Deformation_visitor<Complex>& visitor, unsigned maximum) {
   using Seconds = typename Deformation_report<Complex>::Seconds;
   unsigned pass = 0;
   bool is_stopped = false;
@@ -70,8 +70,8 @@ Deformation_report<Complex> deform(Complex& dsc,
                                    const Deformation_options<Complex>& options) {
   options.check();
   require_interface_edge(dsc);
-  Any_visitor<Complex> no_visitor;
-  Any_visitor<Complex>& visitor = options.visitor ? *options.visitor : no_visitor;
+  Deformation_visitor<Complex> no_visitor;
+  Deformation_visitor<Complex>& visitor = options.visitor ? *options.visitor : no_visitor;
   const Progress_phase phase("moving the interface");
   const For_each_index for_each_index(options.number_of_threads);
   Interface_deformer<Complex> deformer(dsc, visitor, options, for_each_index);
@@ -102,7 +102,7 @@ Each pass does the following:
        to the nearest point of that side. A destination outside the domain, a box, is replaced by
        the nearest point of the box: the interface stops there, and the report counts it.
 \param np a `Deformation_options`, or named parameters with the names of its members. The parameter
-       `visitor` is a model of `DeformationVisitor`, which may also end the deformation. Function
+       `visitor` is a `Deformation_visitor`, which may also end the deformation. Function
        objects, a model of `TopologyControl` and a visitor are given by value or by
        `std::reference_wrapper`.
 

@@ -10,8 +10,8 @@
 
 #include <CGAL/license/Distributed_complexes.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Failure_memory.h>
 #include <CGAL/Distributed_complexes/Communicator.h>
@@ -64,7 +64,7 @@ control_distributed_detail(Distributed_mesh<Complex>& mesh,
   };
   const auto treat = [&](Treated_patch<Complex>& patch) {
     const Treated_cells<Complex> cells(patch);
-    Any_visitor<Part> no_visitor;
+    Deformation_visitor<Part> no_visitor;
     Detail_controller<Part> controller(patch.part, no_visitor, options);
     controller.run();
     patch.counts += controller.report();

@@ -757,7 +757,7 @@ private:
   Fluid_repetition::Point fastest_vertex() const;
   Fluid_repetition::Point flattest_cell() const;
   void adapt(const Options& chosen, internal::Mesh_treatment treatment, Report& report);
-  Improvement_report adapt_lengths(double tolerance, Any_visitor<Complex>* visitor);
+  Improvement_report adapt_lengths(double tolerance, Deformation_visitor<Complex>* visitor);
   void make_admissible(double dt, unsigned number_of_threads, Report& report);
   void step(double dt, double end, const Options& chosen, double longest_displacement,
             Report& report, Energy_judge* judge);

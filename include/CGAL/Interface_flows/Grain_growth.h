@@ -10,9 +10,9 @@
 
 #include <CGAL/license/Interface_flows.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Interface_flows/Mean_curvature_flow.h>
@@ -157,11 +157,11 @@ public:
   }
 
   /// Performs a time step. Only advances the time if there is no interface.
-  /// \param visitor visitor of the changes of the mesh, such as a `Visitor_adaptor`; none if null
+  /// \param visitor visitor of the changes of the mesh; none if null
   /// \throws Error if a function of the energy returns a value out of its range, or if a system
   ///         cannot be solved. The complex is then valid, and the time is unchanged, but the mesh
   ///         may have changed, and grains may have been removed.
-  Report advance(Any_visitor<Complex>* visitor = nullptr) {
+  Report advance(Deformation_visitor<Complex>* visitor = nullptr) {
     Report report;
     report.dt = time_step();
     if (!m_complex.interface_vertices().empty()) {
@@ -185,7 +185,7 @@ private:
   // A vertex in a corner of a box cannot move, so it would hold an interface that ends there. All
   // cells around it get one of their labels, the one of least energy, unless an interface there has
   // the mobility 0.
-  void release_corners(Any_visitor<Complex>* visitor) {
+  void release_corners(Deformation_visitor<Complex>* visitor) {
     for (auto v : m_complex.interface_vertices()) {
       const auto sides = v->boundary_class();
       if ((sides & Boundary_class::fixed) != 0 ||
@@ -231,7 +231,7 @@ private:
   }
 
   // Splits and collapses edges of the interface and of cells, and splits unstable junctions.
-  void adapt(Any_visitor<Complex>* visitor) {
+  void adapt(Deformation_visitor<Complex>* visitor) {
     static constexpr double split = 1.4, collapse = .5; // halves of split edges are long enough
     Interface_improvement_options<Complex> options;
     options.sizing_field = [h = edge()](const auto&) { return h; };
@@ -252,7 +252,7 @@ private:
 
   // Removes the grains of a few edges that would vanish within dt at their present rates. At short
   // edges, such as at particles, the rates of the explicit flow can be too large.
-  std::vector<Label> remove_vanishing(double dt, Any_visitor<Complex>* visitor) {
+  std::vector<Label> remove_vanishing(double dt, Deformation_visitor<Complex>* visitor) {
     const Interface_snapshot<Complex> interface_(m_complex);
     const auto positions = interface_.positions(m_complex);
     std::vector<typename Complex::Vector> velocities;

@@ -10,7 +10,7 @@
 
 #include <CGAL/license/Interface_flows.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Interface_flows/Corner_rule.h>
 #include <CGAL/Interface_flows/internal/corners/Opened_corners_2.h>
@@ -169,9 +169,9 @@ struct Normal_offset
   /// Inserts vertices at corners and edges that are opened in a step of the length `dt`.
   /// `advect_interface()` calls this function before the step.
   template <class Complex>
-  internal::Opened_corners<Complex> open_corners(Complex& dsc,
-                                                 const Interface_snapshot<Complex>& interface_,
-                                                 double dt, Any_visitor<Complex>& visitor) const;
+  internal::Opened_corners<Complex>
+  open_corners(Complex& dsc, const Interface_snapshot<Complex>& interface_, double dt,
+               Deformation_visitor<Complex>& visitor) const;
 };
 
 template <class Complex>
@@ -205,7 +205,7 @@ void Normal_offset::operator()(const Interface_snapshot<Complex>& interface_,
 template <class Complex>
 internal::Opened_corners<Complex>
 Normal_offset::open_corners(Complex& dsc, const Interface_snapshot<Complex>& interface_, double dt,
-                            Any_visitor<Complex>& visitor) const {
+                            Deformation_visitor<Complex>& visitor) const {
   // The area between an arc and tangents of this angle is less than 1 % of the sector.
   static constexpr double finest = 18 * CGAL_PI / 180;
   const bool are_round = corners == Corner_rule::round;

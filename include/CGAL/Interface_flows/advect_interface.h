@@ -11,7 +11,7 @@
 #include <CGAL/license/Interface_flows.h>
 
 #include <CGAL/Complex_construction/grow_domain.h>
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/destinations/Destinations.h>
@@ -191,7 +191,7 @@ private:
                                          double dt) {
     Operations result;
     result.volumes = volumes_before(m_dsc);
-    Any_visitor<Complex> none;
+    Deformation_visitor<Complex> none;
     auto& visitor = m_options.deformation.visitor ? *m_options.deformation.visitor : none;
     if constexpr (Complex::dimension == 2) {
       // Errors are found before the interface is changed.

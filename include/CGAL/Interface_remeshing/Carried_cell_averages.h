@@ -10,7 +10,7 @@
 
 #include <CGAL/license/Interface_remeshing.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/cell_corners.h>
 #include <CGAL/Interface_remeshing/internal/values/overlap_measure.h>
 
@@ -167,11 +167,9 @@ thinnest cells; for the integral, relative to the largest magnitude.
         visitor copies the map. Reads and writes for existing cells must not throw. Removed cells
         keep their values, and handles of new cells may equal those of removed cells; identify cells
         by their time stamps. Values can be added, `v + w`, and multiplied, `2. * v`.
-
-\cgalModels `DeformationVisitor`
 */
 template <class Complex, class CellValueMap>
-class Carried_cell_averages : public Deformation_visitor
+class Carried_cell_averages : public Deformation_visitor<Complex>
 {
 public:
   using Cell_handle = typename Complex::Cell_handle;     ///< cell of the complex
@@ -191,7 +189,7 @@ public:
 
   /// Turns the integrals into averages again, also after an exception. Linear in the number of
   /// cells.
-  ~Carried_cell_averages() {
+  ~Carried_cell_averages() override {
     for (Cell_handle c : m_complex.finite_cells())
       multiply(c, 1 / volume(c));
   }
@@ -203,7 +201,7 @@ public:
 
   /// Computes the contents of the new cells. About n log n in the number of old and new cells, plus
   /// the number of pairs whose bounding boxes intersect.
-  void before_replacement(const Cavity& cavity) {
+  void before_replacement(const Cavity& cavity) override {
     begin(cavity.removed());
     for (const auto& t : cavity.planned())
       if (!cavity.is_infinite(t.vertices)) {
@@ -215,11 +213,11 @@ public:
     redistribute();
   }
   /// Stores the contents of the new cells.
-  void after_replacement(const Cavity& cavity) { put_contents(cavity.created()); }
+  void after_replacement(const Cavity& cavity) override { put_contents(cavity.created()); }
 
   /// Computes the contents of the cells around `v` after the move, in the same time.
   void before_smoothing(Vertex_handle v, const std::vector<Cell_handle>& star,
-                        const Point& target) {
+                        const Point& target) override {
     begin(star);
     const auto position = near(target);
     for (Cell_handle c : star)
@@ -231,7 +229,9 @@ public:
     redistribute();
   }
   /// Stores the contents of the cells around the vertex.
-  void after_smoothing(Vertex_handle, const std::vector<Cell_handle>& star) { put_contents(star); }
+  void after_smoothing(Vertex_handle, const std::vector<Cell_handle>& star) override {
+    put_contents(star);
+  }
 
 private:
   using Space = typename Complex::Space;

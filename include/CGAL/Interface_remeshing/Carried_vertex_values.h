@@ -10,7 +10,7 @@
 
 #include <CGAL/license/Interface_remeshing.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/cell_corners.h>
 #include <CGAL/Interface_remeshing/internal/values/overlap_measure.h>
 
@@ -50,11 +50,9 @@ nearest cell is extrapolated.
         The visitor copies the map. Removed vertices keep their values, and handles of new vertices
         may equal those of removed vertices; identify vertices by their time stamps. Values can be
         added, `v + w`, and multiplied, `2. * v`.
-
-\cgalModels `DeformationVisitor`
 */
 template <class Complex, class VertexValueMap>
-class Carried_vertex_values : public Deformation_visitor
+class Carried_vertex_values : public Deformation_visitor<Complex>
 {
 public:
   using Cell_handle = typename Complex::Cell_handle;     ///< cell of the complex
@@ -86,7 +84,7 @@ public:
 
   /// Interpolates the values of new and of moved vertices, each in time linear in the number of
   /// removed cells.
-  void before_replacement(const Cavity& cavity) {
+  void before_replacement(const Cavity& cavity) override {
     m_interpolated.clear();
     for (std::size_t i = 0; i < cavity.vertices().size(); ++i) {
       const auto& v = cavity.vertices()[i];
@@ -96,14 +94,14 @@ public:
     }
   }
   /// Stores the interpolated values.
-  void after_replacement(const Cavity& cavity) {
+  void after_replacement(const Cavity& cavity) override {
     for (const auto& [i, value] : m_interpolated)
       put(m_values, cavity.vertices()[i].handle, value);
   }
 
   /// Interpolates the value at the target, in time linear in the number of cells around the vertex.
   void before_smoothing(Vertex_handle v, const std::vector<Cell_handle>& star,
-                        const Point& target) {
+                        const Point& target) override {
     const auto position = target;
     m_interpolated.clear();
     m_interpolated.emplace_back(0, m_gradient == Carried_gradient::mean
@@ -111,7 +109,7 @@ public:
                                        : interpolate(star, position));
   }
   /// Stores the interpolated value.
-  void after_smoothing(Vertex_handle v, const std::vector<Cell_handle>&) {
+  void after_smoothing(Vertex_handle v, const std::vector<Cell_handle>&) override {
     put(m_values, v, m_interpolated.front().second);
   }
 

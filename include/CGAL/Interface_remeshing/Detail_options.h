@@ -10,7 +10,7 @@
 
 #include <CGAL/license/Interface_remeshing.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Interface_remeshing/Edge_unit.h>
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/parameter_values.h>
@@ -52,8 +52,8 @@ template <class Complex> struct Detail_options
   double interface_collapse_length = .5;
   /// Largest number of rounds. Each round processes the cells changed by the previous one.
   unsigned number_of_iterations = 10;
-  /// Visitor of the changes, such as a `Visitor_adaptor`; it must outlive the call. None if null.
-  Any_visitor<Complex>* visitor = nullptr;
+  /// Visitor of the changes; it must outlive the call. None if null.
+  Deformation_visitor<Complex>* visitor = nullptr;
 
   /// Throws an exception unless all values are in their ranges.
   /// \throws Error if a value is out of its range

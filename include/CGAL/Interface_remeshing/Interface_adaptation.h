@@ -214,13 +214,13 @@ public:
   /// `improve_interface()`. Vertices are not smoothed, and the cells are not optimized; the next
   /// deformation does this.
   /// \param complex the complex
-  /// \param visitor visitor of the changes, such as a `Visitor_adaptor`; none if null
+  /// \param visitor visitor of the changes; none if null
   /// \return the numbers of operations
   /// \pre The complex has not changed since the snapshot.
   /// \throws Error if `improve_interface()` throws it, for example if `options.feature_angle` is
   ///         out of its range; the complex is then unchanged. An exception of the visitor and
   ///         `Interrupted_error` leave a valid complex.
-  Improvement_report apply(Complex& complex, Any_visitor<Complex>* visitor) const {
+  Improvement_report apply(Complex& complex, Deformation_visitor<Complex>* visitor) const {
     const Curvature_sizing_field<Complex::dimension> field(
         m_positions, m_sizes, Rule::longest * m_edge,
         m_interface.domain.template periods<Complex::dimension>());
@@ -258,17 +258,17 @@ over the cells.
 \param is_stretching function object that takes the `Interface_snapshot` and returns whether the
        time step changes lengths, for example by `is_stretched()`; called only if the interface is
        worn
-\param visitor visitor of the changes, such as a `Visitor_adaptor` of a model of
-       `DeformationVisitor`; none if null
+\param visitor visitor of the changes; none if null
 \return the numbers of operations
 \pre `complex.mean_interface_edge()` is positive if there is an interface.
 \throws Error if `improve_interface()` throws it; the complex is then unchanged. An exception of
         `visitor` or `Interrupted_error` leaves a valid complex.
 */
 template <class Complex, class IsStretching>
-Improvement_report keep_interface_fit(Complex& complex, const Adaptation_options& options,
-                                      const IsStretching& is_stretching,
-                                      std::common_type_t<Any_visitor<Complex>*> visitor = nullptr) {
+Improvement_report
+keep_interface_fit(Complex& complex, const Adaptation_options& options,
+                   const IsStretching& is_stretching,
+                   std::common_type_t<Deformation_visitor<Complex>*> visitor = nullptr) {
   if (!(options.tolerance > 0))
     return {};
   const Interface_snapshot<Complex> interface_(complex);

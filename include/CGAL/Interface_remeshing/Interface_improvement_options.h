@@ -10,7 +10,7 @@
 
 #include <CGAL/license/Interface_remeshing.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Interface_remeshing/Edge_unit.h>
 #include <CGAL/Mesh_support/Error.h>
@@ -70,8 +70,8 @@ template <class Complex> struct Interface_improvement_options
   /// The energy that splits of junctions decrease. Energy densities have no effect. The default is
   /// the length of the interface.
   Interface_energy interface_energy;
-  /// Visitor of the changes, such as a `Visitor_adaptor`; it must outlive the call. None if null.
-  Any_visitor<Complex>* visitor = nullptr;
+  /// Visitor of the changes; it must outlive the call. None if null.
+  Deformation_visitor<Complex>* visitor = nullptr;
 
   /// Throws an exception unless all values are in their ranges.
   /// \throws Error if a value is out of its range

@@ -10,7 +10,7 @@
 
 #include <CGAL/license/Interface_remeshing.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Mesh_support/parameter_values.h>
 
 #include <optional>
@@ -40,8 +40,8 @@ template <class Complex> struct Mesh_improvement_options
   bool smooth_interface = false;
   /// Number of threads if linked with TBB. The result does not depend on it.
   unsigned number_of_threads = 1;
-  /// Visitor of the changes, such as a `Visitor_adaptor`; it must outlive the call. None if null.
-  Any_visitor<Complex>* visitor = nullptr;
+  /// Visitor of the changes; it must outlive the call. None if null.
+  Deformation_visitor<Complex>* visitor = nullptr;
 
   /// Returns the threshold, or its default value.
   double threshold() const { return quality_threshold.value_or(aggressive ? .46 : .25); }

@@ -35,7 +35,7 @@ collapse creates an edge that would be split.
 
 \param dsc the complex
 \param np a `Detail_options`, or named parameters with the names of its members. Function objects
-       and a visitor, a model of `DeformationVisitor`, are given by value or by
+       and a visitor, a `Deformation_visitor`, are given by value or by
        `std::reference_wrapper`.
 
 \return the numbers of changes

@@ -10,8 +10,8 @@
 
 #include <CGAL/license/Interface_remeshing.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Interface_remeshing/Interface_improvement_options.h>
 #include <CGAL/Interface_remeshing/internal/remeshing/Interface_remesher.h>
@@ -27,7 +27,7 @@ Improvement_report remesh_interface(Complex& dsc,
                                     const Interface_improvement_options<Complex>& options) {
   options.check();
   const Progress_phase phase("improving the interface");
-  Any_visitor<Complex> no_visitor;
+  Deformation_visitor<Complex> no_visitor;
   Interface_remesher<Complex> improver(dsc, options.visitor ? *options.visitor : no_visitor,
                                        options);
   for (unsigned i = 0; i < options.number_of_iterations; ++i) {
@@ -60,7 +60,7 @@ volumes of labels up to rounding; flips, collapses and curved splits change them
 
 \param dsc the complex
 \param np a `Interface_improvement_options`, or named parameters with the names of its members. Function
-       objects and a visitor, a model of `DeformationVisitor`, are given by value or by
+       objects and a visitor, a `Deformation_visitor`, are given by value or by
        `std::reference_wrapper`.
 
 \return the numbers of changes

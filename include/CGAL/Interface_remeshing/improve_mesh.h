@@ -10,9 +10,9 @@
 
 #include <CGAL/license/Interface_remeshing.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_improver.h>
@@ -36,7 +36,7 @@ public:
   using Cell_handle = typename Complex::Cell_handle;
 
   // `rounds` is the maximum number of rounds in each improvement of a copy.
-  Patch_improver_3(Complex& complex, Any_visitor<Complex>& visitor, double threshold,
+  Patch_improver_3(Complex& complex, Deformation_visitor<Complex>& visitor, double threshold,
                    unsigned rounds, const For_each_index& for_each_index)
       : m_complex(complex), m_visitor(visitor),
         m_for_each_index(for_each_index), m_goal{threshold, 1, 2, (std::min)(rounds, 5u), 0},
@@ -164,7 +164,7 @@ private:
   }
 
   Complex& m_complex;
-  Any_visitor<Complex>& m_visitor;
+  Deformation_visitor<Complex>& m_visitor;
   const For_each_index& m_for_each_index;
   Patch_goal m_goal;
   Cavity<Complex> m_cavity;
@@ -177,8 +177,8 @@ template <class Complex>
 Improvement_report improve_whole_mesh(Complex& dsc,
                                       const Mesh_improvement_options<Complex>& options) {
   options.check();
-  Any_visitor<Complex> no_visitor;
-  Any_visitor<Complex>& visitor = options.visitor ? *options.visitor : no_visitor;
+  Deformation_visitor<Complex> no_visitor;
+  Deformation_visitor<Complex>& visitor = options.visitor ? *options.visitor : no_visitor;
   const Progress_phase phase("improving the mesh");
   const double threshold = options.threshold();
   const unsigned rounds = options.number_of_iterations;
@@ -219,8 +219,7 @@ The quality is that of the complex's quality measure. If dihedral angles are imp
 seeds.
 
 \param dsc the complex
-\param np a `Mesh_improvement_options`, or named parameters with the names of its members. A visitor, a
-       model of `DeformationVisitor`, is given by value or by `std::reference_wrapper`.
+\param np a `Mesh_improvement_options`, or named parameters with the names of its members. A visitor, a `Deformation_visitor`, is given by value or by `std::reference_wrapper`.
 
 \return the numbers of changes
 \throws Error if a parameter is out of its range; the complex is then unchanged

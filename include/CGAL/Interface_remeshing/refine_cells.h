@@ -10,8 +10,8 @@
 
 #include <CGAL/license/Interface_remeshing.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_split.h>
@@ -72,7 +72,7 @@ Cell_edge<Complex> terminal_edge(const Complex& complex, typename Complex::Cell_
 // Splits the terminal edge of a cell in the middle. Returns whether the split is admissible.
 template <class Complex>
 bool split_terminal_edge(Complex& complex, typename Complex::Cell_handle cell,
-                         Cavity<Complex>& cavity, Any_visitor<Complex>& visitor,
+                         Cavity<Complex>& cavity, Deformation_visitor<Complex>& visitor,
                          Improvement_report& report) {
   const auto edge = terminal_edge(complex, cell);
   const auto v = edge.cell->vertex(edge.i), w = edge.cell->vertex(edge.j);
@@ -86,7 +86,7 @@ bool split_terminal_edge(Complex& complex, typename Complex::Cell_handle cell,
 // in the number of cells at the vertex and at split edges.
 template <class Complex>
 std::size_t refine_around(Complex& complex, typename Complex::Vertex_handle vertex, double longest,
-                          Any_visitor<Complex>& visitor) {
+                          Deformation_visitor<Complex>& visitor) {
   static constexpr std::size_t most = 1000; // splits; a hundred halve an edge thirty times
   const auto is_coarse = [&](typename Complex::Cell_handle c) {
     if (complex.is_infinite(c))
@@ -125,7 +125,7 @@ for each selected cell.
 \param complex the complex
 \param selects `selects(c)` returns whether a finite cell is to be bisected. It is called once for
        each cell that exists at the beginning, unless the cell was divided before.
-\param visitor visitor of the changes, such as a `Visitor_adaptor`; none if null
+\param visitor visitor of the changes; none if null
 \return the number of splits
 \throws Interrupted_error if the callback of a `Progress_scope` returned `false`. After an exception,
         also one of `selects` or of the visitor, the complex is valid.
@@ -135,8 +135,8 @@ unstructured triangulations*, 1997.
 */
 template <class Complex, class Selects>
 std::size_t refine_cells(Complex& complex, const Selects& selects,
-                         Any_visitor<Complex>* visitor = nullptr) {
-  Any_visitor<Complex> none;
+                         Deformation_visitor<Complex>* visitor = nullptr) {
+  Deformation_visitor<Complex> none;
   Cavity<Complex> cavity(complex);
   Improvement_report report;
   std::vector<std::pair<typename Complex::Cell_handle, std::size_t>> cells;

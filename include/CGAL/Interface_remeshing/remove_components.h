@@ -10,7 +10,7 @@
 
 #include <CGAL/license/Interface_remeshing.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 
 #include <map>
@@ -119,15 +119,15 @@ change. Linear in the number of cells, times the logarithm of the number of comp
        its number as in `Complex::component()`, and its volume, in the plane its area. It is called
        for all components before the first one is removed.
 \param energy the energy. The default is the measure of the interface
-\param visitor visitor of the changes, such as a `Visitor_adaptor`; none if null
+\param visitor visitor of the changes; none if null
 \return the labels of the components that were removed, in the order of the numbers of components
 \throws Error if a tension, a mobility or a density is out of its range. After this exception, or
         one of the visitor, some components may have been removed, and the complex is valid.
 */
 template <class Complex, class Selects>
-std::vector<typename Complex::Label> remove_components(Complex& complex, const Selects& selects,
-                                                       const Interface_energy& energy = {},
-                                                       Any_visitor<Complex>* visitor = nullptr) {
+std::vector<typename Complex::Label>
+remove_components(Complex& complex, const Selects& selects, const Interface_energy& energy = {},
+                  Deformation_visitor<Complex>* visitor = nullptr) {
   using Label = typename Complex::Label;
   auto components = internal::components_of(complex);
   std::map<std::size_t, std::uint32_t>
@@ -183,7 +183,8 @@ Removes all components of a label except the largest one, see `remove_components
 template <class Complex, class Selects>
 std::vector<typename Complex::Label>
 keep_largest_components(Complex& complex, const Interface_energy& energy,
-                        std::common_type_t<Any_visitor<Complex>*> visitor, const Selects& selects) {
+                        std::common_type_t<Deformation_visitor<Complex>*> visitor,
+                        const Selects& selects) {
   using Label = typename Complex::Label;
   std::map<Label, std::pair<double, std::uint32_t>> largest;
   for (const auto& [number, component] : internal::components_of(complex)) {
@@ -204,7 +205,7 @@ keep_largest_components(Complex& complex, const Interface_energy& energy,
 template <class Complex>
 std::vector<typename Complex::Label>
 keep_largest_components(Complex& complex, const Interface_energy& energy = {},
-                        Any_visitor<Complex>* visitor = nullptr) {
+                        Deformation_visitor<Complex>* visitor = nullptr) {
   return keep_largest_components(complex, energy, visitor,
                                  [](typename Complex::Label) { return true; });
 }

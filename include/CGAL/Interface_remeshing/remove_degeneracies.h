@@ -10,9 +10,9 @@
 
 #include <CGAL/license/Interface_remeshing.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
@@ -48,8 +48,8 @@ template <class Complex> struct Degeneracy_options
   typename Edge_unit<Complex>::Sizing_field sizing_field;
   /// Largest number of rounds. Each round processes the cells created by the previous one.
   unsigned number_of_iterations = 10;
-  /// Visitor of the changes, such as a `Visitor_adaptor`; it must outlive the call. None if null.
-  Any_visitor<Complex>* visitor = nullptr;
+  /// Visitor of the changes; it must outlive the call. None if null.
+  Deformation_visitor<Complex>* visitor = nullptr;
 
   /// Throws an exception unless all values are in their ranges.
   /// \throws Error if a value is out of its range
@@ -71,8 +71,8 @@ Improvement_report remove_degenerate_simplices(Complex& dsc,
   using Cell_handle = typename Complex::Cell_handle;
 
   options.check();
-  Any_visitor<Complex> no_visitor;
-  Any_visitor<Complex>& visitor = options.visitor ? *options.visitor : no_visitor;
+  Deformation_visitor<Complex> no_visitor;
+  Deformation_visitor<Complex>& visitor = options.visitor ? *options.visitor : no_visitor;
   const auto unit = shortest_target_edge_length(dsc, options.sizing_field);
 
   Improvement_report report;
@@ -123,7 +123,7 @@ A pass over the cells, then n log n in the number of changed cells.
 
 \param dsc the complex
 \param np a `Degeneracy_options`, or named parameters with the names of its members. Function objects
-       and a visitor, a model of `DeformationVisitor`, are given by value or by
+       and a visitor, a `Deformation_visitor`, are given by value or by
        `std::reference_wrapper`.
 
 \return the numbers of changes

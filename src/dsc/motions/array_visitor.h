@@ -7,7 +7,7 @@
 
 #include "programs/errors.h"
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/cell_corners.h>
 #include <CGAL/Interface_remeshing/Carried_cell_averages.h>
 #include <CGAL/Interface_remeshing/Carried_vertex_values.h>
@@ -27,7 +27,7 @@ namespace dsc {
 /// floating-point numbers are averages over cells, whose integrals are conserved, or values at
 /// vertices, which are interpolated. A new vertex gets the integers of the nearest vertex around
 /// it. A new cell gets the integers of the old cell of its label that it overlaps most.
-template <class Complex> class Array_visitor : public DSC::Deformation_visitor
+template <class Complex> class Array_visitor final : public DSC::Deformation_visitor<Complex>
 {
 public:
   using Vertex_handle = typename Complex::Vertex_handle;
@@ -48,7 +48,7 @@ public:
       m_carried_averages.emplace(complex, Row_map<Cell_handle>{&m_averages});
   }
 
-  template <class Cavity> void before_replacement(const Cavity& cavity) {
+  void before_replacement(const DSC::Cavity<Complex>& cavity) override {
     for_both([&](auto& carried) { carried.before_replacement(cavity); });
     m_new_vertices.clear();
     m_new_cells.clear();
@@ -61,7 +61,7 @@ public:
         if (!cavity.is_infinite(cell.vertices))
           m_new_cells.push_back(integers_of(cavity, cell));
   }
-  template <class Cavity> void after_replacement(const Cavity& cavity) {
+  void after_replacement(const DSC::Cavity<Complex>& cavity) override {
     for_both([&](auto& carried) { carried.after_replacement(cavity); });
     for (const auto& [i, integers] : m_new_vertices)
       put(Row_map<Vertex_handle>{&m_vertex_integers}, cavity.vertices()[i].handle, integers);
@@ -71,11 +71,11 @@ public:
         if (!m_complex.is_infinite(c))
           put(Row_map<Cell_handle>{&m_cell_integers}, c, *next++);
   }
-  template <class Star, class Point>
-  void before_smoothing(Vertex_handle v, const Star& star, const Point& target) {
+  void before_smoothing(Vertex_handle v, const std::vector<Cell_handle>& star,
+                        const typename Complex::Point& target) override {
     for_both([&](auto& carried) { carried.before_smoothing(v, star, target); });
   }
-  template <class Star> void after_smoothing(Vertex_handle v, const Star& star) {
+  void after_smoothing(Vertex_handle v, const std::vector<Cell_handle>& star) override {
     for_both([&](auto& carried) { carried.after_smoothing(v, star); });
   }
 

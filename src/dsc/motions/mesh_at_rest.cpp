@@ -13,8 +13,8 @@
 
 #include <CGAL/Complex_construction/assign_solid_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Solid_domain.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parts/assign_part.h>
 #include <CGAL/Interface_remeshing/improve_mesh.h>
@@ -274,8 +274,7 @@ Improvement_outcome Mesh_at_rest::improve(const Improvement_options& options,
     for (const auto v : at_rest.vertices())
       time_stamps.push_back(v->time_stamp());
     Array_visitor<Complex_at_rest> visitor(at_rest, content.arrays);
-    DSC::Visitor_adaptor<Complex_at_rest, Array_visitor<Complex_at_rest>> adaptor(visitor);
-    improvement.visitor = &adaptor;
+    improvement.visitor = &visitor;
     outcome.changes = DSC::improve_mesh(at_rest, improvement);
 
     state = finite_state(at_rest.state());

@@ -10,7 +10,7 @@
 #include "motions/tracked_complex.h"
 #include "programs/errors.h"
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Interface_flows/Mean_curvature_flow.h>
 #include <CGAL/Interface_flows/Normal_offset.h>
 #include <CGAL/Interface_flows/advect_adaptively.h>
@@ -77,7 +77,7 @@ void complete(DSC::Adaptive_advection_options<Complex>& options,
 /// \param report of the step, which tells of the changes
 template <class Complex>
 void restore_start_volumes(Complex& complex, const std::map<int, double>& volumes, double unit,
-                           unsigned threads, DSC::Any_visitor<Complex>* visitor,
+                           unsigned threads, DSC::Deformation_visitor<Complex>* visitor,
                            DSC::Deformation_report<Complex>& report) {
   std::map<typename Complex::Label, double> kept;
   for (const auto& [label, volume] : volumes)
@@ -97,7 +97,8 @@ void restore_start_volumes(Complex& complex, const std::map<int, double>& volume
 }
 
 /// Adapts the mesh before an offset in the plane or of whole faces, which stretches the interface.
-template <class Complex> void make_room(Complex& complex, DSC::Any_visitor<Complex>* visitor) {
+template <class Complex>
+void make_room(Complex& complex, DSC::Deformation_visitor<Complex>* visitor) {
   DSC::Detail_options<Complex> options;
   options.collapse_length = 2;
   options.visitor = visitor;
@@ -144,7 +145,7 @@ template <class Complex> struct Motion_step
   double time;
   unsigned threads;
   const Step_options& options;
-  DSC::Any_visitor<typename Of::Part>* visitor = nullptr; ///< of all changes
+  DSC::Deformation_visitor<typename Of::Part>* visitor = nullptr; ///< of all changes
 
   Report operator()(const Rotation& rotation) const {
     const std::array<Point, 2> box = Of::box(complex);
@@ -260,7 +261,7 @@ private:
 /// tolerance is smaller in the plane.
 template <class Complex>
 void improve_before_step(Complex& complex, const std::optional<double>& aggressiveness,
-                         DSC::Any_visitor<Complex>* visitor) {
+                         DSC::Deformation_visitor<Complex>* visitor) {
   static constexpr bool is_planar = Complex::dimension == 2;
   static constexpr double feature_angle = is_planar ? 60 : 85, // below cubes, above rims of sheets
       tolerance = is_planar ? .005 : .05, shortest = .2, longest = is_planar ? 4 : 1;
@@ -283,7 +284,7 @@ void improve_before_step(Complex& complex, const std::optional<double>& aggressi
 /// \param visitor visitor of all changes; none if null
 template <class Complex>
 Step_outcome do_step(Complex& complex, const Step_options& options, double time, unsigned threads,
-                     DSC::Any_visitor<Complex>* visitor = nullptr) {
+                     DSC::Deformation_visitor<Complex>* visitor = nullptr) {
   const auto start = Clock::now();
   if (options.improves_interface)
     improve_before_step(complex, options.aggressiveness, visitor);

@@ -13,8 +13,7 @@ Step_outcome Tracked_complex_3::advance(const Step_options& options, double time
   if (!carries_arrays())
     return do_step(complex, options, time, threads);
   Array_visitor<Complex> visitor(complex, m_carried);
-  DSC::Visitor_adaptor<Complex, Array_visitor<Complex>> adaptor(visitor);
-  const Step_outcome outcome = do_step(complex, options, time, threads, &adaptor);
+  const Step_outcome outcome = do_step(complex, options, time, threads, &visitor);
   m_carried = visitor.finish();
   return outcome;
 }

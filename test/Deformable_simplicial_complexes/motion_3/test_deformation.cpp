@@ -1,7 +1,7 @@
 #include "mesh_helpers.h"
 #include "test.h"
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_flows/interface_flows_3.h>
@@ -390,22 +390,22 @@ TEST(Deformation, in_the_order_of_collisions) {
 
 // Visitors
 
-struct Counting_visitor : public DSC::Deformation_visitor
+struct Counting_visitor : public DSC::Deformation_visitor<Complex>
 {
-  void after_split(Vertex_handle, Vertex_handle, Vertex_handle) { ++split; }
-  void before_collapse(Vertex_handle removed, Vertex_handle kept) {
+  void after_split(Vertex_handle, Vertex_handle, Vertex_handle) override { ++split; }
+  void before_collapse(Vertex_handle removed, Vertex_handle kept) override {
     EXPECT_NE(removed, kept);
     ++collapsed;
   }
-  void after_flip(const std::vector<Cell_handle>& cells) {
+  void after_flip(const std::vector<Cell_handle>& cells) override {
     EXPECT_GE(cells.size(), 2u);
     ++flipped;
   }
-  void after_relabel(Cell_handle cell, int before) {
+  void after_relabel(Cell_handle cell, int before) override {
     EXPECT_NE(cell->subdomain_index(), before);
     ++relabeled;
   }
-  bool go_further(unsigned pass) {
+  bool go_further(unsigned pass) override {
     EXPECT_EQ(pass, ++passes);
     return pass <= maximum_number_of_passes;
   }
@@ -449,9 +449,9 @@ TEST(Deformation, visitor_can_end_it) {
 }
 
 TEST(Deformation, exception_of_the_visitor_leaves_a_valid_complex) {
-  struct Throwing_visitor : public DSC::Deformation_visitor
+  struct Throwing_visitor : public DSC::Deformation_visitor<Complex>
   {
-    void after_flip(const std::vector<Cell_handle>&) { throw std::runtime_error("no"); }
+    void after_flip(const std::vector<Cell_handle>&) override { throw std::runtime_error("no"); }
   };
   Complex dsc = mesh_helpers::jittered_grid(6, small_meshes::two_boxes, .3, 2);
   Throwing_visitor visitor;
@@ -505,9 +505,9 @@ TEST(Deformation, visitor_may_be_given_by_value) {
   EXPECT_EQ(DSC::improve_mesh(dsc, parameters::visitor(visitor)).split, 0u);
 }
 
-struct Throwing_visitor : public DSC::Deformation_visitor
+struct Throwing_visitor : public DSC::Deformation_visitor<Complex>
 {
-  bool go_further(unsigned pass) { return pass < 2 ? true : throw pass; }
+  bool go_further(unsigned pass) override { return pass < 2 ? true : throw pass; }
 };
 
 TEST(Deformation, stays_valid_when_a_visitor_throws) {

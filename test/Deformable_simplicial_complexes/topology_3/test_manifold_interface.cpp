@@ -263,11 +263,11 @@ TEST(Manifold_interface, survives_collapses_and_flips) {
 }
 
 // Examines the complex before each pass.
-struct Pinch_counter : public DSC::Deformation_visitor
+struct Pinch_counter : public DSC::Deformation_visitor<Complex>
 {
   explicit Pinch_counter(const Complex& complex) : dsc(complex) {}
 
-  bool go_further(unsigned /*pass*/) {
+  bool go_further(unsigned /*pass*/) override {
     pinches += number_of_pinches(dsc);
     return true;
   }

@@ -264,11 +264,13 @@ TEST(Topology_control, eight_labels_change_only_where_granted) {
   EXPECT_GT(granted_in_all, 0u);
 }
 
-struct Event_visitor : public DSC::Deformation_visitor
+struct Event_visitor : public DSC::Deformation_visitor<Complex>
 {
   std::vector<DSC::Topology_event<Complex>> events;
 
-  void after_topology_event(const DSC::Topology_event<Complex>& event) { events.push_back(event); }
+  void after_topology_event(const DSC::Topology_event<Complex>& event) override {
+    events.push_back(event);
+  }
 };
 
 TEST(Topology_events, tell_of_a_merge_once_and_where) {

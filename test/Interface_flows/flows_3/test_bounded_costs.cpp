@@ -336,7 +336,7 @@ TEST(Trapped_cells, small_components_are_found_from_all_of_their_cells) {
     for (std::size_t number_of_labels : {2, 5}) {
       Complex at_once = motley_complex(6, number_of_labels, 3);
       Complex one_by_one = at_once;
-      DSC::Any_visitor<Complex> visitor;
+      DSC::Deformation_visitor<Complex> visitor;
       DSC::Deformation_options<Complex> options;
       options.manifold_interface = manifold;
       internal::Destinations<Complex> at_once_to(at_once), one_by_one_to(one_by_one);

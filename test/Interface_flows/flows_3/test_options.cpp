@@ -1,7 +1,7 @@
 #include "mesh_helpers.h"
 #include "test.h"
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/topology_control.h>
 #include <CGAL/Interface_flows/Mean_curvature_flow.h>
 #include <CGAL/Interface_flows/Normal_offset.h>
@@ -20,12 +20,12 @@ namespace test_options {
 using namespace small_meshes;
 
 // Counts the replaced cavities, and ends a deformation after its first pass.
-struct Counter : DSC::Deformation_visitor
+struct Counter : public DSC::Deformation_visitor<Complex>
 {
   std::size_t replacements = 0;
 
-  template <class Cavity> void after_replacement(const Cavity&) { ++replacements; }
-  bool go_further(unsigned pass) { return pass < 2; }
+  void after_replacement(const DSC::Cavity<Complex>&) override { ++replacements; }
+  bool go_further(unsigned pass) override { return pass < 2; }
 };
 
 // Applies two functions to copies of a ball with long and short edges, and compares the results.
@@ -51,12 +51,11 @@ TEST(Options, of_deformations_are_those_of_the_named_parameters) {
   Counter first, second;
   expect_equal(
       [&](Complex& dsc) {
-        DSC::Visitor_adaptor<Complex, Counter> visitor(first);
         DSC::Deformation_options<Complex> options;
         options.quality_threshold = .3;
         options.minimum_angle = 12;
         options.forbid_topology_changes();
-        options.visitor = &visitor;
+        options.visitor = &first;
         EXPECT_LE(DSC::deform_interface(dsc, destination, options).passes, 1u);
       },
       [&](Complex& dsc) {

@@ -2,11 +2,10 @@
 #include "stamped_values.h"
 #include "test.h"
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/cell_corners.h>
 #include <CGAL/Interface_remeshing/Carried_cell_averages.h>
 #include <CGAL/Interface_remeshing/Carried_vertex_values.h>
-#include <CGAL/Interface_remeshing/Deformation_visitor_pair.h>
 #include <CGAL/Interface_remeshing/control_detail.h>
 #include <CGAL/Interface_remeshing/improve_interface.h>
 #include <CGAL/Interface_remeshing/improve_mesh.h>
@@ -307,23 +306,25 @@ TEST(Carried_values, move_with_the_flow) {
 // Other visitors
 
 // Counts notifications, and throws at the n-th notification.
-struct Recorder
+struct Recorder : public DSC::Deformation_visitor<Complex>
 {
   void record(const std::string& what) {
     if (++told[what] == limit && what == last)
       throw std::runtime_error(what);
   }
-  template <class... T> void before_replacement(const T&...) { record("before_replacement"); }
-  template <class... T> void after_replacement(const T&...) { record("after_replacement"); }
-  template <class... T> void before_smoothing(const T&...) { record("before_smoothing"); }
-  template <class... T> void after_smoothing(const T&...) { record("after_smoothing"); }
-  template <class... T> void after_split(const T&...) { record("after_split"); }
-  template <class... T> void after_insertion(const T&...) { record("after_insertion"); }
-  template <class... T> void before_collapse(const T&...) { record("before_collapse"); }
-  template <class... T> void after_flip(const T&...) { record("after_flip"); }
-  template <class... T> void after_relabel(const T&...) { record("after_relabel"); }
-  template <class... T> void after_topology_event(const T&...) { record("after_topology_event"); }
-  bool go_further(unsigned pass) {
+  void before_replacement(const DSC::Cavity<Complex>&) override { record("before_replacement"); }
+  void after_replacement(const DSC::Cavity<Complex>&) override { record("after_replacement"); }
+  void before_smoothing(Vertex_handle, const Star&, const Complex::Point&) override {
+    record("before_smoothing");
+  }
+  void after_smoothing(Vertex_handle, const Star&) override { record("after_smoothing"); }
+  void after_split(Vertex_handle, Vertex_handle, Vertex_handle) override { record("after_split"); }
+  void after_insertion(Vertex_handle) override { record("after_insertion"); }
+  void before_collapse(Vertex_handle, Vertex_handle) override { record("before_collapse"); }
+  void after_flip(const Star&) override { record("after_flip"); }
+  void after_relabel(Complex::Cell_handle, int) override { record("after_relabel"); }
+  void after_topology_event(const Event&) override { record("after_topology_event"); }
+  bool go_further(unsigned pass) override {
     record("go_further");
     return pass <= maximum_number_of_passes;
   }
@@ -334,17 +335,20 @@ struct Recorder
   std::map<std::string, int> told;
 };
 
-template <class Visitor> void tell_everything(Visitor& visitor) {
-  visitor.before_replacement(0);
-  visitor.after_replacement(0);
-  visitor.before_smoothing(0, 1, 2);
-  visitor.after_smoothing(0, 1);
-  visitor.after_split(0, 1, 2);
-  visitor.after_insertion(0);
-  visitor.before_collapse(0, 1);
-  visitor.after_flip(0);
-  visitor.after_relabel(0, 1);
-  visitor.after_topology_event(0);
+void tell_everything(DSC::Deformation_visitor<Complex>& visitor) {
+  const Complex dsc;
+  const Complex::Cavity cavity(dsc);
+  const Complex::Vertex_handle v;
+  visitor.before_replacement(cavity);
+  visitor.after_replacement(cavity);
+  visitor.before_smoothing(v, {}, Complex::Point());
+  visitor.after_smoothing(v, {});
+  visitor.after_split(v, v, v);
+  visitor.after_insertion(v);
+  visitor.before_collapse(v, v);
+  visitor.after_flip({});
+  visitor.after_relabel({}, 1);
+  visitor.after_topology_event({});
 }
 
 TEST(Visitor_pair, forwards_everything) {

@@ -1,7 +1,7 @@
 #include "short_edge.h"
 #include "test.h"
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Interface_remeshing/control_detail.h>
 
 // Splits of long edges and collapses of short edges, by thresholds and by sizing fields.
@@ -86,10 +86,10 @@ TEST(Control_detail, gives_the_interface_room_to_move) {
 }
 
 TEST(Control_detail, coarsens_the_inside_of_labels_only) {
-  struct Visitor : public DSC::Deformation_visitor
+  struct Visitor : public DSC::Deformation_visitor<Complex>
   {
-    void after_split(Vertex_handle, Vertex_handle, Vertex_handle) { ++split; }
-    void before_collapse(Vertex_handle removed, Vertex_handle kept) {
+    void after_split(Vertex_handle, Vertex_handle, Vertex_handle) override { ++split; }
+    void before_collapse(Vertex_handle removed, Vertex_handle kept) override {
       EXPECT_FALSE(removed->is_interface() || kept->is_interface());
       EXPECT_FALSE(removed->boundary_class() != 0 || kept->boundary_class() != 0);
       ++collapsed;

@@ -1,7 +1,7 @@
 #include "mesh_helpers.h"
 #include "test.h"
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Interface_remeshing/improve_mesh.h>
 
 namespace test_improvement {
@@ -45,11 +45,11 @@ int middle(const Point& p) {
   return (std::max)({std::abs(p.x()), std::abs(p.y()), std::abs(p.z())}) < 1. / 3 ? 1 : 0;
 }
 
-struct Counting_visitor : public DSC::Deformation_visitor
+struct Counting_visitor : public DSC::Deformation_visitor<Complex>
 {
-  void after_split(Vertex_handle, Vertex_handle, Vertex_handle) { ++split; }
-  void before_collapse(Vertex_handle, Vertex_handle) { ++collapsed; }
-  template <class Cells> void after_flip(const Cells&) { ++flipped; }
+  void after_split(Vertex_handle, Vertex_handle, Vertex_handle) override { ++split; }
+  void before_collapse(Vertex_handle, Vertex_handle) override { ++collapsed; }
+  void after_flip(const std::vector<Cell_handle>&) override { ++flipped; }
   std::size_t split = 0, collapsed = 0, flipped = 0;
 };
 
@@ -122,9 +122,9 @@ TEST(Improve_mesh, tells_the_visitor_of_each_change) {
 }
 
 TEST(Improve_mesh, exception_of_the_visitor_leaves_a_valid_complex) {
-  struct Throwing_visitor : public DSC::Deformation_visitor
+  struct Throwing_visitor : public DSC::Deformation_visitor<Complex>
   {
-    void after_flip(const std::vector<Cell_handle>&) {
+    void after_flip(const std::vector<Cell_handle>&) override {
       if (++flipped == 3)
         throw std::runtime_error("enough");
     }
@@ -168,9 +168,9 @@ TEST(Improve_mesh, around_a_small_interface) {
 }
 
 TEST(Improve_mesh, inserts_vertices_and_tells_so) {
-  struct Visitor : public DSC::Deformation_visitor
+  struct Visitor : public DSC::Deformation_visitor<Complex>
   {
-    void after_insertion(Vertex_handle v) {
+    void after_insertion(Vertex_handle v) override {
       EXPECT_FALSE(v->is_interface());
       ++inserted;
     }
@@ -188,23 +188,23 @@ TEST(Improve_mesh, inserts_vertices_and_tells_so) {
 }
 
 // Keeps a list of the vertices by the notifications of a visitor.
-struct Bookkeeper : public DSC::Deformation_visitor
+struct Bookkeeper : public DSC::Deformation_visitor<Complex>
 {
   explicit Bookkeeper(const Complex& dsc) {
     for (Vertex_handle v : dsc.vertices())
       vertices.insert(v);
   }
-  void after_split(Vertex_handle v, Vertex_handle, Vertex_handle) { vertices.insert(v); }
-  void after_insertion(Vertex_handle v) {
+  void after_split(Vertex_handle v, Vertex_handle, Vertex_handle) override { vertices.insert(v); }
+  void after_insertion(Vertex_handle v) override {
     vertices.insert(v);
     ++inserted;
   }
-  void before_collapse(Vertex_handle removed, Vertex_handle kept) {
+  void before_collapse(Vertex_handle removed, Vertex_handle kept) override {
     EXPECT_TRUE(removed != kept && vertices.count(kept) == 1);
     EXPECT_EQ(vertices.erase(removed), 1u);
     ++collapsed;
   }
-  void after_flip(const std::vector<Cell_handle>& cells) {
+  void after_flip(const std::vector<Cell_handle>& cells) override {
     EXPECT_FALSE(cells.empty());
     ++flipped;
   }

@@ -59,9 +59,9 @@ TEST(Restore_volumes, tells_what_cannot_be_reached) {
 
 // A visitor can stop the restoration after it has allowed one pass of a deformation.
 TEST(Restore_volumes, a_visitor_can_end_it) {
-  struct Visitor : DSC::Deformation_visitor
+  struct Visitor : public DSC::Deformation_visitor<Complex>
   {
-    bool go_further(unsigned pass) { return pass < 2; }
+    bool go_further(unsigned pass) override { return pass < 2; }
   };
   Complex dsc = make_complex(grid(8, small_meshes::two_boxes));
   const auto report =

@@ -127,8 +127,8 @@ void CGAL_DSC_CLASS::sort_storage() {
 }
 
 CGAL_DSC_TEMPLATE
-void CGAL_DSC_CLASS::assign(Triangulation&& triangulation) {
-  static_assert(Domain::has_outside, "a triangulation of CGAL fills no torus");
+template <class D> void CGAL_DSC_CLASS::assign(Triangulation&& triangulation) {
+  static_assert(D::has_outside, "a triangulation of CGAL fills no torus");
   Labeled_complex result(geom_traits(), m_quality_measure, m_domain);
   result.m_triangulation.swap(triangulation);
   try {
@@ -176,7 +176,8 @@ void CGAL_DSC_CLASS::join_simplices() {
       throw Invalid_cells_error("a cell is not positively oriented: move its vertices", {c->id()});
   check_stars(vertices);
   check_boundary();
-  m_domain.classify_boundary(*this);
+  if constexpr (Domain::has_outside)
+    m_domain.classify_boundary(*this);
   initialize_caches();
   measure_interface_edges();
 }

@@ -9,9 +9,9 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DEFORMATION_DEFORMATION_REMESHER_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DEFORMATION_DEFORMATION_REMESHER_H
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
@@ -40,7 +40,7 @@ public:
   using Cell_handle = typename Complex::Cell_handle;
   using Cells = Work_list<Cell_handle>;
 
-  Deformation_remesher(Complex& complex, Any_visitor<Complex>& visitor,
+  Deformation_remesher(Complex& complex, Deformation_visitor<Complex>& visitor,
                        const Destinations<Complex>& destinations,
                        const Rigid_components<Complex>& rigid_components,
                        const Deformation_options<Complex>& options,
@@ -225,7 +225,7 @@ private:
   }
 
   Complex& m_complex;
-  Any_visitor<Complex>& m_visitor;
+  Deformation_visitor<Complex>& m_visitor;
   const Destinations<Complex>& m_destinations;
   const For_each_index& m_for_each_index;
   const typename Deformation_options<Complex>::Topology_control& m_topology_control;

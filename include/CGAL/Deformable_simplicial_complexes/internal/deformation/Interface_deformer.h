@@ -9,10 +9,10 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DEFORMATION_INTERFACE_DEFORMER_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DEFORMATION_INTERFACE_DEFORMER_H
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/deformation/Deformation_remesher.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/destinations/Contacts.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/destinations/Destinations.h>
@@ -66,7 +66,7 @@ public:
   using Point = typename Complex::Point;
   using Report = Deformation_report<Complex>;
 
-  Interface_deformer(Complex& complex, Any_visitor<Complex>& visitor,
+  Interface_deformer(Complex& complex, Deformation_visitor<Complex>& visitor,
                      const Deformation_options<Complex>& options,
                      const For_each_index& for_each_index)
       : m_complex(complex), m_visitor(visitor), m_options(options), m_destinations(complex),
@@ -411,7 +411,7 @@ private:
   }
 
   Complex& m_complex;
-  Any_visitor<Complex>& m_visitor;
+  Deformation_visitor<Complex>& m_visitor;
   Deformation_options<Complex> m_options;
   Destinations<Complex> m_destinations;
   Rigid_components<Complex> m_rigid_components;

@@ -9,8 +9,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DEFORMATION_SMALL_ANGLE_REMOVER_2_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DEFORMATION_SMALL_ANGLE_REMOVER_2_H
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
@@ -47,7 +47,7 @@ public:
 
   // Creates a remover. `angle` is the bound in degrees. The destinations are those of the remover
   // in 3D.
-  Small_angle_remover_2(Complex& complex, Any_visitor<Complex>& visitor,
+  Small_angle_remover_2(Complex& complex, Deformation_visitor<Complex>& visitor,
                         const Destinations<Complex>& /*destinations*/,
                         const Rigid_components<Complex>& rigid_components, double angle,
                         double quality_threshold, const For_each_index& for_each_index)
@@ -134,7 +134,7 @@ private:
   }
 
   Complex& m_complex;
-  Any_visitor<Complex>& m_visitor;
+  Deformation_visitor<Complex>& m_visitor;
   const Rigid_components<Complex>& m_rigid_components;
   const For_each_index& m_for_each_index;
   double m_target, m_quality_threshold;

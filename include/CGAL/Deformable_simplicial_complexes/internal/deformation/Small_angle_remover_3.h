@@ -9,8 +9,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DEFORMATION_SMALL_ANGLE_REMOVER_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DEFORMATION_SMALL_ANGLE_REMOVER_3_H
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
@@ -50,7 +50,7 @@ public:
   using Cells = Work_list<Cell_handle>;
 
   // Creates a remover. `angle` is the bound in degrees.
-  Small_angle_remover_3(Complex& complex, Any_visitor<Complex>& visitor,
+  Small_angle_remover_3(Complex& complex, Deformation_visitor<Complex>& visitor,
                         const Destinations<Complex>& destinations,
                         const Rigid_components<Complex>& rigid_components, double angle,
                         double quality_threshold, const For_each_index& for_each_index)
@@ -375,7 +375,7 @@ private:
   static constexpr double better = 1.1; // minimum factor of an improvement
 
   Complex& m_complex;
-  Any_visitor<Complex>& m_visitor;
+  Deformation_visitor<Complex>& m_visitor;
   const Destinations<Complex>& m_destinations;
   const Rigid_components<Complex>& m_rigid_components;
   const For_each_index& m_for_each_index;

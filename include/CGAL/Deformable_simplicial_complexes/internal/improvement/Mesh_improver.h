@@ -9,9 +9,9 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_MESH_IMPROVER_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_MESH_IMPROVER_H
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/degeneracy_removal.h>
@@ -54,7 +54,7 @@ public:
   // Creates an improver for cells with a quality less than `threshold`. If `is_thorough` is set, it
   // also retriangulates sets of facets and inserts vertices where other operations fail. If
   // `smooths_interface` is set, it also moves interface vertices within their plane or line.
-  Mesh_improver(Complex& complex, Any_visitor<Complex>& visitor, double threshold,
+  Mesh_improver(Complex& complex, Deformation_visitor<Complex>& visitor, double threshold,
                 const For_each_index& for_each_index, bool is_thorough = false,
                 bool smooths_interface = false)
       : m_complex(complex), m_visitor(visitor), m_threshold(threshold), m_is_thorough(is_thorough),
@@ -62,7 +62,7 @@ public:
         m_smoother(complex, for_each_index, smooths_interface) {}
 
   // Creates an improver for a mesh during a deformation.
-  Mesh_improver(Complex& complex, Any_visitor<Complex>& visitor,
+  Mesh_improver(Complex& complex, Deformation_visitor<Complex>& visitor,
                 const Destinations<Complex>& destinations, double threshold,
                 const For_each_index& for_each_index)
       : Mesh_improver(complex, visitor, threshold, for_each_index) {
@@ -413,7 +413,7 @@ private:
   static constexpr double better = 1.1;
 
   Complex& m_complex;
-  Any_visitor<Complex>& m_visitor;
+  Deformation_visitor<Complex>& m_visitor;
   const Destinations<Complex>* m_destinations = nullptr;
   double m_threshold;
   bool m_is_thorough, m_is_at_rest = false;

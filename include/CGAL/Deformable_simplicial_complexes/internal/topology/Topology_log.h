@@ -9,8 +9,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TOPOLOGY_TOPOLOGY_LOG_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TOPOLOGY_TOPOLOGY_LOG_H
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/cell_corners.h>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
@@ -62,7 +62,7 @@ public:
 
   // Finds the events since the last call and reports them to the visitor. Must be called before
   // cells are replaced: a cell of merged components stores the number of only one of them.
-  void find_events(unsigned pass, Any_visitor<Complex>& visitor) {
+  void find_events(unsigned pass, Deformation_visitor<Complex>& visitor) {
     if (m_changes.empty())
       return;
     const std::size_t known = m_events.size();

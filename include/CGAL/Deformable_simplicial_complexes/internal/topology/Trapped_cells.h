@@ -9,8 +9,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TOPOLOGY_TRAPPED_CELLS_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TOPOLOGY_TRAPPED_CELLS_H
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/destinations/Contacts.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/destinations/Interface_tolerance.h>
@@ -37,7 +37,7 @@ public:
   using Label = typename Complex::Label;
   using Topology_control = typename Deformation_options<Complex>::Topology_control;
 
-  Trapped_cells(Complex& complex, Any_visitor<Complex>& visitor,
+  Trapped_cells(Complex& complex, Deformation_visitor<Complex>& visitor,
                 const Destinations<Complex>& destinations, const Contacts<Complex>& contacts,
                 const Rigid_components<Complex>& rigid_components,
                 const Deformation_options<Complex>& options)
@@ -260,7 +260,7 @@ private:
   }
 
   Complex& m_complex;
-  Any_visitor<Complex>& m_visitor;
+  Deformation_visitor<Complex>& m_visitor;
   const Contacts<Complex>& m_contacts;
   const Rigid_components<Complex>& m_rigid_components;
   Interface_tolerance<Complex> m_tolerance;

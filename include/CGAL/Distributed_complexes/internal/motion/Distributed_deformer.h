@@ -8,10 +8,10 @@
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_INTERNAL_MOTION_DISTRIBUTED_DEFORMER_H
 #define CGAL_DISTRIBUTED_COMPLEXES_INTERNAL_MOTION_DISTRIBUTED_DEFORMER_H
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Failure_memory.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Label_totals.h>
@@ -209,8 +209,8 @@ private:
         moved.push_back({v.handle, point_at<Part>(v.data.before),
                          point_at<Part>(v.data.destination),
                          v.data.is_open && v.is_core && patch.part.is_interface(v.handle)});
-    Any_visitor<Part> no_visitor;
-    Any_visitor<Part>& visitor = m_options.visitor ? *m_options.visitor : no_visitor;
+    Deformation_visitor<Part> no_visitor;
+    Deformation_visitor<Part>& visitor = m_options.visitor ? *m_options.visitor : no_visitor;
     const For_each_index for_each_index(m_options.number_of_threads);
     Interface_deformer<Part> deformer(patch.part, visitor, m_options, for_each_index);
     deformer.resume(moved, patch.core);

@@ -10,8 +10,8 @@
 
 #include <CGAL/license/Image_segmentation.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/relabeling.h>
 #include <CGAL/Interface_remeshing/remove_components.h>
@@ -33,8 +33,8 @@ template <class Complex> struct Relabeling_options
   Interface_energy interface_energy;
   // Permits or forbids changes of topology. If empty, all are permitted.
   typename Deformation_options<Complex>::Topology_control topology_control;
-  // Visitor of the changes, such as a `Visitor_adaptor`; it must outlive the call. None if null.
-  Any_visitor<Complex>* visitor = nullptr;
+  // Visitor of the changes; it must outlive the call. None if null.
+  Deformation_visitor<Complex>* visitor = nullptr;
 };
 
 namespace internal {

@@ -42,7 +42,7 @@ void Incompressible_fluid<Complex, Solver>::adapt(const Options& chosen,
   });
   using Treatment = internal::Mesh_treatment;
   Improvement_report& result = report.adaptation;
-  change_mesh([&](Any_visitor<Complex>* visitor) {
+  change_mesh([&](Deformation_visitor<Complex>* visitor) {
     if (treatment != Treatment::improved)
       result = result + adapt_lengths(chosen.interface_tolerance, visitor);
     Mesh_improvement_options<Complex> improvement;
@@ -61,7 +61,7 @@ void Incompressible_fluid<Complex, Solver>::adapt(const Options& chosen,
 template <class Complex, class Solver>
 Improvement_report
 Incompressible_fluid<Complex, Solver>::adapt_lengths(double tolerance,
-                                                     Any_visitor<Complex>* visitor) {
+                                                     Deformation_visitor<Complex>* visitor) {
   // In mean edge lengths of the initial interface. An edge that is split later has halves that are
   // longer than the bound for collapses.
   static constexpr double longest_of_new = 1.7, longest = 2.5, shortest = .3;
@@ -135,7 +135,7 @@ Incompressible_fluid<Complex, Solver>::move(const Flow& flow, const Contacts& co
     return result;
   };
   options.flow_moves_all = true;
-  return change_mesh([&](Any_visitor<Complex>* visitor) {
+  return change_mesh([&](Deformation_visitor<Complex>* visitor) {
     options.visitor = visitor;
     return deform_interface_to(m_complex, interface_.snapshot(), to, options);
   });
@@ -147,8 +147,7 @@ Incompressible_fluid<Complex, Solver>::move(const Flow& flow, const Contacts& co
 template <class Complex, class Solver>
 template <class Change>
 auto Incompressible_fluid<Complex, Solver>::change_mesh(const Change& change) {
-  Carrier carried = carrier();
-  Visitor_adaptor<Complex, Carrier> visitor(carried);
+  Carrier visitor = carrier();
   try {
     return change(&visitor);
   } catch (...) {
@@ -226,7 +225,7 @@ auto Incompressible_fluid<Complex, Solver>::move_interface(const Flow& flow,
   options.domain_rule = Domain_rule::stop; // at the walls
   options.preserve_mesh();
   options.flow = nullptr;
-  const auto deformation = change_mesh([&](Any_visitor<Complex>* visitor) {
+  const auto deformation = change_mesh([&](Deformation_visitor<Complex>* visitor) {
     options.visitor = visitor;
     return deform_interface_to(m_complex, interface_.snapshot(), to, options);
   });

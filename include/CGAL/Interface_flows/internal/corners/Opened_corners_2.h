@@ -10,9 +10,9 @@
 
 #include <CGAL/license/Interface_flows.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
@@ -40,7 +40,7 @@ public:
   // \param sharpest angle between the normals of corners that stay sharp, in radians
   // \param finest largest angle between neighboring segments of an arc
   Opened_corners_2(Complex& complex, const Interface_snapshot<Complex>& interface_, double speed,
-                   double dt, double sharpest, double finest, Any_visitor<Complex>& visitor)
+                   double dt, double sharpest, double finest, Deformation_visitor<Complex>& visitor)
       : m_complex(complex), m_cavity(complex), m_visitor(visitor), m_sharpest(sharpest),
         m_finest(finest) {
     const double distance = speed * dt;
@@ -230,7 +230,7 @@ private:
 
   Complex& m_complex;
   Cavity<Complex> m_cavity;
-  Any_visitor<Complex>& m_visitor;
+  Deformation_visitor<Complex>& m_visitor;
   double m_sharpest, m_finest;
   Improvement_report m_report;
   std::vector<On_arc> m_on_arcs; // in the order of time stamps

@@ -10,9 +10,9 @@
 
 #include <CGAL/license/Interface_flows.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
@@ -44,7 +44,7 @@ public:
   // \param dt length of the step
   // \param finest largest angle between neighboring facets of the front of an edge, in radians
   Opened_corners_3(Complex& complex, double speed, double dt, double finest,
-                   Any_visitor<Complex>& visitor)
+                   Deformation_visitor<Complex>& visitor)
       : m_complex(complex), m_cavity(complex), m_visitor(visitor), m_finest(finest),
         m_sign(speed * dt > 0 ? 1 : -1), m_distance(std::abs(speed * dt)) {
     if (m_distance == 0 || !std::isfinite(m_distance))
@@ -324,7 +324,7 @@ private:
 
   Complex& m_complex;
   Cavity<Complex> m_cavity;
-  Any_visitor<Complex>& m_visitor;
+  Deformation_visitor<Complex>& m_visitor;
   double m_finest;
   int m_sign;
   double m_distance, m_width = 0;

@@ -10,8 +10,8 @@
 
 #include <CGAL/license/Interface_flows.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
@@ -30,7 +30,7 @@ public:
 
   // \param destinations of the vertices of the interface in the step
   Passed_edges(Complex& dsc, const Interface_snapshot<Complex>& interface_,
-               const Points& destinations, Any_visitor<Complex>& visitor)
+               const Points& destinations, Deformation_visitor<Complex>& visitor)
       : m_dsc(dsc), m_interface(interface_), m_destinations(destinations), m_visitor(visitor),
         m_cavity(dsc), m_neighbors(destinations.size()), m_is_removed(destinations.size(), false) {}
 
@@ -129,7 +129,7 @@ private:
   Complex& m_dsc;
   const Interface_snapshot<Complex>& m_interface;
   const Points& m_destinations;
-  Any_visitor<Complex>& m_visitor;
+  Deformation_visitor<Complex>& m_visitor;
   Cavity<Complex> m_cavity;
   std::vector<std::vector<std::size_t>> m_neighbors;
   std::vector<char> m_is_removed;

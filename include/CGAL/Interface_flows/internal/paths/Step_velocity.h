@@ -10,7 +10,7 @@
 
 #include <CGAL/license/Interface_flows.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Interface_flows/Integration_scheme.h>
@@ -64,7 +64,7 @@ public:
                         double dt) const = 0;
   // Inserts vertices before a step of the length `dt`. \pre the velocity opens corners
   virtual Opened_corners open_corners(Complex& dsc, const Interface& interface_, double dt,
-                                      Any_visitor<Complex>& visitor) const = 0;
+                                      Deformation_visitor<Complex>& visitor) const = 0;
 };
 
 // The velocity of a user.
@@ -115,7 +115,7 @@ public:
   }
 
   Opened_corners open_corners(Complex& dsc, const Interface& interface_, double dt,
-                              Any_visitor<Complex>& visitor) const override {
+                              Deformation_visitor<Complex>& visitor) const override {
     if constexpr (internal::opens_corners<Complex, Velocity>) {
       const auto corners = m_velocity.open_corners(dsc, seen(interface_), dt, visitor);
       return {corners.inserted(), [corners](const Interface& now, Points& destinations) {

@@ -8,7 +8,7 @@
 #ifndef CGAL_INTERFACE_FLOWS_INTERNAL_PATHS_VELOCITY_PROPERTIES_H
 #define CGAL_INTERFACE_FLOWS_INTERNAL_PATHS_VELOCITY_PROPERTIES_H
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <type_traits>
@@ -67,7 +67,7 @@ inline constexpr bool
     opens_corners<Complex, Velocity,
                   std::void_t<decltype(std::declval<const Velocity&>().open_corners(
                       std::declval<Complex&>(), std::declval<Interface_snapshot<Complex>>(), 0.,
-                      std::declval<Any_visitor<Complex>&>()))>> = true;
+                      std::declval<Deformation_visitor<Complex>&>()))>> = true;
 
 } // namespace CGAL::Deformable_simplicial_complexes::internal
 

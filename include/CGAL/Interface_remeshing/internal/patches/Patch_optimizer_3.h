@@ -8,9 +8,9 @@
 #ifndef CGAL_INTERFACE_REMESHING_INTERNAL_PATCHES_PATCH_OPTIMIZER_3_H
 #define CGAL_INTERFACE_REMESHING_INTERNAL_PATCHES_PATCH_OPTIMIZER_3_H
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_split.h>
@@ -210,7 +210,7 @@ private:
     static constexpr int tries = 10, attempts = 1;
     static constexpr double less = 1 - 1e-6; // a reduction above rounding errors
     Patch_3<Complex> patch(m_complex, cells);
-    Any_visitor<Complex> nobody;
+    Deformation_visitor<Complex> nobody;
     double best = deficit(cells);
     const double worst = worst_quality(cells);
     bool is_better = false;

@@ -8,8 +8,8 @@
 #ifndef CGAL_INTERFACE_REMESHING_INTERNAL_REMESHING_DETAIL_CONTROLLER_H
 #define CGAL_INTERFACE_REMESHING_INTERNAL_REMESHING_DETAIL_CONTROLLER_H
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
@@ -31,7 +31,7 @@ public:
   using Vertex_handle = typename Complex::Vertex_handle;
   using Cell_handle = typename Complex::Cell_handle;
 
-  Detail_controller(Complex& complex, Any_visitor<Complex>& visitor,
+  Detail_controller(Complex& complex, Deformation_visitor<Complex>& visitor,
                     const Detail_options<Complex>& options)
       : m_complex(complex), m_visitor(visitor), m_options(options),
         m_unit(target_edge_length(complex, options.sizing_field)),
@@ -158,7 +158,7 @@ private:
   }
 
   Complex& m_complex;
-  Any_visitor<Complex>& m_visitor;
+  Deformation_visitor<Complex>& m_visitor;
   const Detail_options<Complex>& m_options;
   Edge_unit<Complex> m_unit;       // of edge lengths
   Edge_unit<Complex> m_short_unit; // of interface edges to be collapsed
@@ -172,7 +172,7 @@ private:
 template <class Complex>
 Improvement_report run_detail_control(Complex& dsc, const Detail_options<Complex>& options) {
   options.check();
-  Any_visitor<Complex> no_visitor;
+  Deformation_visitor<Complex> no_visitor;
   Detail_controller<Complex> controller(dsc, options.visitor ? *options.visitor : no_visitor,
                                         options);
   controller.run();

@@ -8,8 +8,8 @@
 #ifndef CGAL_INTERFACE_REMESHING_INTERNAL_REMESHING_INTERFACE_REMESHER_H
 #define CGAL_INTERFACE_REMESHING_INTERNAL_REMESHING_INTERFACE_REMESHER_H
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
@@ -40,7 +40,7 @@ public:
   using Cell_handle = typename Complex::Cell_handle;
   using Fan = Interface_fan<Complex>;
 
-  Interface_remesher(Complex& complex, Any_visitor<Complex>& visitor,
+  Interface_remesher(Complex& complex, Deformation_visitor<Complex>& visitor,
                      const Interface_improvement_options<Complex>& options)
       : m_complex(complex), m_visitor(visitor), m_options(options),
         m_unit(target_edge_length(complex, options.sizing_field)),
@@ -349,7 +349,7 @@ private:
   }
 
   Complex& m_complex;
-  Any_visitor<Complex>& m_visitor;
+  Deformation_visitor<Complex>& m_visitor;
   const Interface_improvement_options<Complex>& m_options;
   Edge_unit<Complex> m_unit;
   // midpoints of edges and target edge lengths there, by the ids of the vertices

@@ -8,9 +8,9 @@
 #ifndef CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_RECONSTRUCTION_RECONSTRUCTOR_3_H
 #define CGAL_SOLID_RECONSTRUCTION_3_INTERNAL_RECONSTRUCTION_RECONSTRUCTOR_3_H
 
-#include <CGAL/Deformable_simplicial_complexes/Any_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
@@ -163,7 +163,7 @@ private:
     if (!m_complex.triangulation().is_edge(v, w, c, i, j) ||
         !propose_edge_split(m_complex, c, i, j, .5, cavity))
       return std::nullopt;
-    Any_visitor<Complex> nobody;
+    Deformation_visitor<Complex> nobody;
     commit_split(m_complex, cavity, v, w, nobody, m_report.changes);
     return cavity.vertices().back().handle;
   }

@@ -12,7 +12,7 @@ Normal_offset::operator()(const Interface_snapshot<CGAL_DSC_COMPILED_COMPLEX>&,
 CGAL_DSC_INSTANTIATION template internal::Opened_corners<CGAL_DSC_COMPILED_COMPLEX>
 Normal_offset::open_corners(CGAL_DSC_COMPILED_COMPLEX&,
                             const Interface_snapshot<CGAL_DSC_COMPILED_COMPLEX>&, double,
-                            Any_visitor<CGAL_DSC_COMPILED_COMPLEX>&) const;
+                            Deformation_visitor<CGAL_DSC_COMPILED_COMPLEX>&) const;
 CGAL_DSC_INSTANTIATION template void
 Mean_curvature_velocity::operator()(const Interface_snapshot<CGAL_DSC_COMPILED_COMPLEX>&,
                                     const std::vector<CGAL_DSC_COMPILED_COMPLEX::Point>&, double,
