@@ -49,6 +49,12 @@ class Deformable_simplicial_complex_3
       Deformable_simplicial_complex_3,
       Deformable_simplicial_complexes::internal::Space_3<Traits_, Tds_>, QualityMeasure_, Domain_>;
 
+  static_assert(
+      std::is_invocable_r_v<double, const QualityMeasure_&, typename Base::Point,
+                            typename Base::Point, typename Base::Point, typename Base::Point>,
+      "TetrahedronQualityMeasure_3: double operator()(Point_3 p, Point_3 q, Point_3 r, "
+      "Point_3 s) const");
+
 public:
   using Base::interface_facets;
   using Base::is_interface;

@@ -142,7 +142,8 @@ TEST(Triangulations, data_of_users) {
       CGAL::Deformable_simplicial_complex_3<Kernel, CGAL::Triangulation_data_structure_3<Vb, Cb>>;
   const auto mesh = grid(4, small_meshes::ball);
   Marked dsc;
-  const auto vertices = dsc.assign(mesh.points, mesh.tetrahedra, mesh.labels);
+  dsc.assign(mesh.points, mesh.tetrahedra, mesh.labels);
+  mesh_helpers::jitter(dsc, .3, 1);
   const auto name = [](const auto& p) {
     std::ostringstream text;
     text << p;

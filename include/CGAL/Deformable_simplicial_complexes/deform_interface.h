@@ -119,15 +119,22 @@ template <class Complex, class Destination,
           class NamedParameters = parameters::Default_named_parameters>
 Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& destination,
                                              const NamedParameters& np = NamedParameters()) {
-  return internal::call_with_parameters(
-      dsc, np, Deformation_options<Complex>(), [&](const auto& options) {
-        const std::vector<typename Complex::Vertex_handle> vertices = dsc.interface_vertices();
-        std::vector<typename Complex::Point> destinations;
-        destinations.reserve(vertices.size());
-        for (auto v : vertices)
-          destinations.push_back(destination(v));
-        return internal::deform(dsc, vertices, destinations, options);
-      });
+  using Point = typename Complex::Point;
+  using Vertex_handle = typename Complex::Vertex_handle;
+  static constexpr bool is_destination =
+      std::is_invocable_r_v<Point, const Destination&, Vertex_handle>;
+  static_assert(is_destination, "the destination is a function of vertices: "
+                                "Point destination(Vertex_handle v) const");
+  if constexpr (is_destination)
+    return internal::call_with_parameters(
+        dsc, np, Deformation_options<Complex>(), [&](const auto& options) {
+          const std::vector<Vertex_handle> vertices = dsc.interface_vertices();
+          std::vector<Point> destinations;
+          destinations.reserve(vertices.size());
+          for (Vertex_handle v : vertices)
+            destinations.push_back(destination(v));
+          return internal::deform(dsc, vertices, destinations, options);
+        });
 }
 
 /*!

@@ -193,12 +193,18 @@ template <class Complex, class Velocity,
 Deformation_report<Complex> advect_adaptively(Complex& dsc, const Velocity& velocity, double t,
                                               double dt,
                                               const NamedParameters& np = NamedParameters()) {
-  return internal::call_with_parameters(
-      dsc, np, Adaptive_advection_options<Complex>(internal::contracts_interface<Velocity>),
-      [&](const auto& options) {
-        return internal::adapt_and_advect(
-            dsc, internal::Step_velocity_of<Complex, Velocity>(velocity), t, dt, options);
-      });
+  static constexpr bool is_velocity = internal::is_velocity<Complex, Velocity>();
+  static_assert(
+      is_velocity,
+      "the velocity models none of VelocityField, VelocityFieldOfPoints, InterfaceFlowMap, "
+      "InterfaceVelocity and InterfaceStep: compare its operator() with these concepts");
+  if constexpr (is_velocity)
+    return internal::call_with_parameters(
+        dsc, np, Adaptive_advection_options<Complex>(internal::contracts_interface<Velocity>),
+        [&](const auto& options) {
+          return internal::adapt_and_advect(
+              dsc, internal::Step_velocity_of<Complex, Velocity>(velocity), t, dt, options);
+        });
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes

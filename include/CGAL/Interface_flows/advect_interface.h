@@ -351,11 +351,17 @@ template <class Complex, class Velocity,
 Deformation_report<Complex> advect_interface(Complex& dsc, const Velocity& velocity, double t,
                                              double dt,
                                              const NamedParameters& np = NamedParameters()) {
-  return internal::call_with_parameters(
-      dsc, np, Advection_options<Complex>(), [&](const auto& options) {
-        return internal::advect(dsc, internal::Step_velocity_of<Complex, Velocity>(velocity), t, dt,
-                                options);
-      });
+  static constexpr bool is_velocity = internal::is_velocity<Complex, Velocity>();
+  static_assert(
+      is_velocity,
+      "the velocity models none of VelocityField, VelocityFieldOfPoints, InterfaceFlowMap, "
+      "InterfaceVelocity and InterfaceStep: compare its operator() with these concepts");
+  if constexpr (is_velocity)
+    return internal::call_with_parameters(
+        dsc, np, Advection_options<Complex>(), [&](const auto& options) {
+          return internal::advect(dsc, internal::Step_velocity_of<Complex, Velocity>(velocity), t,
+                                  dt, options);
+        });
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes

@@ -42,6 +42,13 @@ public:
   using Cell_handle = typename Triangulation::Face_handle;
   using Point = typename Traits::Point_2;
   using Vector = typename Traits::Vector_2;
+  static_assert(std::is_same_v<typename Traits::FT, double>,
+                "DeformableSimplicialComplexTraits_2: FT is double, as in "
+                "Exact_predicates_inexact_constructions_kernel");
+  static_assert(std::is_base_of_v<Vertex_data, typename Triangulation_data_structure::Vertex> &&
+                    std::is_base_of_v<Cell_data, typename Triangulation_data_structure::Face>,
+                "the bases are Deformable_simplicial_complex_vertex_base_2<Traits, Vb> and "
+                "Deformable_simplicial_complex_face_base_2<Traits, Fb>, over any Vb and Fb");
   template <class Kernel, class Map>
   using Hilbert_sorter =
       Hilbert_sort_2<Spatial_sort_traits_adapter_2<Kernel, Map>, Hilbert_sort_median_policy>;

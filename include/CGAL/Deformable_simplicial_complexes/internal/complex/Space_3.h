@@ -42,6 +42,13 @@ public:
   using Cell_handle = typename Triangulation::Cell_handle;
   using Point = typename Traits::Point_3;
   using Vector = typename Traits::Vector_3;
+  static_assert(std::is_same_v<typename Traits::FT, double>,
+                "DeformableSimplicialComplexTraits_3: FT is double, as in "
+                "Exact_predicates_inexact_constructions_kernel");
+  static_assert(std::is_base_of_v<Vertex_data, typename Triangulation_data_structure::Vertex> &&
+                    std::is_base_of_v<Cell_data, typename Triangulation_data_structure::Cell>,
+                "the bases are Deformable_simplicial_complex_vertex_base_3<Traits, Vb> and "
+                "Deformable_simplicial_complex_cell_base_3<Traits, Cb>, over any Vb and Cb");
   template <class Kernel, class Map>
   using Hilbert_sorter =
       Hilbert_sort_3<Spatial_sort_traits_adapter_3<Kernel, Map>, Hilbert_sort_median_policy>;

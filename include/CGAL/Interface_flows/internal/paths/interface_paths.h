@@ -63,6 +63,22 @@ constexpr bool is_flow_of_space = is_velocity_field<Complex, Velocity> ||
                                   (is_flow_map<Complex, Velocity> &&
                                    Is_invertible<Velocity>::value);
 
+// Tells whether a velocity has one of the forms that `advect_interface()` accepts, with results of
+// the right types.
+template <class Complex, class Velocity> constexpr bool is_velocity() {
+  using Point = typename Complex::Point;
+  using Vector = typename Complex::Vector;
+  if constexpr (is_flow_map<Complex, Velocity>)
+    return std::is_invocable_r_v<Point, const Velocity&, Point, double, double>;
+  else if constexpr (is_interface_step<Complex, Velocity> || is_field_of_points<Complex, Velocity>)
+    return true;
+  else if constexpr (is_velocity_field<Complex, Velocity>)
+    return std::is_invocable_r_v<Vector, const Velocity&, Point, double>;
+  else
+    return std::is_invocable_v<const Velocity&, const Interface_snapshot<Complex>&,
+                               const std::vector<Point>&, double, std::vector<Vector>&>;
+}
+
 // The type of the interface that a velocity needs: vertices only for fields and flow maps, vertices
 // and facets for the other forms.
 template <class Complex, class Velocity>
