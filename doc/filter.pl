@@ -62,7 +62,7 @@ $text =~ s{\\ref licensesGPL "GPL"}{GPL}g;
 sub reference {
   my ($name, $suffix, $title) = @_;
   return "\\ref $name" . ($suffix // "") . ($title // "") if $name =~ /(?:NamedParameters|Concepts)$/;
-  my ($folder) = grep { (my $plain = $_) =~ tr/_//d; $plain eq substr($name, 3) }
+  my ($folder) = grep { (my $plain = lc) =~ tr/_//d; $plain eq lc substr($name, 3) }
     map { m{([^/]+)/PackageDescription.txt} } glob("*/PackageDescription.txt");
   (my $words = $title // " \"" . ($folder // substr($name, 3)) . "\"") =~ s/^ "|"$//g;
   $words =~ s/_/ /g;

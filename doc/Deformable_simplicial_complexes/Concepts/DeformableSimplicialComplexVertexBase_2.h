@@ -6,7 +6,7 @@ The vertex of a `CGAL::Deformable_simplicial_complex_2`, with a point and cached
 `DeformableSimplicialComplexVertexBase_3`, with `DeformableSimplicialComplexTraits_2::Point_2` as the type of the point. It
 also has other names of two functions of `TriangulationDSVertexBase_2`, so that code for both dimensions can call them.
 
-\cgalRefines `TriangulationDSVertexBase_2`
+\cgalRefines{TriangulationDSVertexBase_2}
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Deformable_simplicial_complex_vertex_base_2<Traits\, Vb>}

@@ -10,7 +10,7 @@ periodic. The concept is the same in the plane and in space.
 All functions are `const` and are called often. `Complex` is an instance of
 `CGAL::Deformable_simplicial_complexes::Labeled_complex`.
 
-\cgalRefines `DefaultConstructible`, `CopyConstructible`, `Assignable`
+\cgalRefines{DefaultConstructible,CopyConstructible,Assignable}
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Deformable_simplicial_complexes::Ball_domain}
