@@ -70,6 +70,7 @@ HIDE_UNDOC_CLASSES   = YES
 WARN_IF_UNDOCUMENTED = NO
 EXCLUDE_SYMBOLS      += *::internal *::internal::*
 EXCLUDE_PATTERNS     = */internal/*
+INCLUDE_PATH         = ${{CGAL_PACKAGE_INCLUDE_DIR}}
 """
 
 

@@ -57,7 +57,7 @@ int main() {
   assert(throws<DSC::Error>([&] {
     DSC::deform_interface(
         complex, [](Complex::Vertex_handle v) { return v->point(); },
-        DSC::parameters::number_of_threads(0));
+        DSC::parameters::quality_threshold(2));
   }));
   assert(complex.state() == before);
 
