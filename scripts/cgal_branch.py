@@ -5,7 +5,8 @@
 """Copies packages into a folder that is laid out as the source repository of CGAL.
 
 Usage: scripts/cgal_branch.py OUTPUT [PACKAGE...]   copies packages, by default those of KERNEL
-       scripts/cgal_branch.py check OUTPUT          checks the form of such a folder; status 1 if it is wrong
+       scripts/cgal_branch.py check [OUTPUT]        checks the form of such a folder, or of a temporary one;
+                                                    status 1 if it is wrong
 
 OUTPUT is a new folder, or the root of a working copy of CGAL. A package gets the folders include, doc,
 examples, test and package_info. Its files change as follows:
@@ -21,6 +22,7 @@ import pathlib
 import re
 import shutil
 import sys
+import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 KERNEL = ("Mesh_support", "Deformable_simplicial_complexes")
@@ -185,6 +187,13 @@ def copy_package(package, output, packages):
     print(f"{package}: {len(headers)} headers, {len(kept)} of {len(examples(package))} examples")
 
 
+def copy(output, packages):
+    for package in packages:
+        copy_package(package, output, packages)
+    for path in sorted((ROOT / "doc" / "biblio").glob("*.bib")):
+        write(output / "Documentation" / "doc" / "biblio" / path.name, path.read_text())
+
+
 def check(output):
     """Prints what is wrong with the form of the packages of a folder. Returns the number of faults."""
     faults = []
@@ -241,20 +250,21 @@ def header_faults(path, text, package):
 
 def main():
     arguments = sys.argv[1:]
+    if arguments == ["check"]:
+        with tempfile.TemporaryDirectory() as folder:
+            copy(pathlib.Path(folder), KERNEL)
+            return 1 if check(pathlib.Path(folder)) else 0
     if len(arguments) == 2 and arguments[0] == "check":
         return 1 if check(pathlib.Path(arguments[1])) else 0
     if not arguments or arguments[0].startswith("-"):
         print(__doc__)
         return 2
-    output, packages = pathlib.Path(arguments[0]), arguments[1:] or KERNEL
+    packages = arguments[1:] or KERNEL
     for package in packages:
         if not (ROOT / "package_info" / package).is_dir():
             print(f"there is no package {package}")
             return 2
-    for package in packages:
-        copy_package(package, output, packages)
-    for path in sorted((ROOT / "doc" / "biblio").glob("*.bib")):
-        write(output / "Documentation" / "doc" / "biblio" / path.name, path.read_text())
+    copy(pathlib.Path(arguments[0]), packages)
     return 0
 
 
