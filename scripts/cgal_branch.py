@@ -123,15 +123,17 @@ def copy_text(path, output, left_out):
         if match[1] not in left_out:
             return match[0]
         return match[2] or re.sub(r"^(?:Chapter_|Pkg)", "", match[1]).replace("_", " ")
-    text = re.sub(r'\\ref\s+([\w./:]+\w)(?:\s+"([^"]*)")?', plain, path.read_text())
+    text = re.sub(r"\s+\(\\ref\s+([\w./:]+\w)\)", lambda m: "" if m[1] in left_out else m[0], path.read_text())
+    text = re.sub(r'\\ref\s+([\w./:]+\w)(?:\s+"([^"]*)")?', plain, text)
     text = re.sub(r"\\example (\S+)\n", lambda m: "" if m[1] in left_out else m[0], text)
     write(output, text)
 
 
 def copy_manual(package, output, packages):
     folder, target = ROOT / "doc" / package, output / package / "doc" / package
-    kept = set().union(*(labels(ROOT / "doc" / p) for p in packages))
-    kept -= {f"{p}/{f.name}" for p in packages for f in left_out_examples(p, packages)}
+    below = {package, *(folder / "dependencies").read_text().split()}  # CGAL makes a manual for each package
+    kept = set().union(*(labels(ROOT / "doc" / p) for p in packages if p in below))
+    kept -= {f"{package}/{path.name}" for path in left_out_examples(package, packages)}
     everything = labels(ROOT / "doc") | {"Gallery"}
     for path in sorted(folder.rglob("*")):
         if path.is_file() and path.suffix in (".txt", ".h") and path.name != "Gallery.txt":
