@@ -14,7 +14,8 @@ examples, test and package_info. Its files change as follows:
 - Of the examples, only those are copied whose headers belong to CGAL or to the copied packages.
 - Tests are the programs of test/PACKAGE/cgal, with the helpers of test/support that they include.
 - Examples and tests get a CMakeLists.txt as CGAL's scripts make it.
-- References of a manual to packages that are not copied become plain text.
+- Manuals lose the text between \\if DSC_PROJECT and \\endif. References to packages that are not copied become plain
+  text.
 - Headers of licenses go to the package Installation, and the bibliography to the package Documentation.
 """
 
@@ -118,12 +119,14 @@ def labels(folder):
 
 
 def copy_text(path, output, left_out):
-    """Copies a text; references to `left_out` become plain text, and lists of examples lose these."""
+    """Copies a text without what concerns only this project. References to `left_out` become plain text, and lists
+    of examples lose these."""
     def plain(match):
         if match[1] not in left_out:
             return match[0]
         return match[2] or re.sub(r"^(?:Chapter_|Pkg)", "", match[1]).replace("_", " ")
-    text = re.sub(r"\s+\(\\ref\s+([\w./:]+\w)\)", lambda m: "" if m[1] in left_out else m[0], path.read_text())
+    text = re.sub(r"\\if DSC_PROJECT\n.*?\\endif\n\n?", "", path.read_text(), flags=re.DOTALL)
+    text = re.sub(r"\s+\(\\ref\s+([\w./:]+\w)\)", lambda m: "" if m[1] in left_out else m[0], text)
     text = re.sub(r'\\ref\s+([\w./:]+\w)(?:\s+"([^"]*)")?', plain, text)
     text = re.sub(r"\\example (\S+)\n", lambda m: "" if m[1] in left_out else m[0], text)
     write(output, text)
@@ -134,6 +137,7 @@ def copy_manual(package, output, packages):
     below = {package, *(folder / "dependencies").read_text().split()}  # CGAL makes a manual for each package
     kept = set().union(*(labels(ROOT / "doc" / p) for p in packages if p in below))
     kept -= {f"{package}/{path.name}" for path in left_out_examples(package, packages)}
+    kept -= {name for name in kept if name.endswith(".cpp") and not name.startswith(f"{package}/")}
     everything = labels(ROOT / "doc") | {"Gallery"}
     for path in sorted(folder.rglob("*")):
         if path.is_file() and path.suffix in (".txt", ".h") and path.name != "Gallery.txt":
