@@ -142,9 +142,13 @@ def copy_manual(package, output, packages):
     for path in sorted(folder.rglob("*")):
         if path.is_file() and path.suffix in (".txt", ".h") and path.name != "Gallery.txt":
             copy_text(path, target / path.relative_to(folder), everything - kept)
-        elif path.is_file() and path.name != "Gallery.txt":
-            (target / path.relative_to(folder)).parent.mkdir(parents=True, exist_ok=True)
+        elif path.is_file() and path.parent.name != "fig" and path.name != "Gallery.txt":
             shutil.copy(path, target / path.relative_to(folder))
+    texts = "".join(path.read_text() for path in target.rglob("*.txt"))
+    for path in sorted((folder / "fig").glob("*")):
+        if path.name in texts:
+            (target / "fig").mkdir(exist_ok=True)
+            shutil.copy(path, target / "fig")
     title = (ROOT / "package_info" / package / "description.txt").read_text().strip()
     write(target / "Doxyfile.in", DOXYFILE.format(title=title))
 
