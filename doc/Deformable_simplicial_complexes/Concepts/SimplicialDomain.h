@@ -16,7 +16,9 @@ All functions are `const` and are called often. `Complex` is an instance of
 \cgalHasModels{CGAL::Deformable_simplicial_complexes::Ball_domain}
 \cgalHasModels{CGAL::Deformable_simplicial_complexes::Solid_domain}
 \cgalHasModels{CGAL::Deformable_simplicial_complexes::Torus_domain}
+\if DSC_PROJECT
 \cgalHasModels{CGAL::Deformable_simplicial_complexes::Part_domain}
+\endif
 \cgalHasModelsEnd
 */
 class SimplicialDomain
