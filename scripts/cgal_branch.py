@@ -254,7 +254,8 @@ def header_faults(path, text, package):
     for macro in re.findall(r"^# *define +(\w+)", text, re.MULTILINE):
         if not macro.startswith("CGAL_"):
             yield f"defines the macro {macro}, whose name does not begin with CGAL_"
-    if re.search(r"\b(?:std::c(?:out|err)\b|abort\(|exit\(|\bassert\()", re.sub(r"//.*|/\*.*?\*/", "", text, flags=re.S)):
+    code = re.sub(r"//[^\n]*|/\*.*?\*/", "", text, flags=re.DOTALL)
+    if re.search(r"\bstd::c(?:out|err)\b|\b(?:abort|exit|assert)\(", code):
         yield "prints, ends the process or uses assert()"
 
 
