@@ -18,7 +18,7 @@ render() { # NAME FRAMES
   "${display[@]}" "$python" "$source/scripts/render.py" "$1" --frames "$2"
   local package=Interface_flows
   case $1 in
-    improved_*) package=Deformable_simplicial_complexes ;;
+    improved_*) package=Interface_remeshing ;;
     reconstruct_*) package=Solid_reconstruction_3 ;;
   esac
   cp "$1/strip.png" "$doc/$package/fig/flow_$1.png"

@@ -4,7 +4,7 @@
 
 The metric of a Riemannian 2-manifold in a chart. The metric determines the geodesics.
 
-\cgalRefines `CopyConstructible`
+\cgalRefines{CopyConstructible}
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Deformable_simplicial_complexes::Embedded_surface_2}

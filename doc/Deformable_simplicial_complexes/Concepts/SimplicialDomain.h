@@ -10,13 +10,15 @@ periodic. The concept is the same in the plane and in space.
 All functions are `const` and are called often. `Complex` is an instance of
 `CGAL::Deformable_simplicial_complexes::Labeled_complex`.
 
-\cgalRefines `DefaultConstructible`, `CopyConstructible`, `Assignable`
+\cgalRefines{DefaultConstructible,CopyConstructible,Assignable}
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Deformable_simplicial_complexes::Ball_domain}
 \cgalHasModels{CGAL::Deformable_simplicial_complexes::Solid_domain}
 \cgalHasModels{CGAL::Deformable_simplicial_complexes::Torus_domain}
+\if DSC_PROJECT
 \cgalHasModels{CGAL::Deformable_simplicial_complexes::Part_domain}
+\endif
 \cgalHasModelsEnd
 */
 class SimplicialDomain

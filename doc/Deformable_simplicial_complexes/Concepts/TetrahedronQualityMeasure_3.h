@@ -9,7 +9,7 @@ A model can have a member `gradient(p, q, r, s)` with the same arguments. It ret
 of the quality with respect to the position of p, an `Vector_3`. Without this member, the
 optimization uses finite differences.
 
-\cgalRefines `DefaultConstructible`, `CopyConstructible`, `Assignable`
+\cgalRefines{DefaultConstructible,CopyConstructible,Assignable}
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Deformable_simplicial_complexes::Volume_length_ratio_3}

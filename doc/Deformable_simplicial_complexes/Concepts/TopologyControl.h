@@ -10,6 +10,8 @@ the complex is valid.
 
 The concept is the same in the plane and in space. `Complex` is the type of the complex. The operator can be a template.
 
+\cgalRefines{CopyConstructible}
+
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Deformable_simplicial_complexes::Allow_topology_changes}
 \cgalHasModels{CGAL::Deformable_simplicial_complexes::Forbid_topology_changes}

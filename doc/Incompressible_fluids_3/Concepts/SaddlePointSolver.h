@@ -5,7 +5,7 @@
 A solver for the velocities and pressures of `CGAL::Incompressible_fluid_3`. A matrix is factorized once and solved for
 one or more right-hand sides. A time step needs between two and a few dozen solutions.
 
-\cgalRefines `DefaultConstructible`
+\cgalRefines{DefaultConstructible}
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Deformable_simplicial_complexes::Direct_saddle_point_solver}

@@ -7,7 +7,7 @@ void or of a gas. `CGAL::Incompressible_fluid_3` queries the walls of a solid at
 between liquid and void. It queries them at the present position and at the expected destination of
 a vertex, which can be inside the solid.
 
-\cgalRefines `CopyConstructible`
+\cgalRefines{CopyConstructible}
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Deformable_simplicial_complexes::Plane_solid_3}

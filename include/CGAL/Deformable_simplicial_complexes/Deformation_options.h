@@ -35,7 +35,7 @@ enum class Domain_rule {
 \ingroup PkgDeformableSimplicialComplexesRef
 
 Options of `deform_interface()`. The named parameters of that function have the same names. "The
-paper" is the one by Misztal and B&aelig;rentzen, see \ref dsc_mb "[1]" in the user manual.
+paper" is the one by Misztal and B&aelig;rentzen \cgalCite{cgal:mb-taitd-12}.
 
 \tparam Complex a deformable simplicial complex
 */

@@ -428,8 +428,8 @@ public:
   that is positive at both ends of a segment is thus positive on the whole segment. Linear in the
   star of v.
 
-  \param q point with finite coordinates; a vertex on a side of the domain moves to
-         `admissible_destination()` instead
+  \param v, q a finite vertex, and a point with finite coordinates; a vertex on a side of the domain
+         moves to `admissible_destination()` instead
   \param margin distance that v keeps from the flat position, as a fraction of the displacement to
          that position, in (0, 1)
   \param floor lower bound of the quality, in [0, 1): no cell falls below the bound that was not

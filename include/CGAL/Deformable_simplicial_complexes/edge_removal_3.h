@@ -76,8 +76,8 @@ private:
 
 Proposes to remove an edge (section 3.2.1 of the paper). The ring of n cells around the edge is
 replaced by 2 (n - 2) tetrahedra, over and under a triangulation of the ring polygon. The
-triangulation maximizes the worst quality (Klincsek's dynamic program). The 3-2 flip and the 4-4
-flip are the cases n = 3 and n = 4. Cubic in n.
+triangulation maximizes the worst quality, by the dynamic program of \cgalCite{cgal:k-mtpd-80}. The
+3-2 flip and the 4-4 flip are the cases n = 3 and n = 4. Cubic in n.
 
 \param complex the complex; it is not changed
 \param cell, i, j the edge between the vertices i and j of the cell

@@ -174,8 +174,8 @@ private:
 
 Proposes to remove a facet together with neighboring facets that are sandwiched between the same two
 vertices a and b (section 3.2.1 of the paper). If there are m facets, their 2m cells are replaced by
-m + 2 cells that share the new edge ab. The 2-3 flip is the case m = 1. Shewchuk's recursion finds
-the set of facets for which the worst quality rises most. Linear in m.
+m + 2 cells that share the new edge ab. The 2-3 flip is the case m = 1. A recursion
+\cgalCite{cgal:s-tdoat-02} finds the set of facets that raises the worst quality most. Linear in m.
 
 \param complex the complex; it is not changed
 \param cell, i the facet
@@ -307,10 +307,9 @@ private:
 
 Proposes to retriangulate the facets that are sandwiched between the same two vertices as a given
 facet. The set is the largest one that is connected through edges inside one label. Its m facets are
-replaced by the triangulation of its boundary loop that maximizes the worst quality (Klincsek's
-dynamic program), so that 2m cells become 2m others. The operation combines multi-face removal and
-removal of the new edge, and does not require that the mesh improves in between (Misztal,
-Baerentzen, Anton and Erleben 2009). Cubic in m.
+replaced by the triangulation of its boundary loop that maximizes the worst quality, so that 2m
+cells become 2m others. The operation combines multi-face removal and removal of the new edge, and
+does not require that the mesh improves in between \cgalCite{cgal:mbae-tmium-09}. Cubic in m.
 
 \param complex the complex; it is not changed
 \param cell, i the facet

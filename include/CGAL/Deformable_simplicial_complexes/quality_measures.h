@@ -135,8 +135,8 @@ double minimum_sine(const Point& p, const Point& q, const Point& r, const Point&
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 Quality measure of tetrahedra: volume divided by the cube of the root mean square edge length, times
-6 sqrt(2) (section 3.2 of the paper, after Parthasarathy et al.). It penalizes slivers and needles
-equally, and is smooth.
+6 sqrt(2) (section 3.2 of the paper, after \cgalCite{cgal:pgh-ctqm-94}). It penalizes slivers and
+needles equally, and is smooth.
 
 \cgalModels `TetrahedronQualityMeasure_3`
 */
@@ -187,7 +187,7 @@ struct Minimum_sine_3
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 Quality measure of tetrahedra: as `Minimum_sine_3`, with sines of obtuse angles multiplied by 0.7
-(Klingner and Shewchuk 2007), since angles near 180 degrees do more harm than angles near 0. Use
+\cgalCite{cgal:ks-atmi-07}, since angles near 180 degrees do more harm than angles near 0. Use
 this measure for meshes that do not move and whose angles are important.
 
 \cgalModels `TetrahedronQualityMeasure_3`

@@ -77,9 +77,9 @@ in an unspecified order that does not depend on the number of threads. Uses `sta
 over all cells, whichever is estimated to be faster. Any number of threads can call the function at
 once.
 
+\param complex, vertices a complex, and finite vertices of it
 \param condition function object; `condition(c)` can be called by several threads
 \param for_each_index loop over indices, used for a pass over all cells
-\pre The vertices are finite.
 */
 template <class Complex, class Condition>
 std::vector<typename Complex::Cell_handle>

@@ -193,7 +193,7 @@ bool fill_with_star(const Complex& complex, typename Complex::Cell_handle seed,
 \ingroup PkgDeformableSimplicialComplexesRef
 
 Proposes to insert a vertex: a set of cells around a cell of low quality is replaced by the star of
-a new vertex (Klingner and Shewchuk 2007). The set contains the cell, and its boundary is visible
+a new vertex \cgalCite{cgal:ks-atmi-07}. The set contains the cell, and its boundary is visible
 from the barycenter of the cell. Among these sets, the one is chosen for which the worst quality of
 the star of the barycenter is highest. The new vertex then moves to a local maximum of this quality,
 as in `propose_optimal_position()`, and the best set for the new position is found. This is repeated

@@ -62,7 +62,7 @@ namespace CGAL::Deformable_simplicial_complexes {
 \ingroup PkgDeformableSimplicialComplexesRef
 
 Proposes to move a vertex to a local maximum of the worst quality of its star (optimization-based
-smoothing, section 3.2.1 of the paper; Freitag, Jones and Plassmann 1995). This is an order of
+smoothing, section 3.2.1 of the paper, after \cgalCite{cgal:fjp-epams-95}). This is an order of
 magnitude more expensive than `propose_smart_laplacian()`. Linear in the star.
 
 \param complex the complex; it is not changed

@@ -52,9 +52,8 @@ namespace CGAL::Deformable_simplicial_complexes {
 
 The incompressible flow of any number of liquids with free surfaces, surface tension, viscosity and
 solids, in space or in the plane. Linear finite elements on the cells of a complex discretize the
-equations. The mesh moves with the liquids. See Section 4.4 of the paper, and M. K. Misztal, R.
-Bridson, K. Erleben, J. A. Bærentzen, F. Anton, "Optimization-based fluid simulation on unstructured
-meshes", VRIPHYS 2010.
+equations. The mesh moves with the liquids. See Section 4.4 of the paper, and
+\cgalCite{cgal:mbeba-obfsu-10}.
 
 Each label is a liquid, a gas or void, see `Fluid_properties`. A time step solves one system for
 all velocities and pressures.

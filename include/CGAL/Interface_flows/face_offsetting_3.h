@@ -35,12 +35,11 @@ template <class Quadric> bool constrain_to_sides(Boundary_class::Bits sides, Qua
 /*!
 \ingroup PkgInterfaceFlowsRef
 
-Wavefrontal motion by face offsetting (X. Jiao, *Face offsetting: A unified approach for explicit
-moving interfaces*, Journal of Computational Physics 220, 2007). The planes of the facets move along
-their normals. A vertex moves to the intersection of the planes of its facets, where each facet is
-weighted by its angle at the vertex. Labeled phases grow into the outside, label 0. With a negative
-speed they shrink. Some planes do not move: the sides of the domain, and facets between two labels
-other than 0. Their vertices stay in these planes.
+Wavefrontal motion by face offsetting \cgalCite{cgal:j-fouae-07}. The planes of the facets move
+along their normals. A vertex moves to the intersection of the planes of its facets, where each
+facet is weighted by its angle at the vertex. Labeled phases grow into the outside, label 0. With a
+negative speed they shrink. Some planes do not move: the sides of the domain, and facets between two
+labels other than 0. Their vertices stay in these planes.
 
 As in Huygens' principle, edges and corners become round where the front moves away from them. Their
 vertices move by the distance of the offset. Edges and corners stay sharp where the front moves

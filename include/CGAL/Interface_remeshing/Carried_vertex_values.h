@@ -69,6 +69,7 @@ public:
 
   /// Constructs the visitor for values that are defined only in some cells, such as the cells of a
   /// phase. Where such cells are near, only their linear functions are used.
+  /// \param complex, values as above
   /// \param has_values `bool has_values(Cell_handle c)` with a finite cell `c`
   /// \param gradient the gradient for vertices that smoothing moves
   Carried_vertex_values(const Complex& complex, const VertexValueMap& values,

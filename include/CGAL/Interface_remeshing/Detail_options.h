@@ -21,8 +21,8 @@ namespace CGAL::Deformable_simplicial_complexes {
 \ingroup PkgInterfaceRemeshingRef
 
 Options of `control_detail()`. The named parameters of that function have the same names. Lengths
-are in units of the target edge length. "The paper" is the one by Misztal and B&aelig;rentzen, see
-\ref dsc_mb "[1]" in the user manual.
+are in units of the target edge length. "The paper" is the one by Misztal and B&aelig;rentzen
+\cgalCite{cgal:mb-taitd-12}.
 
 \tparam Complex a deformable simplicial complex
 */

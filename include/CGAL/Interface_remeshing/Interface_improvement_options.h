@@ -23,7 +23,7 @@ namespace CGAL::Deformable_simplicial_complexes {
 
 Options of `improve_interface()`. The named parameters of that function have the same names. Lengths
 are in units of the target edge length, angles in degrees. "The paper" is the one by
-Misztal and B&aelig;rentzen, see \ref dsc_mb "[1]" in the user manual.
+Misztal and B&aelig;rentzen \cgalCite{cgal:mb-taitd-12}.
 
 \tparam Complex a deformable simplicial complex
 */

@@ -27,8 +27,7 @@ facets. Each plane can be shifted by an offset. Eigenvectors of large eigenvalue
 space, in which the facets determine the position of the vertex. Its dimension is 1 on a smooth
 surface, 2 on a ridge and 3 at a corner. The other eigenvectors span the null space.
 
-See X. Jiao, *Face offsetting: A unified approach for explicit moving interfaces*, Journal of
-Computational Physics 220, 2007. Each function takes constant time, and no function throws.
+See \cgalCite{cgal:j-fouae-07}. Each function takes constant time, and no function throws.
 
 \tparam Vector a vector in space with coordinates of type `double`
 */

@@ -205,7 +205,7 @@ Improvement_report improve_whole_mesh(Complex& dsc,
 /*!
 \ingroup PkgInterfaceRemeshingRef
 
-Improves the cells of a complex (Algorithm 3 of the paper; insertion: Klingner and Shewchuk 2007).
+Improves the cells of a complex (Algorithm 3 of the paper; insertion \cgalCite{cgal:ks-atmi-07}).
 The operations are reconnection, smoothing, collapses, insertion of vertices, and splits of long
 edges. Except for splits, each operation is done only if it raises the worst quality of the cells it
 replaces. If the quality of a cell stays low, the cells around it are improved beyond the threshold,

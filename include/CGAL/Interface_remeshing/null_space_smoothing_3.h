@@ -79,8 +79,8 @@ bool null_space_position(const Complex& complex, const Interface_fan_3<Complex>&
 /*!
 \ingroup PkgInterfaceRemeshingRef
 
-Proposes to move a vertex of the interface along the interface (null-space smoothing, section 3.2.2
-of the paper, after Jiao). The vertex moves towards the area-weighted mean of the centroids of its
+Proposes to move a vertex along the interface (null-space smoothing, section 3.2.2 of the paper,
+after \cgalCite{cgal:j-fouae-07}). It moves towards the area-weighted mean of the centroids of its
 facets. The displacement is projected on the null space of the quadric of the facets. The null space
 is the tangent plane where the interface is smooth, and the line of a ridge. Corners, vertices on
 the boundary of the domain, and vertices where the interface is not a single sheet between two

@@ -30,8 +30,7 @@ namespace CGAL::Deformable_simplicial_complexes {
 \ingroup PkgInterfaceRemeshingRef
 
 Options of `remove_degeneracies()`. The named parameters of that function have the same names. The
-numbers are those of the paper by Misztal and B&aelig;rentzen, see \ref dsc_mb "[1]" in the user
-manual.
+numbers are those of the paper by Misztal and B&aelig;rentzen \cgalCite{cgal:mb-taitd-12}.
 
 \tparam Complex a deformable simplicial complex
 */

@@ -91,10 +91,9 @@ Reconstructs a solid from points on its surface (section 4.3 of the paper). The 
 has label 1 inside the solid. Its interface is a manifold. Sharp edges and corners stay sharp.
 
 The sides are determined first: the largest empty Delaunay balls at the points are labeled inside
-or outside (R. Kolluri, J. R. Shewchuk and J. F. O'Brien, "Spectral surface reconstruction from
-noisy point clouds", SGP 2004). The interface therefore does not leak through holes of the points
-that are narrow compared with the solid behind them, and cavities are found. A hole is closed by
-facets without points. The report lists these facets.
+or outside \cgalCite{cgal:kso-ssrnp-04}. The interface therefore does not leak through holes of the
+points that are narrow compared with the solid behind them, and cavities are found. A hole is closed
+by facets without points. The report lists these facets.
 
 The interface begins in an octree around the points and the solid. In each step, it moves inwards to
 the planes of the points near its facets. When most facets have points, all vertices move to
