@@ -64,7 +64,8 @@ public:
 
   // Returns the signed area of a triangle, up to rounding.
   static double measure(const Point& p, const Point& q, const Point& r) {
-    return CGAL::determinant(q - p, r - p) / 2;
+    const Vector v = q - p, w = r - p;
+    return CGAL::determinant(v.x(), v.y(), w.x(), w.y()) / 2;
   }
 
   // Returns the area of the triangle between an edge, given as seen from outside, and a point
