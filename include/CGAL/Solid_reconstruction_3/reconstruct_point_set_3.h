@@ -143,7 +143,7 @@ Complex reconstruct_point_set_3(const PointRange& points,
     return internal::reconstruct(points, parameters::default_values(), np);
   else {
     Options options;
-    read_parameters(np, options);
+    read_parameters<CGAL::internal_np::point_t, CGAL::internal_np::normal_t>(np, options);
     return internal::reconstruct(points, np, options);
   }
 }

@@ -140,7 +140,7 @@ Reconstructed_sheet_3 reconstruct_sheet_3(const PointRange& points,
         internal::collect_points(points, parameters::default_values()), np);
   else {
     Sheet_options_3 options;
-    read_parameters(np, options);
+    read_parameters<CGAL::internal_np::point_t>(np, options);
     return internal::reconstruct_sheet(internal::collect_points(points, np), options);
   }
 }
