@@ -181,9 +181,11 @@ namespace internal {
 
 // Calls a function with the options and the visitor that named parameters give, or with given
 // options.
+// \tparam ConcurrencyTag determines the default number of threads
 // \param np named parameters, or options
 // \param defaults the options, with the default values
-template <class Complex, class NamedParameters, class Options, class Call>
+template <class ConcurrencyTag = Sequential_tag, class Complex, class NamedParameters,
+          class Options, class Call>
 auto call_with_parameters(const Complex& complex, const NamedParameters& np, Options defaults,
                           const Call& call) {
   if constexpr (std::is_same<NamedParameters, Options>::value)
@@ -195,6 +197,9 @@ auto call_with_parameters(const Complex& complex, const NamedParameters& np, Opt
   } else {
     using internal_np::visitor_t;
     Named_parameter_check<decltype(find_untaken<Options>(np)), Options>();
+    visit_option<internal_np::number_of_threads_t>(defaults, [](const char*, unsigned& number) {
+      number = default_number_of_threads<ConcurrencyTag>();
+    });
     read_parameters(complex, np, defaults);
     if constexpr (is_given<NamedParameters, visitor_t>) {
       auto given = parameter(np, visitor_t());

@@ -12,11 +12,13 @@
 
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/named_parameters.h>
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <thread>
 #include <type_traits>
 #include <utility>
 
@@ -208,6 +210,23 @@ void read_parameters(const NamedParameters& np, Options& options) {
         internal::replace_option(name, parameter(np, Tag()), value);
       });
   });
+}
+
+/*!
+\ingroup PkgMeshSupportRef
+
+Returns the default value of the named parameter `number_of_threads` of a function: 1, or the number
+of hardware threads for a parallel tag.
+
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`.
+        `Parallel_tag` does not compile without TBB.
+*/
+template <class ConcurrencyTag> unsigned default_number_of_threads() {
+  static constexpr bool is_parallel = std::is_convertible<ConcurrencyTag, Parallel_tag>::value;
+#ifndef CGAL_LINKED_WITH_TBB
+  static_assert(!is_parallel, "Parallel_tag needs TBB: link with CGAL::TBB_support");
+#endif
+  return is_parallel ? (std::max)(1u, std::thread::hardware_concurrency()) : 1;
 }
 
 /*!

@@ -47,4 +47,25 @@ TEST(Named_parameters, replace_the_members_of_options) {
   EXPECT_EQ(options.quality_threshold, .4);
 }
 
+// The number of threads that a function uses, from the options that it would pass on.
+template <class Tag, class NamedParameters> unsigned threads(const NamedParameters& np) {
+  Complex complex;
+  return DSC::internal::call_with_parameters<Tag>(
+      complex, np, DSC::Deformation_options<Complex>(),
+      [](const auto& options) { return options.number_of_threads; });
+}
+
+TEST(Named_parameters, get_the_number_of_threads_from_a_concurrency_tag) {
+  const auto none = CGAL::parameters::default_values();
+  [[maybe_unused]] const unsigned all = (std::max)(1u, std::thread::hardware_concurrency());
+  EXPECT_EQ(threads<CGAL::Sequential_tag>(none), 1u);
+#ifdef CGAL_LINKED_WITH_TBB
+  EXPECT_EQ(threads<CGAL::Parallel_tag>(none), all);
+  EXPECT_EQ(threads<CGAL::Parallel_if_available_tag>(none), all);
+#else
+  EXPECT_EQ(threads<CGAL::Parallel_if_available_tag>(none), 1u);
+#endif
+  EXPECT_EQ(threads<CGAL::Parallel_if_available_tag>(CGAL::parameters::number_of_threads(3)), 3u);
+}
+
 } // namespace test_named_parameters
