@@ -23,7 +23,9 @@ CGAL_add_named_parameter(manifold_interface_t, manifold_interface, manifold_inte
 CGAL_add_named_parameter(collision_order_t, collision_order, collision_order)
 CGAL_add_named_parameter(smooth_interface_t, smooth_interface, smooth_interface)
 CGAL_add_named_parameter(aggressive_t, aggressive, aggressive)
+#ifndef CGAL_MESH_SUPPORT_SIZING_FIELD_IS_AN_OBJECT
 CGAL_add_named_parameter(sizing_field_t, sizing_field, sizing_field)
+#endif
 CGAL_add_named_parameter(split_length_t, split_length, split_length)
 CGAL_add_named_parameter(collapse_length_t, collapse_length, collapse_length)
 CGAL_add_named_parameter(collapse_quality_t, collapse_quality, collapse_quality)

@@ -64,11 +64,52 @@ namespace parameters {
   template <class K> internal_np::Extended_named_parameters<K, internal_np::X> Z(const K& value) { \
     return {value};                                                                                \
   }
+#if CGAL_VERSION_NR < 1050600000
+#define CGAL_MESH_SUPPORT_SIZING_FIELD_IS_AN_OBJECT
+#endif
 #include <CGAL/Mesh_support/named_parameter_list.h>
+#undef CGAL_MESH_SUPPORT_SIZING_FIELD_IS_AN_OBJECT
 #undef CGAL_add_named_parameter
 
 } // namespace parameters
 } // namespace CGAL
+/// \endcond
+#endif
+
+// In CGAL 5.5, Mesh_3 has a keyword of the Boost Parameter Library with the name of a parameter of
+// this package. An object serves both.
+#if CGAL_VERSION_NR < 1050600000
+/// \cond SKIP_IN_MANUAL
+namespace boost::parameter {
+template <class Tag> struct keyword;
+}
+
+namespace CGAL::parameters {
+
+namespace tag {
+struct sizing_field_;
+}
+
+template <class Keyword> struct Sizing_field_parameter
+{
+#ifdef CGAL_MESH_SUPPORT_PARAMETERS_ARE_IN_CGAL
+  template <class K> using Chain = Named_function_parameters<K, internal_np::sizing_field_t>;
+#else
+  template <class K>
+  using Chain = internal_np::Extended_named_parameters<K, internal_np::sizing_field_t>;
+#endif
+  template <class K> Chain<K> operator()(const K& value) const { return {value}; }
+  template <class T> auto operator|(T&& value) const {
+    return Keyword::instance | std::forward<T>(value);
+  }
+  template <class T> auto operator=(T&& value) const {
+    return Keyword::instance = std::forward<T>(value);
+  }
+};
+
+inline const Sizing_field_parameter<boost::parameter::keyword<tag::sizing_field_>> sizing_field{};
+
+} // namespace CGAL::parameters
 /// \endcond
 #endif
 

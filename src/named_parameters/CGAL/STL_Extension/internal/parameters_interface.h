@@ -13,8 +13,17 @@
 
 #include_next <CGAL/STL_Extension/internal/parameters_interface.h>
 
+// CGAL includes the file for the tags, for its class and for the functions. In CGAL 5.5, the last
+// list lacks a function, see named_parameters.h.
+#include <CGAL/version.h>
+#if CGAL_VERSION_NR < 1050600000 && defined(CGAL_MESH_SUPPORT_PARAMETERS_ARE_IN_CGAL)
+#define CGAL_MESH_SUPPORT_SIZING_FIELD_IS_AN_OBJECT
+#endif
 #include <CGAL/Mesh_support/named_parameter_list.h>
+#undef CGAL_MESH_SUPPORT_SIZING_FIELD_IS_AN_OBJECT
 
-#ifndef CGAL_MESH_SUPPORT_PARAMETERS_ARE_IN_CGAL
+#ifndef CGAL_MESH_SUPPORT_TAGS_ARE_IN_CGAL
+#define CGAL_MESH_SUPPORT_TAGS_ARE_IN_CGAL
+#elif !defined(CGAL_MESH_SUPPORT_PARAMETERS_ARE_IN_CGAL)
 #define CGAL_MESH_SUPPORT_PARAMETERS_ARE_IN_CGAL
 #endif
