@@ -24,7 +24,7 @@ using Complex =
     CGAL::Deformable_simplicial_complex_2<CGAL::Deformable_simplicial_complex_traits_2<>,
                                           CGAL::Default, Domain>;
 using Point = Complex::Approximate_point_2;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+namespace parameters = CGAL::parameters;
 
 // Returns the label of the nearest seed.
 int nearest(const Domain& domain, const std::vector<Point>& seeds, const Point& p) {
