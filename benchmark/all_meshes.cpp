@@ -35,7 +35,7 @@ using CGAL::Deformable_simplicial_complexes::Error;
 using CGAL::Deformable_simplicial_complexes::File_error;
 using CGAL::Deformable_simplicial_complexes::Invalid_surface_error;
 using CGAL::Deformable_simplicial_complexes::Tetrahedralization_error;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+namespace parameters = CGAL::parameters;
 
 const char* name(Invalid_surface_error::Reason reason) {
   using Reason = Invalid_surface_error::Reason;

@@ -29,7 +29,7 @@ namespace DSC = CGAL::Deformable_simplicial_complexes;
 namespace dsc_benchmark {
 namespace {
 
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+namespace parameters = CGAL::parameters;
 
 double tetrahedra_per_triangle(const Complex& complex) {
   return double(complex.number_of_cells()) / double(complex.interface_facets().size());

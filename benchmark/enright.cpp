@@ -35,7 +35,7 @@ namespace DSC = CGAL::Deformable_simplicial_complexes;
 namespace dsc_benchmark {
 namespace {
 
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+namespace parameters = CGAL::parameters;
 
 using Defaults = CGAL::Deformable_simplicial_complexes::defaults::Adaptive_advection<3>;
 

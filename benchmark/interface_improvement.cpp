@@ -30,7 +30,7 @@ namespace DSC = CGAL::Deformable_simplicial_complexes;
 namespace dsc_benchmark {
 namespace {
 
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+namespace parameters = CGAL::parameters;
 
 // The smallest angle of an interface triangle, and the mean of the smallest angles of all
 // triangles, in degrees.

@@ -29,7 +29,7 @@ namespace DSC = CGAL::Deformable_simplicial_complexes;
 namespace dsc_benchmark {
 namespace {
 
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+namespace parameters = CGAL::parameters;
 
 Complex make_complex(const Surface& surface, bool normalize = false) {
   return DSC::make_deformable_simplicial_complex_3<Complex>(std::vector<Surface>{surface},

@@ -39,7 +39,7 @@ namespace dsc_benchmark {
 namespace {
 
 using Json = nlohmann::ordered_json;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+namespace parameters = CGAL::parameters;
 
 /// The interface before a motion. Time stamps identify remaining vertices, because none is used
 /// twice.

@@ -39,7 +39,7 @@ using Cell_handle = Complex::Cell_handle;
 using Vertex_handle = Complex::Vertex_handle;
 using Star = std::vector<Cell_handle>;
 namespace internal = CGAL::Deformable_simplicial_complexes::internal;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+namespace parameters = CGAL::parameters;
 
 // Measures `operation(i)` for i = 0, ..., n - 1 in turn, and counts how often it returned true.
 template <class Operation>

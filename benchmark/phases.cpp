@@ -41,7 +41,7 @@ namespace DSC = CGAL::Deformable_simplicial_complexes;
 namespace dsc_benchmark {
 namespace {
 
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+namespace parameters = CGAL::parameters;
 
 using Labels = std::set<int>;
 using Triangle = std::array<std::size_t, 3>;

@@ -51,7 +51,7 @@ using dsc_benchmark::Point;
 using dsc_benchmark::Random_fields;
 using Report = DSC::Deformation_report<Complex>;
 using Topology_control = std::function<bool(const Complex&, Complex::Cell_handle, int)>;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+namespace parameters = CGAL::parameters;
 
 // Options of a deformation.
 struct Policy

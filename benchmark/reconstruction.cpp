@@ -47,7 +47,7 @@ using clouds::Drilled_box;
 using clouds::Point;
 using clouds::Vector;
 using Mesh = CGAL::Surface_mesh<Point>;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+namespace parameters = CGAL::parameters;
 
 struct Reconstruction
 {

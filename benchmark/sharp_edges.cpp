@@ -29,7 +29,7 @@ using clouds::Gear;
 using clouds::Numbers;
 using clouds::Turn;
 using Point_3 = Kernel::Point_3;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+namespace parameters = CGAL::parameters;
 
 /// A solid that is known exactly, before its rotation.
 struct Solid

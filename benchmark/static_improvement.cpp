@@ -26,7 +26,7 @@ namespace DSC = CGAL::Deformable_simplicial_complexes;
 namespace dsc_benchmark {
 namespace {
 
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+namespace parameters = CGAL::parameters;
 
 using Complex =
     CGAL::Deformable_simplicial_complex_3<CGAL::Epick, CGAL::Default, DSC::Biased_minimum_sine_3>;

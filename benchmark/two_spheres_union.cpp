@@ -24,7 +24,7 @@ namespace DSC = CGAL::Deformable_simplicial_complexes;
 namespace dsc_benchmark {
 namespace {
 
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+namespace parameters = CGAL::parameters;
 using CGAL::Deformable_simplicial_complexes::Forbid_topology_changes;
 
 constexpr double start_radius = .2, half_distance = .25;

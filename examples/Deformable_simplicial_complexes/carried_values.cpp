@@ -27,7 +27,7 @@ using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Point = Complex::Point_3;
 using Vertex_handle = Complex::Vertex_handle;
 using Cell_handle = Complex::Cell_handle;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+namespace parameters = CGAL::parameters;
 
 // A property map for vertices or cells that are created and removed. The keys are time stamps: no
 // time stamp is used twice, whereas a new cell may get the handle of a removed cell.

@@ -75,9 +75,8 @@ int main() {
 
   const double dt = .04; // the spheres touch at time 0.2
   for (int step = 0; step < 12; ++step) {
-    const auto report = DSC::advect_interface(
-        complex, DSC::Normal_offset{1.}, step * dt, dt,
-        CGAL::Deformable_simplicial_complexes::parameters::visitor(std::ref(visitor)));
+    const auto report = DSC::advect_interface(complex, DSC::Normal_offset{1.}, step * dt, dt,
+                                              CGAL::parameters::visitor(std::ref(visitor)));
     if (!report.complete)
       std::cout << "step " << step << ": " << report.unfinished.size() << " vertices fell short\n";
   }

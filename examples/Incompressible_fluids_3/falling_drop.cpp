@@ -40,7 +40,7 @@ int main() {
     // The implicit scheme takes the forces at the end of the time step. It damps fast oscillations,
     // so the drop comes to rest.
     const double dt = (std::min)(.05, fluid.largest_step(.5));
-    const Fluid::Report report = fluid.advance(dt, DSC::parameters::implicitness(1.));
+    const Fluid::Report report = fluid.advance(dt, CGAL::parameters::implicitness(1.));
     std::cout << std::setw(5) << std::setprecision(3) << report.time << std::setw(9)
               << std::setprecision(5) << report.after.energy() << std::setw(12)
               << std::setprecision(9) << report.after.volume << std::setw(10) << report.contacts

@@ -65,7 +65,7 @@ int main(int argc, char* argv[]) {
   DSC::Labeled_curve_2<Complex::Point_2> curve;
   curve.add_polyline(polygon);
   Complex complex = DSC::make_deformable_simplicial_complex_2<Complex>(
-      {curve}, DSC::parameters::enclosing_box(CGAL::Bbox_2(0, 0, 1, 2))
+      {curve}, CGAL::parameters::enclosing_box(CGAL::Bbox_2(0, 0, 1, 2))
                    .spacing_per_segment(DSC::Construction_options<2>::fine_spacing));
 
   DSC::Fluid_properties properties;

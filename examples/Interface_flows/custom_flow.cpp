@@ -53,8 +53,7 @@ int main() {
   CGAL::make_icosahedron(surface, Complex::Point_3(0, 0, 0), 1.);
   CGAL::Subdivision_method_3::Loop_subdivision(surface, CGAL::parameters::number_of_iterations(2));
   Complex complex = DSC::make_deformable_simplicial_complex_3<Complex>(
-      surface, CGAL::Tetgen_tetrahedralizer_3(),
-      CGAL::Deformable_simplicial_complexes::parameters::normalize(true));
+      surface, CGAL::Tetgen_tetrahedralizer_3(), CGAL::parameters::normalize(true));
 
   // A sphere stays a sphere; the square of its radius decreases by 4 dt.
   const double h = complex.mean_interface_edge(), dt = .04 * h * h;

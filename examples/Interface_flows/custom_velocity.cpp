@@ -32,7 +32,7 @@ int main(int argc, char* argv[]) {
                                                  CGAL::parameters::number_of_iterations(2));
   }
   Complex complex = DSC::make_deformable_simplicial_complex_3<Complex>(
-      surface, CGAL::Tetgen_tetrahedralizer_3(), DSC::parameters::normalize(true));
+      surface, CGAL::Tetgen_tetrahedralizer_3(), CGAL::parameters::normalize(true));
 
   // A vortex about the z-axis, faster near the axis, that reverses at half of the period. It
   // preserves volumes, and each point returns to its start.
@@ -50,7 +50,7 @@ int main(int argc, char* argv[]) {
   for (int i = 0; i < steps; ++i) {
     const auto report = DSC::advect_interface(
         complex, vortex, i * dt, dt,
-        DSC::parameters::scheme(DSC::Integration_scheme::rk4).maximum_number_of_passes(10));
+        CGAL::parameters::scheme(DSC::Integration_scheme::rk4).maximum_number_of_passes(10));
     if ((i + 1) % 5 == 0 || !report.complete)
       std::cout << "time " << (i + 1) * dt << ": volume " << complex.volume(1) << ", "
                 << report.unfinished.size() << " vertices fell short" << std::endl;

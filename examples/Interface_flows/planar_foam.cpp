@@ -22,7 +22,7 @@ namespace DSC = CGAL::Deformable_simplicial_complexes;
 using Domain = CGAL::Deformable_simplicial_complexes::Torus_domain<2>;
 using Complex = CGAL::Deformable_simplicial_complex_2<CGAL::Epick, CGAL::Default, Domain>;
 using Point = Complex::Point_2;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+namespace parameters = CGAL::parameters;
 
 // Returns the label of the nearest seed.
 int nearest(const Domain& domain, const std::vector<Point>& seeds, const Point& p) {

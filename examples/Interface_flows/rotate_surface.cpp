@@ -41,7 +41,7 @@ int main(int argc, char* argv[]) {
   }
 
   // Label 1 inside, label 0 outside, in a box; the center of the surface becomes the origin
-  namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+  namespace parameters = CGAL::parameters;
   Complex complex = DSC::make_deformable_simplicial_complex_3<Complex>(
       surface, CGAL::Tetgen_tetrahedralizer_3(), parameters::normalize(true));
   std::cout << complex.number_of_vertices() << " vertices, " << complex.number_of_cells()

@@ -14,7 +14,7 @@
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 
 using Complex = CGAL::Deformable_simplicial_complex_2<>;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+namespace parameters = CGAL::parameters;
 
 const double pi = std::acos(-1.), radius = .15;
 const Complex::Point_2 center(.5, .75);

@@ -19,7 +19,7 @@ namespace DSC = CGAL::Deformable_simplicial_complexes;
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Report = CGAL::Deformable_simplicial_complexes::Reconstruction_report_3<Complex>;
 using CGAL::IO::Point_and_normal_3;
-namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+namespace parameters = CGAL::parameters;
 
 std::vector<Point_and_normal_3> torus() {
   std::vector<Point_and_normal_3> points;

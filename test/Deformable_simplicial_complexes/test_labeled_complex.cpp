@@ -159,7 +159,7 @@ std::vector<std::pair<double, double>> places_of_events(bool looks) {
           const auto p = complex.position(v);
           return Point(p.x() > 0 ? p.x() - .03 : p.x() + .03, p.y());
         },
-        CGAL::Deformable_simplicial_complexes::parameters::topology_control(control));
+        CGAL::parameters::topology_control(control));
     for (const auto& event : report.events)
       result.emplace_back(event.where.x(), event.where.y());
   }

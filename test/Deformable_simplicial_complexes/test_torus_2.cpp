@@ -204,7 +204,7 @@ TEST(Torus, merges_a_growing_disk_with_itself_through_the_seams) {
 }
 
 TEST(Torus, keeps_its_topology_where_that_is_wanted) {
-  namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+  namespace parameters = CGAL::parameters;
   using CGAL::Deformable_simplicial_complexes::Forbid_topology_changes;
   Complex dsc = disk_on_the_seams(24, .35);
   for (int i = 0; i < 24; ++i) {
@@ -289,7 +289,7 @@ protected:
 };
 
 TEST_F(Four_phases, exchange_neighbors) {
-  namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+  namespace parameters = CGAL::parameters;
   std::size_t exchanges = 0;
   for (int i = 0; i < 40 && exchanges == 0; ++i) {
     DSC::control_detail(dsc, parameters::change_interface(true));
@@ -310,7 +310,7 @@ TEST_F(Four_phases, exchange_neighbors) {
 }
 
 TEST_F(Four_phases, keep_their_neighbors_where_that_is_wanted) {
-  namespace parameters = CGAL::Deformable_simplicial_complexes::parameters;
+  namespace parameters = CGAL::parameters;
   using CGAL::Deformable_simplicial_complexes::Forbid_topology_changes;
   for (int i = 0; i < 40; ++i) {
     DSC::control_detail(dsc, parameters::change_interface(true));

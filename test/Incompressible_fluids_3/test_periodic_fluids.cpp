@@ -42,7 +42,7 @@ Complex drop(const Point& center, std::size_t corners, const Radius& radius) {
   curve.add_polyline(polygon);
   return DSC::make_deformable_simplicial_complex_2<Complex>(
       Domain(), {curve},
-      DSC::parameters::spacing_per_segment(DSC::Construction_options<2>::fine_spacing));
+      CGAL::parameters::spacing_per_segment(DSC::Construction_options<2>::fine_spacing));
 }
 
 DSC::Fluid_properties one_liquid(double viscosity, double tension) {

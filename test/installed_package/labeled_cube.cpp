@@ -1,4 +1,5 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
+#include <CGAL/Mesh_support/parameter_values.h>
 
 #include <array>
 #include <cmath>
@@ -8,6 +9,11 @@
 
 using Complex = CGAL::Deformable_simplicial_complex_3<>;
 using Point = Complex::Point_3;
+
+// The compiler finds the extension of CGAL's list of named parameters.
+static_assert(CGAL::Deformable_simplicial_complexes::is_given<
+              decltype(CGAL::parameters::visitor(1).quality_threshold(.3)),
+              CGAL::internal_np::quality_threshold_t>);
 
 // The unit cube in six tetrahedra about a diagonal. The bits of i are the coordinates (x, y, z) of
 // vertex i. Label 1 is the part x > y.

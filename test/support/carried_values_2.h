@@ -36,7 +36,7 @@ template <class C, class Linear> void expect_carried(C dsc, const Linear& linear
   }
   const std::array<double, 2> before = {integral(dsc, averages, 0), integral(dsc, averages, 1)};
   const auto change = [&dsc](auto& visitor) {
-    const auto np = DSC::parameters::visitor(std::ref(visitor));
+    const auto np = CGAL::parameters::visitor(std::ref(visitor));
     const auto improved = DSC::improve_mesh(dsc, np.quality_threshold(.6)),
                split = DSC::control_detail(dsc, np.split_length(1.3).collapse_length(.9));
     return improved.flipped + improved.smoothed > 0 && split.split + split.collapsed > 0;

@@ -52,7 +52,7 @@ inline Complex region(const Polygon& polygon, const Polygon& hole, const CGAL::B
     curves.back().label = 0;
   }
   return DSC::make_deformable_simplicial_complex_2<Complex>(
-      curves, DSC::parameters::enclosing_box(box).spacing_per_segment(
+      curves, CGAL::parameters::enclosing_box(box).spacing_per_segment(
                   DSC::Construction_options<2>::fine_spacing));
 }
 
@@ -76,7 +76,7 @@ Complex grid(std::size_t columns, std::size_t rows, const Point_at& point_at,
     }
   // Thin rows stay as they are.
   return DSC::make_deformable_simplicial_complex_2<Complex>(
-      points, triangles, labels, DSC::parameters::edge_per_thickness(0.));
+      points, triangles, labels, CGAL::parameters::edge_per_thickness(0.));
 }
 
 } // namespace planar_regions

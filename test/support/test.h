@@ -29,10 +29,10 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL::Deformable_simplicial_complexes::parameters {}
+namespace CGAL::parameters {}
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
-namespace parameters = DSC::parameters;
+namespace parameters = CGAL::parameters;
 namespace fs = std::filesystem;
 
 inline bool contains(const std::string& text, const std::string& part) {

@@ -79,25 +79,40 @@ inline Bbox_2 box_of(const Bbox_2& given) { return given; }
 inline Bbox_3 box_of(const Bbox_3& given) { return given; }
 template <class Box> auto box_of(const Box& given) { return given.bbox(); }
 
+// Does not compile if parameters of the box are given to a function that makes a complex of given
+// cells.
+template <int dimension, class NamedParameters> void refuse_box(const NamedParameters& np) {
+  refuse_parameters<Construction_options<dimension>, internal_np::enclosing_box_t,
+                    internal_np::normalize_t, internal_np::box_subdivision_t,
+                    internal_np::spacing_per_segment_t>(np);
+}
+
 } // namespace internal
 
 /*!
 \ingroup PkgComplexConstructionRef
 
-Returns the options that named parameters give, or checks and returns given options.
+Returns the options that named parameters give, or checks and returns given options. A named
+parameter that has no effect in this dimension does not compile.
 
 \tparam dimension dimension of the complex, 2 or 3
+\tparam Others tags of parameters that the caller reads
 \param np named parameters, or a `Construction_options<dimension>`
 \throws Error if a value is out of its range
 */
-template <int dimension, class NamedParameters>
+template <int dimension, class... Others, class NamedParameters>
 Construction_options<dimension> construction_options(const NamedParameters& np) {
   Construction_options<dimension> result;
   if constexpr (std::is_same<NamedParameters, Construction_options<dimension>>::value)
     result = np;
   else {
     using internal_np::enclosing_box_t;
-    read_parameters<enclosing_box_t>(np, result);
+    if constexpr (dimension == 2)
+      internal::refuse_parameters<Construction_options<2>, internal_np::normalize_t,
+                                  internal_np::box_subdivision_t>(np);
+    else
+      internal::refuse_parameters<Construction_options<3>, internal_np::spacing_per_segment_t>(np);
+    read_parameters<enclosing_box_t, Others...>(np, result);
     if constexpr (is_given<NamedParameters, enclosing_box_t>)
       result.enclosing_box = internal::box_of(parameter(np, enclosing_box_t()));
   }

@@ -289,10 +289,10 @@ n log n in the number of voxels at the interface, linear in the number of the ot
 \param image image of integers whose absolute values are less than 2^31
 \param edge approximate length of interface edges, in the unit of the image, positive; or 0 for 2.5
        times the longest side of a voxel. Edges are shorter where components are small.
-\param np a `Construction_options<3>`, or named parameters `normalize`, `enclosing_box`, `improve`,
-       `quality_threshold`, `number_of_iterations` of `make_deformable_simplicial_complex_3()` from
-       surfaces. By default, `enclosing_box` is the box of all voxels. Another box must contain all
-       voxels with labels other than 0 in its interior.
+\param np a `Construction_options<3>`, or the named parameters of
+       `make_deformable_simplicial_complex_3()` from surfaces, except `box_subdivision`. By default,
+`enclosing_box` is the box of all voxels. Another box must contain all voxels with labels other than
+0 in its interior.
 
 \throws Error if the image has no voxels, has several values for a voxel or holds a value that is
         not a label; if the sides of voxels are not positive and finite; if more than 2^20 voxels
@@ -308,6 +308,7 @@ Complex make_complex_from_labeled_image_3(const Image_3& image, double edge,
   if (!(edge >= 0) || !std::isfinite(edge))
     throw Error(
         "the edge length is negative or not finite: use a positive length, or 0 for the default");
+  internal::refuse_parameters<Construction_options<3>, internal_np::box_subdivision_t>(np);
   const auto options = construction_options<3>(np);
   const auto& domain = options.enclosing_box;
   const internal::Labeled_voxels_3 voxels =

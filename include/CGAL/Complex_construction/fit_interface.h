@@ -103,6 +103,8 @@ phases: the volume of a ball with a radius of three edges is correct to a thousa
 The function calls `label_at` about 40 times for each facet in each of three repetitions, then 100
 times in space, 50 times in the plane, in each of at most five more.
 
+\tparam ConcurrencyTag gives the default of `number_of_threads`: 1, or all threads if it is
+        `Parallel_tag`
 \param dsc the complex
 \param label_at `label_at(p)` returns the label at an `Point` of the domain; or
        `label_at(points)` returns the labels at a vector of them
@@ -110,7 +112,7 @@ times in space, 50 times in the plane, in each of at most five more.
 \return the report of the last deformation
 \throws Error as `deform_interface()` does, or if the number of labels at points is wrong
 */
-template <class Complex, class LabelAt,
+template <class ConcurrencyTag = Sequential_tag, class Complex, class LabelAt,
           class NamedParameters = parameters::Default_named_parameters>
 Deformation_report<Complex> fit_interface(Complex& dsc, const LabelAt& label_at,
                                           const NamedParameters& np = NamedParameters()) {
@@ -119,8 +121,8 @@ Deformation_report<Complex> fit_interface(Complex& dsc, const LabelAt& label_at,
   Deformation_report<Complex> report;
   for (int i = 0; i < rounds && !report.stopped; ++i) {
     const Interface_snapshot<Complex> interface_(dsc);
-    report = deform_interface_to(dsc, interface_,
-                                 internal::changes_of_labels(dsc, label_at, interface_), np);
+    report = deform_interface_to<ConcurrencyTag>(
+        dsc, interface_, internal::changes_of_labels(dsc, label_at, interface_), np);
   }
   // Usually two rounds; lines where labels meet need more, because each sheet moves them.
   static constexpr int most_volume_rounds = 5;
@@ -130,7 +132,7 @@ Deformation_report<Complex> fit_interface(Complex& dsc, const LabelAt& label_at,
     const internal::Missed_volumes<Complex> missed(dsc, label_at, interface_);
     if (!(missed.longest_displacement() > shortest * dsc.mean_interface_edge()))
       break;
-    report = deform_interface_to(dsc, interface_, missed.destinations(), np);
+    report = deform_interface_to<ConcurrencyTag>(dsc, interface_, missed.destinations(), np);
   }
   return report;
 }

@@ -194,6 +194,7 @@ Complex make_deformable_simplicial_complex_2(
     const Torus_domain<2>& domain,
     const std::vector<Labeled_curve_2<typename Complex::Point_2>>& curves,
     const NP& np = parameters::default_values()) {
+  internal::refuse_parameters<Construction_options<2>, internal_np::enclosing_box_t>(np);
   const internal::Closed_curves_2<typename Complex::Label> closed(curves);
   return internal::fill_box(
       Complex(domain), closed.soup, internal::box_of_torus(closed.soup, domain.periods()),
@@ -244,8 +245,8 @@ between different labels, with about a kilobyte of memory for each segment of th
 
 \param image labels of square pixels of side 1, from the origin
 \param edge approximate length of the segments of the interface, in pixels; at least 1
-\param np the named parameters above. By default, `enclosing_box` is the rectangle of all pixels.
-       The space between the image and a larger box has label 0.
+\param np the named parameters above, except `spacing_per_segment`. By default, `enclosing_box` is
+       the rectangle of all pixels. The space between the image and a larger box has label 0.
 
 \throws Error if the image has no pixels, more than 2^20 of them in a row or column, or not one
         label for each pixel; if `edge` is less than 1; if the image is neither strictly inside the
@@ -254,6 +255,7 @@ between different labels, with about a kilobyte of memory for each segment of th
 template <class Complex, class NP = parameters::Default_named_parameters>
 Complex make_deformable_simplicial_complex_2(const Labeled_image_2& image, double edge = 2.5,
                                              const NP& np = parameters::default_values()) {
+  internal::refuse_parameters<Construction_options<2>, internal_np::spacing_per_segment_t>(np);
   const auto options = construction_options<2>(np);
   const internal::Image_filling_2 filling =
       internal::fill_image(image, edge, options.enclosing_box);
@@ -284,6 +286,7 @@ Complex make_deformable_simplicial_complex_2(std::vector<typename Complex::Point
                                              std::vector<std::array<std::size_t, 3>> triangles,
                                              const std::vector<typename Complex::Label>& labels,
                                              const NP& np = parameters::default_values()) {
+  internal::refuse_box<2>(np);
   const auto options = construction_options<2>(np);
   Complex dsc;
   internal::merge_equal_points<2>(points, triangles);

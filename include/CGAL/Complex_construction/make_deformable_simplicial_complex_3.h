@@ -191,8 +191,8 @@ Complex make_deformable_simplicial_complex_3(const FaceListGraph& surface,
   internal::Triangle_soup_3 soup;
   Polygon_mesh_processing::polygon_mesh_to_polygon_soup(surface, points, soup.triangles, np);
   soup.points = internal::all_coordinates(points);
-  return internal::make_from_soups<Complex>({soup}, {1}, tetrahedralizer,
-                                            construction_options<3>(np));
+  return internal::make_from_soups<Complex>(
+      {soup}, {1}, tetrahedralizer, construction_options<3, CGAL::internal_np::vertex_point_t>(np));
 }
 
 /*!
@@ -262,6 +262,7 @@ Complex make_deformable_simplicial_complex_3(std::vector<typename Complex::Point
                                              std::vector<std::array<std::size_t, 4>> tetrahedra,
                                              const std::vector<typename Complex::Label>& labels,
                                              const NP& np = parameters::default_values()) {
+  internal::refuse_box<3>(np);
   const auto options = construction_options<3>(np);
   Complex dsc;
   internal::merge_equal_points<3>(points, tetrahedra);

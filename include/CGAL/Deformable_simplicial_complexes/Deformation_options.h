@@ -169,8 +169,9 @@ does, and the flow. The visitor is not replaced, because an object must own it.
 template <class Complex, class NamedParameters, class Options>
 void read_parameters(const Complex& complex, const NamedParameters& np, Options& options) {
   using internal_np::flow_t;
+  internal::Named_parameter_check<decltype(internal::find_untaken<Options>(np)), Options>();
   read_parameters<flow_t, internal_np::visitor_t>(np, options);
-  if constexpr (is_given<NamedParameters, flow_t>)
+  if constexpr (is_given<NamedParameters, flow_t> && internal::is_option<flow_t, Options>())
     internal::visit_option<flow_t>(options, [&](const char*, auto& flow) {
       flow = internal::flow_of_vertices(complex, parameter(np, flow_t()));
     });
@@ -180,15 +181,25 @@ namespace internal {
 
 // Calls a function with the options and the visitor that named parameters give, or with given
 // options.
+// \tparam ConcurrencyTag determines the default number of threads
 // \param np named parameters, or options
 // \param defaults the options, with the default values
-template <class Complex, class NamedParameters, class Options, class Call>
+template <class ConcurrencyTag = Sequential_tag, class Complex, class NamedParameters,
+          class Options, class Call>
 auto call_with_parameters(const Complex& complex, const NamedParameters& np, Options defaults,
                           const Call& call) {
   if constexpr (std::is_same<NamedParameters, Options>::value)
     return call(np);
-  else {
+  else if constexpr (!is_chain<NamedParameters>) {
+    static_assert(is_chain<NamedParameters>, "the last argument is neither a chain of named "
+                                             "parameters nor the options of this function");
+    return call(std::as_const(defaults));
+  } else {
     using internal_np::visitor_t;
+    Named_parameter_check<decltype(find_untaken<Options>(np)), Options>();
+    visit_option<internal_np::number_of_threads_t>(defaults, [](const char*, unsigned& number) {
+      number = default_number_of_threads<ConcurrencyTag>();
+    });
     read_parameters(complex, np, defaults);
     if constexpr (is_given<NamedParameters, visitor_t>) {
       auto given = parameter(np, visitor_t());

@@ -96,6 +96,8 @@ Each pass does the following:
   became small;
 - it improves cells whose quality became low.
 
+\tparam ConcurrencyTag gives the default of `number_of_threads`: 1, or all threads if it is
+        `Parallel_tag`
 \param dsc the complex
 \param destination function object `Point destination(Vertex_handle v)`, called once for each vertex
        of the interface, in the coordinates of the complex. A vertex on a side of the domain moves
@@ -115,7 +117,7 @@ Each pass does the following:
 
 After an exception of the visitor or of `interface_energy`, the complex is valid.
 */
-template <class Complex, class Destination,
+template <class ConcurrencyTag = Sequential_tag, class Complex, class Destination,
           class NamedParameters = parameters::Default_named_parameters>
 Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& destination,
                                              const NamedParameters& np = NamedParameters()) {
@@ -126,7 +128,7 @@ Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& de
   static_assert(is_destination, "the destination is a function of vertices: "
                                 "Point destination(Vertex_handle v) const");
   if constexpr (is_destination)
-    return internal::call_with_parameters(
+    return internal::call_with_parameters<ConcurrencyTag>(
         dsc, np, Deformation_options<Complex>(), [&](const auto& options) {
           const std::vector<Vertex_handle> vertices = dsc.interface_vertices();
           std::vector<Point> destinations;
@@ -142,6 +144,8 @@ Deformation_report<Complex> deform_interface(Complex& dsc, const Destination& de
 
 Moves the interface as `deform_interface()` does, with destinations in the order of a snapshot.
 
+\tparam ConcurrencyTag gives the default of `number_of_threads`: 1, or all threads if it is
+        `Parallel_tag`
 \param dsc the complex
 \param interface_ the interface of the complex, or its vertices
 \param destinations one for each vertex of the snapshot, in the coordinates of the complex
@@ -151,12 +155,13 @@ Moves the interface as `deform_interface()` does, with destinations in the order
 \throws Invalid_destination_error if a destination is not finite or their number is wrong
 \throws Error as `deform_interface()` does
 */
-template <class Complex, class NamedParameters = parameters::Default_named_parameters>
+template <class ConcurrencyTag = Sequential_tag, class Complex,
+          class NamedParameters = parameters::Default_named_parameters>
 Deformation_report<Complex>
 deform_interface_to(Complex& dsc, const Interface_vertices<Complex>& interface_,
                     const std::vector<typename Complex::Point>& destinations,
                     const NamedParameters& np = NamedParameters()) {
-  return internal::call_with_parameters(
+  return internal::call_with_parameters<ConcurrencyTag>(
       dsc, np, Deformation_options<Complex>(), [&](const auto& options) {
         if (destinations.size() != interface_.vertices.size())
           throw Invalid_destination_error(

@@ -166,6 +166,8 @@ and facets of the interface may become longer, because the flow may bring the in
 that contracts the interface does not bring it back. Its defaults of `quality_threshold`,
 `minimum_angle` and `minimum_facet_angle` are those of `advect_interface()`.
 
+\tparam ConcurrencyTag gives the default of `number_of_threads`: 1, or all threads if it is
+        `Parallel_tag`
 \param dsc the complex
 \param velocity as for `advect_interface()`. If the interface is worn, the step is integrated once
        more. The velocity contracts the interface if its type has a member
@@ -188,7 +190,7 @@ that contracts the interface does not bring it back. Its defaults of `quality_th
 The time is that of `advect_interface()`. A step that adapts takes additional time: n log n in the
 size of the interface, and one pass over the cells.
 */
-template <class Complex, class Velocity,
+template <class ConcurrencyTag = Sequential_tag, class Complex, class Velocity,
           class NamedParameters = parameters::Default_named_parameters>
 Deformation_report<Complex> advect_adaptively(Complex& dsc, const Velocity& velocity, double t,
                                               double dt,
@@ -199,7 +201,7 @@ Deformation_report<Complex> advect_adaptively(Complex& dsc, const Velocity& velo
       "the velocity models none of VelocityField, VelocityFieldOfPoints, InterfaceFlowMap, "
       "InterfaceVelocity and InterfaceStep: compare its operator() with these concepts");
   if constexpr (is_velocity)
-    return internal::call_with_parameters(
+    return internal::call_with_parameters<ConcurrencyTag>(
         dsc, np, Adaptive_advection_options<Complex>(internal::contracts_interface<Velocity>),
         [&](const auto& options) {
           return internal::adapt_and_advect(

@@ -307,6 +307,8 @@ vertex, then moves the interface to the end points of the paths, as `deform_inte
 interface does not follow the paths within the step. If the velocity is a field or an invertible
 flow map, free vertices near the interface also move with it, unless the parameter `flow` is given.
 
+\tparam ConcurrencyTag gives the default of `number_of_threads`: 1, or all threads if it is
+        `Parallel_tag`
 \param dsc the complex
 \param velocity one of the following forms. If a type has several of these operators, the order is:
        flow map, interface step, velocity field, interface velocity.
@@ -346,7 +348,7 @@ flow map, free vertices near the interface also move with it, unless the paramet
 The complex is unchanged if one of these errors is thrown in the first part of the time step.
 Otherwise, the earlier parts are done.
 */
-template <class Complex, class Velocity,
+template <class ConcurrencyTag = Sequential_tag, class Complex, class Velocity,
           class NamedParameters = parameters::Default_named_parameters>
 Deformation_report<Complex> advect_interface(Complex& dsc, const Velocity& velocity, double t,
                                              double dt,
@@ -357,7 +359,7 @@ Deformation_report<Complex> advect_interface(Complex& dsc, const Velocity& veloc
       "the velocity models none of VelocityField, VelocityFieldOfPoints, InterfaceFlowMap, "
       "InterfaceVelocity and InterfaceStep: compare its operator() with these concepts");
   if constexpr (is_velocity)
-    return internal::call_with_parameters(
+    return internal::call_with_parameters<ConcurrencyTag>(
         dsc, np, Advection_options<Complex>(), [&](const auto& options) {
           return internal::advect(dsc, internal::Step_velocity_of<Complex, Velocity>(velocity), t,
                                   dt, options);

@@ -218,6 +218,8 @@ The quality is that of the complex's quality measure. If dihedral angles are imp
 `Biased_minimum_sine_3`. The result is deterministic: random numbers come from generators with fixed
 seeds.
 
+\tparam ConcurrencyTag gives the default of `number_of_threads`: 1, or all threads if it is
+        `Parallel_tag`
 \param dsc the complex
 \param np a `Mesh_improvement_options`, or named parameters with the names of its members. A visitor, a `Deformation_visitor`, is given by value or by `std::reference_wrapper`.
 
@@ -226,9 +228,10 @@ seeds.
 
 After an exception of the visitor, the complex is valid.
 */
-template <class Complex, class NamedParameters = parameters::Default_named_parameters>
+template <class ConcurrencyTag = Sequential_tag, class Complex,
+          class NamedParameters = parameters::Default_named_parameters>
 Improvement_report improve_mesh(Complex& dsc, const NamedParameters& np = NamedParameters()) {
-  return internal::call_with_parameters(
+  return internal::call_with_parameters<ConcurrencyTag>(
       dsc, np, Mesh_improvement_options<Complex>(),
       [&](const auto& options) { return internal::improve_whole_mesh(dsc, options); });
 }

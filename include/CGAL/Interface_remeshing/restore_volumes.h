@@ -116,6 +116,8 @@ step of a volume-preserving flow whose discretization changes volumes. The corre
 until the volumes are correct, since `deform_interface()` may change the mesh. Linear in the size of
 the interface, plus the deformations.
 
+\tparam ConcurrencyTag gives the default of `number_of_threads`: 1, or all threads if it is
+        `Parallel_tag`
 \param dsc the complex
 \param volumes target volumes of labels, positive, in the coordinates of the complex. Labels without
        a target volume share the rest of the domain.
@@ -130,11 +132,12 @@ the interface, plus the deformations.
         domain, or if some are given and leave no volume for the others. The complex is then
         unchanged.
 */
-template <class Complex, class NamedParameters = parameters::Default_named_parameters>
+template <class ConcurrencyTag = Sequential_tag, class Complex,
+          class NamedParameters = parameters::Default_named_parameters>
 Volume_report<Complex> restore_volumes(Complex& dsc,
                                        const std::map<typename Complex::Label, double>& volumes,
                                        const NamedParameters& np = NamedParameters()) {
-  return internal::call_with_parameters(
+  return internal::call_with_parameters<ConcurrencyTag>(
       dsc, np, Volume_restoration_options<Complex>(),
       [&](const auto& options) { return internal::restore_all_volumes(dsc, volumes, options); });
 }

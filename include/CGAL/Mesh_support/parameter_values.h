@@ -12,11 +12,13 @@
 
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/named_parameters.h>
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <thread>
 #include <type_traits>
 #include <utility>
 
@@ -52,15 +54,18 @@ namespace internal {
 template <class Tag> struct Named_option
 {
 };
-#define CGAL_DSC_PARAMETER(NAME)                                                                   \
-  template <> struct Named_option<internal_np::NAME##_t>                                           \
+#define CGAL_add_named_parameter(X, Y, Z)                                                          \
+  template <> struct Named_option<internal_np::X>                                                  \
   {                                                                                                \
-    static constexpr const char* name = #NAME;                                                     \
-    template <class Options> static auto member(Options& options) -> decltype((options.NAME)) {    \
-      return options.NAME;                                                                         \
+    static constexpr const char* name = #Z;                                                        \
+    template <class Options> static auto member(Options& options) -> decltype((options.Z)) {       \
+      return options.Z;                                                                            \
     }                                                                                              \
   };
 #include <CGAL/Mesh_support/named_parameter_list.h>
+CGAL_add_named_parameter(number_of_iterations_t, number_of_iterations, number_of_iterations);
+CGAL_add_named_parameter(visitor_t, visitor, visitor);
+#undef CGAL_add_named_parameter
 
 template <class Tag, class Options, class = void> inline constexpr bool has_option = false;
 template <class Tag, class Options>
@@ -83,6 +88,50 @@ template <class Options, class = void> inline constexpr bool has_base_options = 
 template <class Options>
 inline constexpr bool
     has_base_options<Options, std::void_t<decltype(base_options(std::declval<Options&>()))>> = true;
+
+// Returns whether a struct of options, or one that it extends, has the name of a named parameter.
+template <class Tag, class Options> constexpr bool is_option() {
+  if constexpr (has_base_options<Options>)
+    if (is_option<Tag, std::decay_t<decltype(base_options(std::declval<Options&>()))>>())
+      return true;
+  return has_option<Tag, Options>;
+}
+
+// Returns the tag of a named parameter of a chain that is neither the name of an option nor in
+// `Others`; nothing if there is none.
+template <class Options, class... Others, class T, class Tag, class Base>
+auto find_untaken(const Named_function_parameters<T, Tag, Base>& np) {
+  if constexpr (!is_option<Tag, Options>() &&
+                !std::is_same<Tag, CGAL::internal_np::all_default_t>::value &&
+                !(std::is_same<Tag, Others>::value || ...))
+    return Tag();
+  else if constexpr (!std::is_same<Base, CGAL::internal_np::No_property>::value)
+    return find_untaken<Options, Others...>(static_cast<const Base&>(np));
+}
+
+// Does not compile if a function does not take a named parameter. The first lines of the message
+// contain the tag of the parameter and the options of the function.
+template <class Untaken_parameter, class Options> struct Named_parameter_check
+{
+  static_assert(std::is_void<Untaken_parameter>::value,
+                "the function does not take this named parameter; the named parameters that it "
+                "takes are members of its options");
+};
+
+// Whether a type is that of a chain of named parameters.
+template <class NamedParameters, class = void> inline constexpr bool is_chain = false;
+template <class NamedParameters>
+inline constexpr bool is_chain<NamedParameters, std::void_t<typename NamedParameters::base>> = true;
+
+// Does not compile if named parameters are given that are members of the options of a function,
+// but that the function does not take.
+template <class Options, class... Tags, class NamedParameters>
+void refuse_parameters(const NamedParameters&) {
+  if constexpr (is_chain<NamedParameters>)
+    (Named_parameter_check<std::conditional_t<is_given<NamedParameters, Tags>, Tags, void>,
+                           Options>(),
+     ...);
+}
 
 // Calls `f(name, value)` for the option with the name of a named parameter, if there is one.
 template <class Tag, class Options, class F> void visit_option(Options& options, const F& f) {
@@ -130,8 +179,11 @@ visited, too.
 \param f function object, called as `f(name, value)` with the name and a reference to the member
 */
 template <class Options, class F> void for_each_option(Options& options, const F& f) {
-#define CGAL_DSC_PARAMETER(NAME) internal::visit_option<internal_np::NAME##_t>(options, f);
+#define CGAL_add_named_parameter(X, Y, Z) internal::visit_option<internal_np::X>(options, f);
 #include <CGAL/Mesh_support/named_parameter_list.h>
+#undef CGAL_add_named_parameter
+  internal::visit_option<internal_np::number_of_iterations_t>(options, f);
+  internal::visit_option<internal_np::visitor_t>(options, f);
 }
 
 /*!
@@ -139,7 +191,8 @@ template <class Options, class F> void for_each_option(Options& options, const F
 
 Replaces the members of a struct of options that are given as named parameters with the same names,
 also in the structs of options that `for_each_option()` visits. A count is an integer of any type. A
-pointer is given as a `std::reference_wrapper`. Other ranges than that of counts are not checked.
+pointer is given as a `std::reference_wrapper`. Other ranges than that of counts are not checked. A
+named parameter that is neither a member nor in `Others` does not compile.
 
 \tparam Others tags of parameters that the caller reads
 \param np the named parameters
@@ -148,6 +201,8 @@ pointer is given as a `std::reference_wrapper`. Other ranges than that of counts
 */
 template <class... Others, class NamedParameters, class Options>
 void read_parameters(const NamedParameters& np, Options& options) {
+  using Untaken_parameter = decltype(internal::find_untaken<Options, Others...>(np));
+  internal::Named_parameter_check<Untaken_parameter, Options>();
   internal::for_each_tag(np, [&](auto tag) {
     using Tag = decltype(tag);
     if constexpr (!(std::is_same<Tag, Others>::value || ...))
@@ -155,6 +210,23 @@ void read_parameters(const NamedParameters& np, Options& options) {
         internal::replace_option(name, parameter(np, Tag()), value);
       });
   });
+}
+
+/*!
+\ingroup PkgMeshSupportRef
+
+Returns the default value of the named parameter `number_of_threads` of a function: 1, or the number
+of hardware threads for a parallel tag.
+
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`.
+        `Parallel_tag` does not compile without TBB.
+*/
+template <class ConcurrencyTag> unsigned default_number_of_threads() {
+  static constexpr bool is_parallel = std::is_convertible<ConcurrencyTag, Parallel_tag>::value;
+#ifndef CGAL_LINKED_WITH_TBB
+  static_assert(!is_parallel, "Parallel_tag needs TBB: link with CGAL::TBB_support");
+#endif
+  return is_parallel ? (std::max)(1u, std::thread::hardware_concurrency()) : 1;
 }
 
 /*!

@@ -105,6 +105,8 @@ nearest neighbors. The *noise* is the median of the residuals of quadrics that a
 neighbors of each point.
 
 \tparam Complex an instance of `Deformable_simplicial_complex_3`
+\tparam ConcurrencyTag gives the default of `number_of_threads`: 1, or all threads if it is
+        `Parallel_tag`
 \tparam PointRange a range whose value type is the key type of the point map, or a `Point_set_3`. By
         default, the points and normals of a `Point_set_3` are used.
 
@@ -134,7 +136,8 @@ interface.
 
 \sa `reconstruct_sheet_3()`
 */
-template <class Complex, class PointRange, class NP = parameters::Default_named_parameters>
+template <class Complex, class ConcurrencyTag = Sequential_tag, class PointRange,
+          class NP = parameters::Default_named_parameters>
 Complex reconstruct_point_set_3(const PointRange& points,
                                 const NP& np = parameters::default_values()) {
   using Options = Reconstruction_options_3<Complex>;
@@ -142,7 +145,8 @@ Complex reconstruct_point_set_3(const PointRange& points,
     return internal::reconstruct(points, parameters::default_values(), np);
   else {
     Options options;
-    read_parameters(np, options);
+    options.number_of_threads = default_number_of_threads<ConcurrencyTag>();
+    read_parameters<CGAL::internal_np::point_t, CGAL::internal_np::normal_t>(np, options);
     return internal::reconstruct(points, np, options);
   }
 }

@@ -114,6 +114,8 @@ the order of the points.
 
 At the end, the result is verified by the points; see `Sheet_report_3::is_complete`.
 
+\tparam ConcurrencyTag gives the default of `number_of_threads`: 1, or all threads if it is
+        `Parallel_tag`
 \tparam PointRange a range whose value type is the key type of the point map, or a `Point_set_3`
 
 \param points the points, in any order
@@ -132,7 +134,8 @@ If an exception is thrown, the report is unchanged.
 
 \sa `reconstruct_point_set_3()`
 */
-template <class PointRange, class NP = parameters::Default_named_parameters>
+template <class ConcurrencyTag = Sequential_tag, class PointRange,
+          class NP = parameters::Default_named_parameters>
 Reconstructed_sheet_3 reconstruct_sheet_3(const PointRange& points,
                                           const NP& np = parameters::default_values()) {
   if constexpr (std::is_same<NP, Sheet_options_3>::value)
@@ -140,7 +143,8 @@ Reconstructed_sheet_3 reconstruct_sheet_3(const PointRange& points,
         internal::collect_points(points, parameters::default_values()), np);
   else {
     Sheet_options_3 options;
-    read_parameters(np, options);
+    options.number_of_threads = default_number_of_threads<ConcurrencyTag>();
+    read_parameters<CGAL::internal_np::point_t>(np, options);
     return internal::reconstruct_sheet(internal::collect_points(points, np), options);
   }
 }

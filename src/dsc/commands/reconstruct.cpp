@@ -41,7 +41,7 @@
 namespace dsc {
 namespace {
 
-namespace parameters = DSC::parameters;
+namespace parameters = CGAL::parameters;
 using CGAL::IO::Point_and_normal_3;
 using Complex = Tracked_complex_3::Complex;
 using Reconstruction_report = DSC::Reconstruction_report_3<Complex>;

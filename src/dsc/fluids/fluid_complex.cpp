@@ -88,7 +88,7 @@ Curve curve_of(const File_shape& shape, const std::string& path, double edge) {
   return result;
 }
 
-namespace parameters = DSC::parameters;
+namespace parameters = CGAL::parameters;
 
 /// Returns the boundary of a shape in space; nothing for a shape without its own boundary.
 std::optional<Surface> surface_of_shape(const Fluid_shape& shape, double edge,

@@ -29,7 +29,7 @@
 namespace dsc {
 namespace {
 
-namespace parameters = DSC::parameters;
+namespace parameters = CGAL::parameters;
 
 /// Calls the function of the library that makes a complex of either dimension.
 template <class Complex, class... Arguments> Complex make_complex(Arguments&&... arguments) {

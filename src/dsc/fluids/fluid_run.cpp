@@ -19,7 +19,7 @@
 namespace dsc {
 namespace {
 
-namespace parameters = DSC::parameters;
+namespace parameters = CGAL::parameters;
 
 /// Calls f(name, value, is_required) for each field of a state. Earlier checkpoints lack the
 /// others.

@@ -26,7 +26,7 @@ namespace dsc {
 namespace {
 
 using Complex = Tracked_complex_3::Complex;
-namespace parameters = DSC::parameters;
+namespace parameters = CGAL::parameters;
 
 /// Returns whether all tetrahedra at the boundary have label 0, so that there is room around the
 /// interface.

@@ -25,8 +25,8 @@ TEST(Mesh_conversion, there_and_back_keeps_cells_labels_and_the_interface) {
   EXPECT_TRUE(mesh.triangulation().tds().is_valid());
   EXPECT_EQ(mesh.number_of_cells_in_complex(), dsc.number_of_cells(1) + dsc.number_of_cells(2));
   EXPECT_EQ(mesh.number_of_facets_in_complex(), dsc.interface_facets().size());
-  const auto again =
-      DSC::make_complex_from_mesh_complex_3<Complex>(mesh, tetgen, DSC::parameters::improve(false));
+  const auto again = DSC::make_complex_from_mesh_complex_3<Complex>(
+      mesh, tetgen, CGAL::parameters::improve(false));
   EXPECT_TRUE(again.is_valid());
   EXPECT_EQ(again.interface_facets().size(), dsc.interface_facets().size());
   for (int label : {1, 2}) {

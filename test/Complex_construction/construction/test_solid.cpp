@@ -74,7 +74,7 @@ void expect_complex(const Cubes& cubes, std::size_t copies, std::size_t componen
     const Complex copy = dsc;
     EXPECT_TRUE(copy.is_valid(true));
     EXPECT_TRUE(copy.state() == dsc.state());
-    DSC::improve_mesh(dsc, DSC::parameters::aggressive(true));
+    DSC::improve_mesh(dsc, CGAL::parameters::aggressive(true));
   }
 }
 

@@ -84,7 +84,7 @@ TEST(Plane, space_without_flow_follows_the_interface) {
   const Report report = DSC::deform_interface(
       complex,
       [&](Complex::Vertex_handle v) { return Point(v->point().x() + way, v->point().y()); },
-      CGAL::Deformable_simplicial_complexes::parameters::flow(flow));
+      CGAL::parameters::flow(flow));
   EXPECT_TRUE(report.complete);
   double least = way;
   for (const auto& v : around)

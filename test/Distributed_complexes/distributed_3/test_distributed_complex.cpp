@@ -236,8 +236,7 @@ TEST(Distributed_complex, Moves_as_a_complex_on_one_rank_does) {
     DSC::advect_interface(
         c.start, abuse, .1 * step, .06,
         // distributed steps are not divided, and stop at the sides
-        CGAL::Deformable_simplicial_complexes::parameters::largest_displacement(0.).domain_rule(
-            DSC::Domain_rule::stop));
+        CGAL::parameters::largest_displacement(0.).domain_rule(DSC::Domain_rule::stop));
   // A few vertices of this coarse mesh do not arrive, other ones in the two algorithms.
   EXPECT_NEAR(distributed.complex.volume(1), c.start.volume(1), .08 * c.start.volume(1));
   const auto worst = [](const Complex& complex) {

@@ -139,11 +139,7 @@ TEST(Fluid, rests_when_solved_by_iterations) {
   Fluid fluid(complex, liquid(1, 0, 1));
   fluid.solver().use<CGAL::Deformable_simplicial_complexes::Iterative_saddle_point_solver>();
   for (int k = 0; k < 5; ++k)
-    EXPECT_LT(
-        fluid
-            .advance(.05, CGAL::Deformable_simplicial_complexes::parameters::adaptation_interval(0))
-            .greatest_velocity,
-        1e-8);
+    EXPECT_LT(fluid.advance(.05, CGAL::parameters::adaptation_interval(0)).greatest_velocity, 1e-8);
 }
 
 // A mode of order three oscillates only if the volumes of vertices, not of cells, are preserved.

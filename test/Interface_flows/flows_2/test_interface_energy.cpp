@@ -126,7 +126,7 @@ TEST(Junctions, are_edges_in_space) {
     labels.insert(labels.end(), 3, i == 3 ? 1 : int(i) + 1); // two prisms have the label 1
   }
   const auto complex = DSC::make_deformable_simplicial_complex_3<Complex_3>(
-      points, cells, labels, DSC::parameters::improve(false));
+      points, cells, labels, CGAL::parameters::improve(false));
   const auto found = DSC::internal::junctions(complex);
   ASSERT_EQ(found.size(), 1u);
   double sum = 0;

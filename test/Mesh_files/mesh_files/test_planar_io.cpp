@@ -144,8 +144,8 @@ TEST(Extract_polygons, knows_outer_boundaries_exactly) {
   curve.add_polyline(std::vector<Point>{Point(1000.0219146334566, 1000.6913223492447),
                                         Point(1000.5913591883145, 1001.6250651841983),
                                         Point(1000.322820012226, 1001.1847298970524)});
-  const auto dsc = DSC::make_deformable_simplicial_complex_2<Complex>(
-      {curve}, CGAL::Deformable_simplicial_complexes::parameters::improve(false));
+  const auto dsc =
+      DSC::make_deformable_simplicial_complex_2<Complex>({curve}, CGAL::parameters::improve(false));
   const auto polygons = DSC::extract_polygons(dsc, 1);
   ASSERT_EQ(polygons.size(), 1u);
   EXPECT_EQ(polygons[0].outer_boundary().size(), 3u);
@@ -257,7 +257,7 @@ TEST(Polygons_2, of_pinched_regions_pass_no_vertex_twice) {
       labels.insert(labels.end(), 2, (i == 1 && j == 1) || (i == 2 && j == 2) ? 1 : 0);
     }
   const auto dsc = DSC::make_deformable_simplicial_complex_2<Complex>(
-      points, triangles, labels, CGAL::Deformable_simplicial_complexes::parameters::improve(false));
+      points, triangles, labels, CGAL::parameters::improve(false));
   EXPECT_TRUE(dsc.is_valid(true));
   EXPECT_EQ(DSC::extract_polygons(dsc, 1).size(), 2u);
   const auto outside = DSC::extract_polygons(dsc, 0);

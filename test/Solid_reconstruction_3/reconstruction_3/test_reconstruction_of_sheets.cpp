@@ -108,7 +108,7 @@ struct Expected
 void verify(const std::vector<Point>& points, const Expected& expected) {
   Sheet_report_3 report;
   const Reconstructed_sheet_3 sheet =
-      DSC::reconstruct_sheet_3(points, DSC::parameters::report(std::ref(report)));
+      DSC::reconstruct_sheet_3(points, CGAL::parameters::report(std::ref(report)));
   EXPECT_TRUE(report.is_complete);
   EXPECT_EQ(report.number_of_components, expected.components);
   EXPECT_EQ(report.number_of_boundaries, expected.boundaries);
@@ -196,7 +196,7 @@ TEST(Reconstruction_of_sheets, tells_where_the_points_are_no_manifold) {
     points.emplace_back(p.x(), side / 2., p.y());
   }
   Sheet_report_3 report;
-  DSC::reconstruct_sheet_3(points, DSC::parameters::report(std::ref(report)));
+  DSC::reconstruct_sheet_3(points, CGAL::parameters::report(std::ref(report)));
   EXPECT_FALSE(report.is_complete);
   EXPECT_FALSE(report.doubtful_places.empty());
   const auto error = thrown_by<Invalid_points_error>([&] {
@@ -283,7 +283,7 @@ TEST(Reconstruction_of_sheets, stops_at_any_moment) {
                                     std::chrono::milliseconds(0));
     Sheet_report_3 report;
     try {
-      DSC::reconstruct_sheet_3(points, DSC::parameters::report(std::ref(report)));
+      DSC::reconstruct_sheet_3(points, CGAL::parameters::report(std::ref(report)));
     } catch (const DSC::Interrupted_error&) {
       EXPECT_EQ(report.number_of_points, 0);
       return false;

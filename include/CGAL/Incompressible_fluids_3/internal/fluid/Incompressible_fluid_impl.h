@@ -441,6 +441,7 @@ template <class Complex, class Solver>
 template <class NamedParameters>
 auto Incompressible_fluid<Complex, Solver>::options(const NamedParameters& np) const -> Options {
   Options result;
+  internal::refuse_parameters<Options, internal_np::flow_t, internal_np::visitor_t>(np);
   read_parameters(m_complex, np, result);
   return result;
 }
