@@ -165,7 +165,7 @@ public:
   using face_descriptor = typename Types::face_descriptor;         ///< facet of the interface
 
   /// Constructs the graph of the interface of a label; empty if there is none. Linear in the number
-  /// of cells, and n log n in the number of cells of the label.
+  /// of cells, and n log n in the size of the interface.
   Interface_graph_3(const Complex& complex, typename Complex::Label label)
       : m_complex(&complex), m_label(label), m_version(complex.version()) {
     for (Cell_handle c : complex.finite_cells())

@@ -137,7 +137,8 @@ TEST(Interface_graph, has_outward_normals) {
   for (const auto f : faces(g)) {
     const auto facet = g.facet(f);
     const Point inside = facet.first->vertex(facet.second)->point();
-    EXPECT_LT(get(of_faces, f) * (inside - target(halfedge(f, g), g).handle->point()), 0);
+    EXPECT_LT(get(of_faces, f) * (inside - get(CGAL::vertex_point, g, target(halfedge(f, g), g))),
+              0);
   }
   for (const auto v : vertices(g))
     EXPECT_GT(get(of_vertices, v) * (g.vertex_handle(v)->point() - CGAL::ORIGIN), 0);
