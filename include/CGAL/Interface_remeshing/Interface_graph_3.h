@@ -244,7 +244,7 @@ public:
   }
   friend halfedge_descriptor halfedge(vertex_descriptor v, const Graph& g) {
     const auto place = std::lower_bound(g.m_vertices.begin(), g.m_vertices.end(), v);
-    return g.m_halfedges_to_vertices[place - g.m_vertices.begin()];
+    return g.m_halfedges_to_vertices[std::size_t(place - g.m_vertices.begin())];
   }
   friend auto halfedge(vertex_descriptor u, vertex_descriptor v, const Graph& g) {
     for (halfedge_descriptor h : halfedges_around_target(v, g))
