@@ -42,7 +42,7 @@ int main() {
     const auto report = DSC::deform_interface(
         complex,
         [](Complex::Vertex_handle v) { return CGAL::ORIGIN + .9 * (v->point() - CGAL::ORIGIN); },
-        DSC::parameters::visitor(Three_passes()));
+        CGAL::parameters::visitor(Three_passes()));
     if (step % 5 == 0)
       std::cout << "step " << step << ": area " << complex.area(1) << ", length "
                 << complex.length(1) << ", " << report.collapsed << " collapses" << std::endl;

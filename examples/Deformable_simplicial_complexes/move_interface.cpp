@@ -70,7 +70,7 @@ int main() {
           const Point& p = v->point();
           return p + Kernel::Vector_3(p.x() < 0 ? .05 : -.05, 0, 0);
         },
-        DSC::parameters::visitor(std::ref(printer)));
+        CGAL::parameters::visitor(std::ref(printer)));
     std::cout << "step " << step << ": volume " << complex.volume(1) << ", "
               << report.unfinished.size() << " vertices did not arrive" << std::endl;
   }

@@ -57,7 +57,7 @@ int main() {
   assert(throws<DSC::Error>([&] {
     DSC::deform_interface(
         complex, [](Complex::Vertex_handle v) { return v->point(); },
-        DSC::parameters::quality_threshold(2));
+        CGAL::parameters::quality_threshold(2));
   }));
   assert(complex.state() == before);
 
@@ -69,7 +69,7 @@ int main() {
   assert(throws<int>([&] {
     DSC::deform_interface(
         complex, [](Complex::Vertex_handle v) { return v->point() + Kernel::Vector_3(.1, 0, 0); },
-        DSC::parameters::visitor(Visitor()));
+        CGAL::parameters::visitor(Visitor()));
   }));
   assert(complex.is_valid());
 

@@ -46,7 +46,7 @@ int main() {
   forbidden.assign(mesh.points, mesh.tetrahedra, mesh.labels);
   assert(free.number_of_components(1) == 2);
 
-  const auto merged = approach(free, DSC::parameters::maximum_number_of_passes(20));
+  const auto merged = approach(free, CGAL::parameters::maximum_number_of_passes(20));
   assert(free.number_of_components(1) == 1 && merged.relabeled > 0 && !merged.events.empty());
   for (const auto& change : merged.labels) {
     assert(change.after == free.number_of_components(change.label));
@@ -55,7 +55,7 @@ int main() {
   }
 
   const auto apart =
-      approach(forbidden, DSC::parameters::topology_control(DSC::Forbid_topology_changes()));
+      approach(forbidden, CGAL::parameters::topology_control(DSC::Forbid_topology_changes()));
   assert(forbidden.number_of_components(1) == 2 && forbidden.number_of_components(0) == 1);
   assert(apart.events.empty() && !apart.complete && !apart.unfinished.empty());
   return EXIT_SUCCESS;

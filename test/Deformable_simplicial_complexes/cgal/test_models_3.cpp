@@ -58,7 +58,7 @@ int main() {
     const auto report = DSC::deform_interface(
         complex,
         [](Complex::Vertex_handle v) { return CGAL::ORIGIN + .8 * (v->point() - CGAL::ORIGIN); },
-        DSC::parameters::topology_control(std::ref(control)).visitor(std::ref(counter)));
+        CGAL::parameters::topology_control(std::ref(control)).visitor(std::ref(counter)));
     assert(complex.is_valid());
     relabeled += report.relabeled;
     passes += report.passes;

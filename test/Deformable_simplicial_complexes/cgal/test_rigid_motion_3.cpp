@@ -45,7 +45,7 @@ int main() {
       destinations.push_back(destination(v->point()));
     const auto report = DSC::deform_interface(
         complex, [](Complex::Vertex_handle v) { return destination(v->point()); },
-        DSC::parameters::number_of_threads(i == 2 ? 3 : 1));
+        CGAL::parameters::number_of_threads(i == 2 ? 3 : 1));
 
     // All vertices are exactly at their destinations, and nothing was lost.
     assert(report.complete && report.unfinished.empty() && report.relabeled == 0);
