@@ -1,15 +1,16 @@
 #!/usr/bin/env bash
 # Runs the checks that take too long for scripts/test.sh: the benchmarks, all headers alone, the thread
 # sanitizer, the other sanitizers, GCC, CGAL 6, more damaged files, random deformations, all examples, files
-# of all programs that Debian has, the parallel solver, packages on a bare Debian 12, and Debian 13.
+# of all programs that Debian has, the parallel solver, other toolchains, packages on a bare Debian 12, and
+# Debian 13.
 # Usage: scripts/check_more.sh [benchmarks] [headers] [threads] [sanitizers] [gcc] [cgal_6] [fuzz] [abuse]
-#          [examples] [formats] [petsc] [packages] [debian_13]
+#          [examples] [formats] [petsc] [toolchains] [packages] [debian_13]
 # Runs all parts by default. Prints a line for each part; its full output is in build-more/PART.log.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 parts=("$@")
 [ ${#parts[@]} -gt 0 ] || parts=(benchmarks headers threads sanitizers gcc cgal_6 fuzz abuse examples formats
-  petsc packages debian_13)
+  petsc toolchains packages debian_13)
 jobs=$(nproc)
 work=build-more
 mkdir -p "$work"
@@ -114,6 +115,11 @@ check_petsc() {
   cmake --build "$work/petsc" --parallel "$jobs" --target dsc dsc-fluid dsc-fluid-petsc test_petsc \
     test_petsc_program
   ctest --test-dir "$work/petsc" --output-on-failure --no-tests=error --tests-regex '^test_petsc'
+}
+
+# Tests the kernel with libc++, with C++20, and on Windows.
+check_toolchains() {
+  scripts/check_toolchains.sh
 }
 
 check_packages() {

@@ -14,9 +14,14 @@
 #include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
+#ifdef _WIN32
+#include <io.h>
+#include <share.h>
+#else
+#include <sys/file.h>
 #include <unistd.h>
+#endif
 
 #include <algorithm>
 #include <cerrno>
@@ -31,6 +36,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
@@ -51,6 +57,23 @@ inline std::filesystem::path folder_of(const std::string& path) {
   return folder.empty() ? "." : folder;
 }
 
+#ifdef _WIN32
+// Opens a file that no other process can open until it is closed. Returns a negative number if this
+// is not possible.
+inline int open_alone(const std::filesystem::path& path, int flags) {
+  int file = -1;
+  _wsopen_s(&file, path.c_str(), flags | _O_RDWR | _O_BINARY | _O_NOINHERIT, _SH_DENYRW,
+            _S_IREAD | _S_IWRITE);
+  return file;
+}
+
+inline int close(int file) { return _close(file); }
+inline int write(int file, const char* text, unsigned n) { return _write(file, text, n); }
+inline void flush_folder(const std::filesystem::path& /*path*/) {} // Windows has no such function
+#else
+using ::close;
+using ::write;
+
 // Writes the names in a folder to the disk, if the file system can.
 inline void flush_folder(const std::filesystem::path& path) {
   const int folder = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -59,6 +82,7 @@ inline void flush_folder(const std::filesystem::path& path) {
   ::fsync(folder);
   ::close(folder);
 }
+#endif
 
 // A file that is written beside a target, and then replaces it. Otherwise it is removed at the end
 // of the scope. Its name is not predictable, and links are not followed. The file is locked, so
@@ -76,17 +100,28 @@ public:
   New_file& operator=(const New_file&) = delete;
 
   ~New_file() override {
+    if (m_file >= 0)
+      close(m_file);
+    std::error_code error;
     if (!m_path.empty())
-      ::unlink(m_path.c_str());
-    ::close(m_file);
+      std::filesystem::remove(m_path, error);
   }
 
   // Replaces the target. After a loss of power, there is the new file or, during this function, the
   // old one.
   void replace_target() {
     write_buffer();
+#ifdef _WIN32
+    std::error_code error;
+    if (_commit(m_file) != 0 || close(std::exchange(m_file, -1)) != 0)
+      fail();
+    std::filesystem::rename(m_path, m_target, error); // open files cannot be renamed
+    if (error)
+      fail(error.message());
+#else
     if (::fsync(m_file) != 0 || ::rename(m_path.c_str(), m_target.c_str()) != 0)
       fail();
+#endif
     m_path.clear();
     flush_folder(folder_of(m_target));
   }
@@ -106,27 +141,35 @@ protected:
 
 private:
   // Creates the file. Returns false if its name exists, or if another process took the file for an
-  // abandoned one before it was locked.
+  // abandoned one before it was locked. On Windows, it is created locked.
   bool create() {
     std::random_device random;
     char digits[partial_digits + 1];
     std::snprintf(digits, sizeof digits, "%08x%08x", random(), random());
     m_path = (folder_of(m_target) / partial_prefix).string() + digits;
+#ifdef _WIN32
+    m_file = open_alone(m_path, _O_CREAT | _O_EXCL);
+#else
     m_file = ::open(m_path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+#endif
     if (m_file < 0 && errno != EEXIST)
       fail();
+#ifdef _WIN32
+    return m_file >= 0;
+#else
     struct stat status;
     if (m_file >= 0 && (flock(m_file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) &&
         fstat(m_file, &status) == 0 && status.st_nlink > 0)
       return true;
     ::close(m_file);
     return false;
+#endif
   }
 
   void write_buffer() {
     Progress_scope::check(); // writing is interruptible
     for (const char* text = pbase(); text != pptr();) {
-      const ssize_t written = ::write(m_file, text, static_cast<std::size_t>(pptr() - text));
+      const auto written = write(m_file, text, static_cast<unsigned>(pptr() - text)); // 64 KB
       if (written >= 0)
         text += written;
       else if (errno != EINTR)
@@ -135,8 +178,9 @@ private:
     setp(m_buffer.data(), m_buffer.data() + m_buffer.size());
   }
 
-  [[noreturn]] void fail() const {
-    const std::string cause = std::generic_category().message(errno);
+  [[noreturn]] void fail() const { fail(std::generic_category().message(errno)); }
+
+  [[noreturn]] void fail(const std::string& cause) const {
     throw File_error("cannot write " + m_target + " (" + cause +
                          "): check that the folder exists, is writable and has free space",
                      m_target);
@@ -155,12 +199,21 @@ inline void remove_partial_files(const std::filesystem::path& folder) {
     const std::filesystem::path& path = entry->path();
     if (!is_partial_name(path.filename().string()))
       continue;
+#ifdef _WIN32
+    const int file = open_alone(path, 0);
+    if (file < 0)
+      continue;
+    close(file);
+    std::error_code failure; // another process may have removed it
+    std::filesystem::remove(path, failure);
+#else
     const int file = ::open(path.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
     if (file < 0)
       continue;
     if (flock(file, LOCK_EX | LOCK_NB) == 0)
       ::unlink(path.c_str());
     ::close(file);
+#endif
   }
 }
 

@@ -193,9 +193,10 @@ public:
 
 private:
   // Returns whether a cell contains another one and is larger.
-  bool contains(std::size_t large, std::size_t small) const {
-    return m_sizes[large] > m_sizes[small] &&
-           m_common.at({(std::min)(large, small), (std::max)(large, small)}) == m_sizes[small];
+  bool contains(std::size_t larger, std::size_t smaller) const {
+    return m_sizes[larger] > m_sizes[smaller] &&
+           m_common.at({(std::min)(larger, smaller), (std::max)(larger, smaller)}) ==
+               m_sizes[smaller];
   }
 
   std::size_t covering(const std::vector<std::size_t>& cells) const {

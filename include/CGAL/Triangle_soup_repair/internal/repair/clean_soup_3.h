@@ -90,9 +90,10 @@ inline std::size_t remove_repeated_triangles(Triangle_soup_3& soup) {
       walls.join(t, even.front());
   });
   // of sheets: odd edges that become even without the sheet, less the reverse
-  std::vector<long> gain(triangles.size(), 0);
+  std::vector<std::ptrdiff_t> gain(triangles.size(), 0);
   for_each_wall_edge([&](const std::vector<std::size_t>& even, std::size_t number) {
-    gain[walls.find(even.front())] += long(number % 2) - long((number - even.size()) % 2);
+    gain[walls.find(even.front())] +=
+        std::ptrdiff_t(number % 2) - std::ptrdiff_t((number - even.size()) % 2);
   });
   soup.triangles.clear();
   for (std::size_t t = 0; t < triangles.size(); ++t)

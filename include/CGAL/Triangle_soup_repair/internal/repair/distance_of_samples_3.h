@@ -49,13 +49,13 @@ inline double distance_of_samples(const Triangle_soup_3& soup, const Triangle_so
     const Kernel::Triangle_3 triangle = exact_triangle(soup, t);
     const auto a = triangle[0];
     const auto ab = triangle[1] - a, ac = triangle[2] - a;
-    const double longest = std::sqrt(std::max(
+    const double longest = std::sqrt((std::max)(
         {ab.squared_length(), ac.squared_length(), (triangle[2] - triangle[1]).squared_length()}));
     const int n = int(std::clamp(std::ceil(longest / spacing), 1., most_parts));
     for (int i = 0; i <= n; ++i)
       for (int j = 0; i + j <= n; ++j)
-        largest = std::max(largest,
-                           tree.squared_distance(a + (double(i) / n) * ab + (double(j) / n) * ac));
+        largest = (std::max)(
+            largest, tree.squared_distance(a + (double(i) / n) * ab + (double(j) / n) * ac));
   }
   return std::sqrt(largest);
 }

@@ -246,11 +246,11 @@ inline std::size_t merge_near_points(Triangle_soup_3& soup, double distance, Mer
     Box box;
     for (std::size_t i = 0; i < 3; ++i)
       box[i] = std::floor(soup.points[v][i] / distance);
-    const std::size_t near = find_near(v, box, limit);
-    if (near == v)
+    const std::size_t nearby = find_near(v, box, limit);
+    if (nearby == v)
       grid[box].push_back(v);
-    soup.points[v] = soup.points[near];
-    merged += near != v;
+    soup.points[v] = soup.points[nearby];
+    merged += nearby != v;
   }
   return merged;
 }
