@@ -6,10 +6,11 @@
 #include "module.h"
 #include "options.h"
 
+#include "input/tetrahedralizer.h"
+
 #include <CGAL/Complex_construction/convert_labeled_image_3.h>
 #include <CGAL/Complex_construction/fill_solids_3.h>
 #include <CGAL/Interface_flows/compiled_3.h>
-#include <CGAL/Tetgen_tetrahedralizer_3.h>
 
 namespace dsc_python {
 namespace {
@@ -27,7 +28,7 @@ auto from_surfaces(const std::vector<std::tuple<Array<double>, py::array, int>>&
   const auto construction = construction_options<3>(options);
   return guarded(progress, [&] {
     std::optional<DSC::Patches_of_surfaces_3<Point>> patches;
-    return DSC::fill_solids_3<Complex>(input, CGAL::Tetgen_tetrahedralizer_3(), patches,
+    return DSC::fill_solids_3<Complex>(input, dsc::Tetrahedralizer(), patches,
                                        construction);
   });
 }
@@ -45,7 +46,7 @@ auto from_tetrahedra(const Array<double>& points, const py::array& tetrahedra,
                ? DSC::make_deformable_simplicial_complex_3<Complex>(corners, cells, cell_labels,
                                                                     construction)
                : DSC::make_deformable_simplicial_complex_3<Complex>(
-                     corners, cells, cell_labels, CGAL::Tetgen_tetrahedralizer_3(), construction);
+                     corners, cells, cell_labels, dsc::Tetrahedralizer(), construction);
   });
 }
 

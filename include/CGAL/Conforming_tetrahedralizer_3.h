@@ -1,0 +1,149 @@
+// Copyright (c) 2026 The deformable simplicial complex authors.
+// All rights reserved.
+//
+// This file is part of the package Complex_construction, written for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CONFORMING_TETRAHEDRALIZER_3_H
+#define CGAL_CONFORMING_TETRAHEDRALIZER_3_H
+
+#include <CGAL/license/Complex_construction.h>
+
+#include <CGAL/Complex_construction/Tetrahedralization_3.h>
+#include <CGAL/Mesh_support/internal/cgal/conforming_triangulation_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Unique_hash_map.h>
+
+#include <map>
+#include <new>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgComplexConstructionRef
+
+Constrained tetrahedralizer that uses CGAL's conforming constrained Delaunay triangulation
+(`CGAL::make_conforming_constrained_Delaunay_triangulation_3()`). It needs \cgal 6.1 or newer, and
+no other library.
+
+It adds points on edges of the input where these edges are not in a Delaunay triangulation, which
+divides triangles. The added points are rounded to `double`, so that divided triangles are flat up
+to rounding. No points are added to improve the shapes of tetrahedra: the builder improves them
+afterwards. It fails where many edges of thin parts are divided and `Tetgen_tetrahedralizer_3` does
+not.
+
+A call cannot be interrupted.
+
+\cgalModels `ConstrainedTetrahedralizer_3`
+*/
+class Conforming_tetrahedralizer_3
+{
+public:
+  /*!
+  Fills the space inside a closed surface with tetrahedra. The surface may enclose other ones. A call
+  with the same input gives the same result.
+
+  \tparam Kernel kernel of the triangulation; its number type is `double` and its predicates are
+          exact
+  \param points vertices of the triangles
+  \param triangles indices into `points`
+  \pre Points are finite and differ. Triangles meet only in common vertices and edges.
+  \return see `ConstrainedTetrahedralizer_3`; `facets` has a value
+  \throws Deformable_simplicial_complexes::Tetrahedralization_error if CGAL reports a failure, or a
+          tetrahedron is degenerate because of rounding
+  */
+  template <class Kernel = Exact_predicates_inexact_constructions_kernel>
+  Deformable_simplicial_complexes::Tetrahedralization_3
+  operator()(const std::vector<std::array<double, 3>>& points,
+             const std::vector<std::array<std::size_t, 3>>& triangles) const {
+    namespace DSC = Deformable_simplicial_complexes;
+    static_assert(DSC::has_conforming_triangulation_3 || sizeof(Kernel) == 0,
+                  "Conforming_tetrahedralizer_3 needs CGAL 6.1 or newer: update CGAL, or use "
+                  "Tetgen_tetrahedralizer_3");
+    using Triangulation = DSC::Conforming_triangulation_3<Kernel>;
+    std::vector<typename Kernel::Point_3> corners;
+    for (const auto& p : points)
+      corners.emplace_back(p[0], p[1], p[2]);
+    try {
+      return converted<Kernel>(Triangulation(corners, triangles), points, triangles);
+    } catch (const std::bad_alloc&) {
+      throw;
+    } catch (const DSC::Error&) {
+      throw;
+    } catch (const std::exception& e) {
+      throw DSC::Tetrahedralization_error(
+          std::string("the conforming triangulation failed, ") + e.what() +
+          ": separate vertices and surfaces that are very close, or remesh the surfaces");
+    }
+  }
+
+private:
+  // Returns the cells inside the outermost constrained facets, and the constrained facets.
+  template <class Kernel, class Constrained>
+  static Deformable_simplicial_complexes::Tetrahedralization_3
+  converted(const Constrained& constrained, const std::vector<std::array<double, 3>>& points,
+            const std::vector<std::array<std::size_t, 3>>& triangles) {
+    using Cell_handle = typename Constrained::Triangulation::Cell_handle;
+    using Vertex_handle = typename Constrained::Triangulation::Vertex_handle;
+    using Deformable_simplicial_complexes::Tetrahedralization_error;
+    const auto& triangulation = constrained.triangulation();
+    Deformable_simplicial_complexes::Tetrahedralization_3 result = {points, {}, {}, {}};
+
+    std::map<std::array<double, 3>, std::size_t> given;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      given.emplace(points[i], i);
+    Unique_hash_map<Vertex_handle, std::size_t> index;
+    for (const Vertex_handle v : triangulation.finite_vertex_handles()) {
+      const auto& p = v->point();
+      const auto [found, is_new] = given.emplace(std::array{p.x(), p.y(), p.z()}, points.size());
+      index[v] = is_new ? result.points.size() : found->second;
+      if (is_new)
+        result.points.push_back(found->first);
+    }
+
+    Unique_hash_map<Cell_handle, bool> is_outside(false);
+    std::vector<Cell_handle> outside = {triangulation.infinite_cell()};
+    is_outside[outside.front()] = true;
+    for (std::size_t i = 0; i < outside.size(); ++i)
+      for (int k = 0; k < 4; ++k)
+        if (const Cell_handle c = outside[i]->neighbor(k);
+            !is_outside[c] && (triangulation.is_infinite(c) ||
+                               !constrained.is_facet_constrained(outside[i], k))) {
+          is_outside[c] = true;
+          outside.push_back(c);
+        }
+    for (const Cell_handle c : triangulation.finite_cell_handles()) {
+      if (is_outside[c])
+        continue;
+      if (triangulation.tetrahedron(c).orientation() != POSITIVE)
+        throw Tetrahedralization_error(
+            "rounding of added points inverts tetrahedra: remesh the surfaces near thin parts");
+      result.tetrahedra.push_back({index[c->vertex(0)], index[c->vertex(1)], index[c->vertex(2)],
+                                   index[c->vertex(3)]});
+    }
+
+    const auto normal = [](const std::array<typename Kernel::Point_3, 3>& p) {
+      return cross_product(p[1] - p[0], p[2] - p[0]);
+    };
+    const auto point = [&](std::size_t i) {
+      return typename Kernel::Point_3(points[i][0], points[i][1], points[i][2]);
+    };
+    for (const auto& facet : constrained.constrained_facets()) {
+      auto v = triangulation.vertices(facet);
+      const std::size_t t = constrained.face_constraint_index(facet);
+      if (normal({v[0]->point(), v[1]->point(), v[2]->point()}) *
+              normal({point(triangles[t][0]), point(triangles[t][1]), point(triangles[t][2])}) <
+          0)
+        std::swap(v[1], v[2]);
+      result.facets.push_back({index[v[0]], index[v[1]], index[v[2]]});
+      result.triangles_of_facets.push_back(t);
+    }
+    return result;
+  }
+};
+
+} // namespace CGAL
+
+#endif // CGAL_CONFORMING_TETRAHEDRALIZER_3_H
