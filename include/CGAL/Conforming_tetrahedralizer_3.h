@@ -42,8 +42,8 @@ class Conforming_tetrahedralizer_3
 {
 public:
   /*!
-  Fills the space inside a closed surface with tetrahedra. The surface may enclose other ones. A call
-  with the same input gives the same result.
+  Fills the space inside a closed surface with tetrahedra. The surface may enclose other ones. A
+  call with the same input gives the same result.
 
   \tparam Kernel kernel of the triangulation; its number type is `double` and its predicates are
           exact
@@ -80,7 +80,8 @@ public:
   }
 
 private:
-  // Returns the cells inside the outermost constrained facets, and the constrained facets.
+  // Returns the cells inside the outermost constrained facets, and the constrained facets. Throws
+  // `Tetrahedralization_error` if a cell is not positively oriented, or facets are missing.
   template <class Kernel, class Constrained>
   static Deformable_simplicial_complexes::Tetrahedralization_3
   converted(const Constrained& constrained, const std::vector<std::array<double, 3>>& points,
@@ -109,8 +110,8 @@ private:
     for (std::size_t i = 0; i < outside.size(); ++i)
       for (int k = 0; k < 4; ++k)
         if (const Cell_handle c = outside[i]->neighbor(k);
-            !is_outside[c] && (triangulation.is_infinite(c) ||
-                               !constrained.is_facet_constrained(outside[i], k))) {
+            !is_outside[c] &&
+            (triangulation.is_infinite(c) || !constrained.is_facet_constrained(outside[i], k))) {
           is_outside[c] = true;
           outside.push_back(c);
         }
@@ -120,25 +121,39 @@ private:
       if (triangulation.tetrahedron(c).orientation() != POSITIVE)
         throw Tetrahedralization_error(
             "rounding of added points inverts tetrahedra: remesh the surfaces near thin parts");
-      result.tetrahedra.push_back({index[c->vertex(0)], index[c->vertex(1)], index[c->vertex(2)],
-                                   index[c->vertex(3)]});
+      result.tetrahedra.push_back(
+          {index[c->vertex(0)], index[c->vertex(1)], index[c->vertex(2)], index[c->vertex(3)]});
     }
 
-    const auto normal = [](const std::array<typename Kernel::Point_3, 3>& p) {
-      return cross_product(p[1] - p[0], p[2] - p[0]);
+    // Twice the area vectors of triangles, without the facets found.
+    std::vector<typename Kernel::Vector_3> normals, uncovered;
+    const auto edge = [&](std::size_t i, std::size_t j) {
+      const auto &p = result.points[i], &q = result.points[j];
+      return typename Kernel::Vector_3(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
     };
-    const auto point = [&](std::size_t i) {
-      return typename Kernel::Point_3(points[i][0], points[i][1], points[i][2]);
-    };
+    for (const auto& t : triangles)
+      normals.push_back(cross_product(edge(t[0], t[1]), edge(t[0], t[2])));
+    uncovered = normals;
     for (const auto& facet : constrained.constrained_facets()) {
-      auto v = triangulation.vertices(facet);
+      const auto v = triangulation.vertices(facet);
       const std::size_t t = constrained.face_constraint_index(facet);
-      if (normal({v[0]->point(), v[1]->point(), v[2]->point()}) *
-              normal({point(triangles[t][0]), point(triangles[t][1]), point(triangles[t][2])}) <
-          0)
-        std::swap(v[1], v[2]);
-      result.facets.push_back({index[v[0]], index[v[1]], index[v[2]]});
+      std::array<std::size_t, 3> f = {index[v[0]], index[v[1]], index[v[2]]};
+      auto normal = cross_product(edge(f[0], f[1]), edge(f[0], f[2]));
+      if (normal * normals[t] < 0) {
+        std::swap(f[1], f[2]);
+        normal = -normal;
+      }
+      uncovered[t] = uncovered[t] - normal;
+      result.facets.push_back(f);
       result.triangles_of_facets.push_back(t);
+    }
+    static constexpr double tolerance = 1e-6; // relative to squared lengths
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      const auto& t = triangles[i];
+      const double extent = edge(t[0], t[1]).squared_length() + edge(t[0], t[2]).squared_length();
+      if (!(uncovered[i].squared_length() <= tolerance * tolerance * extent * extent))
+        throw Tetrahedralization_error(
+            "the conforming triangulation lost parts of triangles: remesh the surfaces");
     }
     return result;
   }

@@ -50,8 +50,8 @@ struct Tetrahedralization_3
 {
   std::vector<std::array<double, 3>> points;          ///< input points, followed by added points
   std::vector<std::array<std::size_t, 4>> tetrahedra; ///< indices into `points`
-  /// The facets that form the input triangles, with the orientation of these triangles; indices into
-  /// `points`. Empty if each input triangle is a facet.
+  /// The facets that form the input triangles, with the orientation of these triangles; indices
+  /// into `points`. Empty if each input triangle is a facet.
   std::vector<std::array<std::size_t, 3>> facets;
   std::vector<std::size_t> triangles_of_facets; ///< the input triangle of each item of `facets`
 };

@@ -272,8 +272,8 @@ Complex complex_of_boundaries(const Fluid_scene& scene, const std::string& folde
             surfaces_of_boxes)
             .all();
     try {
-      return DSC::make_deformable_simplicial_complex_3<Complex>(
-          boundaries, Tetrahedralizer(), domain);
+      return DSC::make_deformable_simplicial_complex_3<Complex>(boundaries, Tetrahedralizer(),
+                                                                domain);
     } catch (const DSC::Invalid_surface_error& error) {
       refuse(scene, boundaries, error);
     }

@@ -194,9 +194,9 @@ inline Boxed_soup_3 put_into_box(Joined_soup_3 soup, const Construction_options<
 }
 
 // Fills the box with tetrahedra. The points of the soup come first. The members `facets` and
-// `triangles_of_facets` of the result are those of the soup, also if no triangle was divided. Throws
-// `Tetrahedralization_error` if the tetrahedralizer moves points of the soup or returns an invalid
-// index.
+// `triangles_of_facets` of the result are those of the soup, also if no triangle was divided.
+// Throws `Tetrahedralization_error` if the tetrahedralizer moves points of the soup or returns an
+// invalid index.
 template <class Tetrahedralizer>
 Tetrahedralization_3 fill_box(const Boxed_soup_3& boxed, const Tetrahedralizer& tetrahedralizer) {
   const Progress_phase phase("filling the box with tetrahedra");

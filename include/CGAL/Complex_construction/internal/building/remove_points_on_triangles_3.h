@@ -18,18 +18,14 @@
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
-// Proposes to collapse an edge of the interface at a vertex, so that the interface keeps its shape up
-// to rounding and no cell becomes worse than the worst cell at the vertex.
+// Proposes to collapse an edge of the interface at a vertex, so that the interface keeps its shape
+// up to rounding.
 template <class Complex>
 bool propose_removal_on_triangle(const Complex& dsc, typename Complex::Vertex_handle v,
                                  Cavity<Complex>& cavity) {
   static constexpr double rounding = 1e-9; // swept volume relative to the edges at the vertex
   std::vector<typename Complex::Cell_handle> star;
   dsc.star(v, star);
-  double worst = 1;
-  for (auto c : star)
-    if (!dsc.is_infinite(c))
-      worst = (std::min)(worst, double(dsc.quality(c)));
   const double length = dsc.interface_edge_length(v);
   std::vector<typename Complex::Vertex_handle> tried;
   for (auto c : star)
@@ -40,7 +36,7 @@ bool propose_removal_on_triangle(const Complex& dsc, typename Complex::Vertex_ha
         continue;
       tried.push_back(w);
       if (volume_swept_by_collapse(dsc, v, w) <= rounding * length * length * length &&
-          propose_edge_collapse(dsc, c, c->index(v), i, worst, cavity))
+          propose_edge_collapse(dsc, c, c->index(v), i, 0, cavity))
         return true;
     }
   return false;
@@ -60,7 +56,7 @@ void remove_points_on_triangles(Complex& dsc, const Tetrahedralization_3& mesh, 
   std::vector<typename Complex::Vertex_handle> vertices;
   for (const std::size_t i : added)
     vertices.push_back(handles[i]);
-  Cavity<Complex> cavity;
+  Cavity<Complex> cavity(dsc);
   Any_visitor<Complex> visitor;
   Improvement_report report;
   for (std::size_t before = 0; before != vertices.size();) {
