@@ -10,12 +10,17 @@
 
 #include <CGAL/license/Complex_construction.h>
 
+#include <CGAL/Complex_construction/Octree_3.h>
 #include <CGAL/Complex_construction/Tetrahedralization_3.h>
+#include <CGAL/Mesh_support/internal/cgal/cgal_compat.h>
 #include <CGAL/Mesh_support/internal/cgal/conforming_triangulation_3.h>
 
+#include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Unique_hash_map.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <new>
 
@@ -30,9 +35,9 @@ no other library.
 
 It adds points on edges of the input where these edges are not in a Delaunay triangulation, which
 divides triangles. The added points are rounded to `double`, so that divided triangles are flat up
-to rounding. No points are added to improve the shapes of tetrahedra: the builder improves them
-afterwards. It fails where many edges of thin parts are divided and `Tetgen_tetrahedralizer_3` does
-not.
+to rounding. Away from triangles, it adds points at distances of about the edge lengths of near
+triangles. Tetrahedra can be degenerate up to rounding where triangles are divided or parts are
+thin. The functions that build complexes improve them.
 
 A call cannot be interrupted.
 
@@ -66,6 +71,7 @@ public:
     std::vector<typename Kernel::Point_3> corners;
     for (const auto& p : points)
       corners.emplace_back(p[0], p[1], p[2]);
+    add_points_in_space<Kernel>(corners, triangles);
     try {
       return converted<Kernel>(Triangulation(corners, triangles), points, triangles);
     } catch (const std::bad_alloc&) {
@@ -80,6 +86,49 @@ public:
   }
 
 private:
+  // Appends points at a distance from the triangles: the centers of the leaves of an octree. The
+  // leaves are about as large as the triangles near them.
+  template <class Kernel>
+  static void add_points_in_space(std::vector<typename Kernel::Point_3>& points,
+                                  const std::vector<std::array<std::size_t, 3>>& triangles) {
+    namespace DSC = Deformable_simplicial_complexes;
+    using DSC::Octree_3;
+    using Triangles = std::vector<typename Kernel::Triangle_3>;
+    static constexpr double least_distance = .6; // in sides of leaves
+    Triangles facets;
+    for (const auto& t : triangles)
+      facets.emplace_back(points[t[0]], points[t[1]], points[t[2]]);
+    const AABB_tree<DSC::Tree_traits_3<Kernel, typename Triangles::const_iterator>> tree(
+        facets.begin(), facets.end());
+    const Bbox_3 box = tree.bbox();
+    Octree_3 octree(Octree_3::most_levels);
+    const double unit = (std::max)({box.x_span(), box.y_span(), box.z_span()}) / octree.side();
+    for (const auto& facet : facets) {
+      double length = 0;
+      for (int i = 0; i < 3; ++i)
+        length = (std::max)(length, squared_distance(facet[i], facet[(i + 1) % 3]));
+      const int exponent = std::ilogb(std::sqrt(length) / unit);
+      const unsigned level = unsigned(std::clamp(exponent, 0, int(octree.last_level()) - 1)) + 1;
+      const auto center = centroid(facet);
+      Octree_3::Place block;
+      for (int axis = 0; axis < 3; ++axis)
+        block[axis] =
+            (std::min)(std::uint32_t((center[axis] - box.min(axis)) / unit), octree.side() - 1) >>
+            level;
+      octree.split(level, block);
+    }
+    octree.complete();
+    octree.for_each_leaf([&](unsigned level, const Octree_3::Place& block) {
+      const double side = std::ldexp(unit, int(level));
+      const typename Kernel::Point_3 p(box.xmin() + side * (block[0] + .5),
+                                       box.ymin() + side * (block[1] + .5),
+                                       box.zmin() + side * (block[2] + .5));
+      if (do_overlap(p.bbox(), box) &&
+          tree.squared_distance(p) >= least_distance * least_distance * side * side)
+        points.push_back(p);
+    });
+  }
+
   // Returns the cells inside the outermost constrained facets, and the constrained facets. Throws
   // `Tetrahedralization_error` if a cell is not positively oriented, or facets are missing.
   template <class Kernel, class Constrained>
@@ -92,17 +141,16 @@ private:
     const auto& triangulation = constrained.triangulation();
     Deformable_simplicial_complexes::Tetrahedralization_3 result = {points, {}, {}, {}};
 
-    std::map<std::array<double, 3>, std::size_t> given;
+    std::map<std::array<double, 3>, std::size_t> indices;
     for (std::size_t i = 0; i < points.size(); ++i)
-      given.emplace(points[i], i);
-    Unique_hash_map<Vertex_handle, std::size_t> index;
-    for (const Vertex_handle v : triangulation.finite_vertex_handles()) {
-      const auto& p = v->point();
-      const auto [found, is_new] = given.emplace(std::array{p.x(), p.y(), p.z()}, points.size());
-      index[v] = is_new ? result.points.size() : found->second;
+      indices.emplace(points[i], i);
+    const auto index = [&](Vertex_handle v) {
+      const std::array p = {v->point().x(), v->point().y(), v->point().z()};
+      const auto [found, is_new] = indices.emplace(p, result.points.size());
       if (is_new)
-        result.points.push_back(found->first);
-    }
+        result.points.push_back(p);
+      return found->second;
+    };
 
     Unique_hash_map<Cell_handle, bool> is_outside(false);
     std::vector<Cell_handle> outside = {triangulation.infinite_cell()};
@@ -122,7 +170,7 @@ private:
         throw Tetrahedralization_error(
             "rounding of added points inverts tetrahedra: remesh the surfaces near thin parts");
       result.tetrahedra.push_back(
-          {index[c->vertex(0)], index[c->vertex(1)], index[c->vertex(2)], index[c->vertex(3)]});
+          {index(c->vertex(0)), index(c->vertex(1)), index(c->vertex(2)), index(c->vertex(3))});
     }
 
     // Twice the area vectors of triangles, without the facets found.
@@ -137,7 +185,7 @@ private:
     for (const auto& facet : constrained.constrained_facets()) {
       const auto v = triangulation.vertices(facet);
       const std::size_t t = constrained.face_constraint_index(facet);
-      std::array<std::size_t, 3> f = {index[v[0]], index[v[1]], index[v[2]]};
+      std::array<std::size_t, 3> f = {index(v[0]), index(v[1]), index(v[2])};
       auto normal = cross_product(edge(f[0], f[1]), edge(f[0], f[2]));
       if (normal * normals[t] < 0) {
         std::swap(f[1], f[2]);
