@@ -8,6 +8,17 @@ function(dsc_link_package target)
   endif()
 endfunction()
 
+# Lets `target` fill space around surfaces with the header input/tetrahedralizer.h: with TetGen if its
+# adapter is built, otherwise with CGAL.
+function(dsc_link_tetrahedralizer target)
+  if(TARGET deformable_simplicial_complex_tetgen)
+    target_link_libraries(${target} PUBLIC deformable_simplicial_complex_tetgen)
+    target_compile_definitions(${target} PUBLIC DSC_WITH_TETGEN DSC_TETRAHEDRALIZER="TetGen")
+  else()
+    target_compile_definitions(${target} PUBLIC DSC_TETRAHEDRALIZER="CGAL")
+  endif()
+endfunction()
+
 # Lets `target` use the compiled instantiations and the precompiled headers.
 function(dsc_share_compilation target)
   target_link_libraries(${target} PRIVATE deformable_simplicial_complex_compiled)

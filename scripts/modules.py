@@ -50,6 +50,7 @@ PACKAGES = {
 }
 # The headers directly in include/CGAL that do not belong to the kernel
 PACKAGE_OF_TOP_HEADER = {
+    "Conforming_tetrahedralizer_3.h": "Complex_construction",
     "Tetgen_tetrahedralizer_3.h": "Complex_construction",
     "Incompressible_fluid_2.h": "Incompressible_fluids_3",
     "Incompressible_fluid_3.h": "Incompressible_fluids_3",

@@ -6,10 +6,11 @@
 #include "module.h"
 #include "options.h"
 
+#include "input/tetrahedralizer.h"
+
 #include <CGAL/Complex_construction/convert_labeled_image_3.h>
 #include <CGAL/Complex_construction/fill_solids_3.h>
 #include <CGAL/Interface_flows/compiled_3.h>
-#include <CGAL/Tetgen_tetrahedralizer_3.h>
 
 namespace dsc_python {
 namespace {
@@ -27,8 +28,7 @@ auto from_surfaces(const std::vector<std::tuple<Array<double>, py::array, int>>&
   const auto construction = construction_options<3>(options);
   return guarded(progress, [&] {
     std::optional<DSC::Patches_of_surfaces_3<Point>> patches;
-    return DSC::fill_solids_3<Complex>(input, CGAL::Tetgen_tetrahedralizer_3(), patches,
-                                       construction);
+    return DSC::fill_solids_3<Complex>(input, dsc::Tetrahedralizer(), patches, construction);
   });
 }
 
@@ -41,11 +41,10 @@ auto from_tetrahedra(const Array<double>& points, const py::array& tetrahedra,
   const auto cell_labels = labels_of(labels, "labels");
   const auto construction = construction_options<3>(options);
   return guarded(progress, [&] {
-    return is_domain
-               ? DSC::make_deformable_simplicial_complex_3<Complex>(corners, cells, cell_labels,
-                                                                    construction)
-               : DSC::make_deformable_simplicial_complex_3<Complex>(
-                     corners, cells, cell_labels, CGAL::Tetgen_tetrahedralizer_3(), construction);
+    return is_domain ? DSC::make_deformable_simplicial_complex_3<Complex>(corners, cells,
+                                                                          cell_labels, construction)
+                     : DSC::make_deformable_simplicial_complex_3<Complex>(
+                           corners, cells, cell_labels, dsc::Tetrahedralizer(), construction);
   });
 }
 

@@ -32,7 +32,7 @@ public:
       : Error(message), m_code(code) {}
 
   /// Returns the code that TetGen threw; 0 if TetGen crashed, was stopped, or made an invalid
-  /// result.
+  /// result, and for other tetrahedralizers.
   int code() const { return m_code; }
 
 private:
@@ -43,12 +43,17 @@ private:
 \ingroup PkgComplexConstructionRef
 
 The result of a `ConstrainedTetrahedralizer_3`: the input points, in their order, followed by added
-points, and positively oriented tetrahedra of these points.
+points, and positively oriented tetrahedra of these points. If input triangles were divided, also
+the facets in all input triangles.
 */
 struct Tetrahedralization_3
 {
   std::vector<std::array<double, 3>> points;          ///< input points, followed by added points
   std::vector<std::array<std::size_t, 4>> tetrahedra; ///< indices into `points`
+  /// The facets that form the input triangles, with the orientation of these triangles; indices
+  /// into `points`. Empty if each input triangle is a facet.
+  std::vector<std::array<std::size_t, 3>> facets;
+  std::vector<std::size_t> triangles_of_facets; ///< the input triangle of each item of `facets`
 };
 
 } // namespace CGAL::Deformable_simplicial_complexes

@@ -37,20 +37,18 @@
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
 
-// A cell on one side of a triangle.
+// A cell on one side of a facet of a surface.
 struct Cell_at_triangle_3
 {
   std::size_t triangle, cell;
   bool is_in_front; // whether the corners of the triangle are counterclockwise, seen from the cell
 };
 
-// Returns the two cells of each triangle of a soup, in increasing order of triangles.
-// \pre The triangles are facets of the mesh.
-inline std::vector<Cell_at_triangle_3> cells_at_triangles(const Tetrahedralization_3& mesh,
-                                                          const Triangle_soup_3& soup) {
+// Returns the two cells of each item of `mesh.facets`, in increasing order of these items.
+inline std::vector<Cell_at_triangle_3> cells_at_triangles(const Tetrahedralization_3& mesh) {
   std::vector<Wall<3>> triangles;
-  for (std::size_t t = 0; t < soup.triangles.size(); ++t)
-    triangles.push_back(make_wall(soup.triangles[t], t));
+  for (std::size_t t = 0; t < mesh.facets.size(); ++t)
+    triangles.push_back(make_wall(mesh.facets[t], t));
   std::sort(triangles.begin(), triangles.end());
   const auto point = [&](std::size_t i) { return exact_point(mesh.points[i]); };
   std::vector<Cell_at_triangle_3> result;
@@ -59,7 +57,7 @@ inline std::vector<Cell_at_triangle_3> cells_at_triangles(const Tetrahedralizati
         std::lower_bound(triangles.begin(), triangles.end(), Wall<3>{facet.vertices, 0});
     if (found == triangles.end() || found->vertices != facet.vertices)
       continue;
-    const Triangle_indices& t = soup.triangles[found->surface];
+    const Triangle_indices& t = mesh.facets[found->surface];
     const auto opposite = mesh.tetrahedra[facet.cell][facet.index];
     result.push_back(
         {found->surface, facet.cell,
@@ -77,16 +75,15 @@ using Labels_of_sides = std::array<int, 2>;
 // `Invalid_surface_error` if two patches give different labels to the same region.
 inline std::vector<int> label_by_sides(const Tetrahedralization_3& mesh, const Boxed_soup_3& boxed,
                                        const std::vector<Labels_of_sides>& sides) {
-  const auto& origins = boxed.soup.triangle_origins;
-  const auto cells = cells_at_triangles(mesh, boxed.soup);
+  const auto cells = cells_at_triangles(mesh);
   std::vector<std::pair<std::size_t, int>> seeds;
   for (const auto& c : cells)
-    seeds.emplace_back(c.cell, sides[origins[c.triangle].surface][c.is_in_front]);
+    seeds.emplace_back(c.cell, sides[boxed.origin(mesh, c.triangle).surface][c.is_in_front]);
   std::optional<Contradicting_seeds> contradicting;
-  auto labels = label_cells_by_seeds<3>(mesh.tetrahedra, boxed.walls(), seeds, contradicting);
+  auto labels = label_cells_by_seeds<3>(mesh.tetrahedra, boxed.walls(mesh), seeds, contradicting);
   if (contradicting) {
-    const auto first = origins[cells[contradicting->first].triangle],
-               second = origins[cells[contradicting->second].triangle];
+    const auto first = boxed.origin(mesh, cells[contradicting->first].triangle),
+               second = boxed.origin(mesh, cells[contradicting->second].triangle);
     refuse_surface(Invalid_surface_error::Reason::contradicting_sides, first.surface,
                    second.surface, {first.index, second.index}, {});
   }
@@ -103,7 +100,7 @@ Complex make_from_soups(const std::vector<Triangle_soup_3>& surfaces,
   return make_resolved<Complex>(
       put_into_box(check_surfaces(surfaces), options), tetrahedralizer, options,
       [&](const Tetrahedralization_3& mesh, const Boxed_soup_3& boxed) {
-        return label_cells<3>(mesh.tetrahedra, boxed.walls(), surface_labels);
+        return label_cells<3>(mesh.tetrahedra, boxed.walls(mesh), surface_labels);
       });
 }
 

@@ -11,13 +11,13 @@
 #include "input/start_complex.h"
 #include "input/start_curves.h"
 #include "input/surface.h"
+#include "input/tetrahedralizer.h"
 #include "output/label_titles.h"
 #include "programs/errors.h"
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
-#include <CGAL/Tetgen_tetrahedralizer_3.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -272,8 +272,8 @@ Complex complex_of_boundaries(const Fluid_scene& scene, const std::string& folde
             surfaces_of_boxes)
             .all();
     try {
-      return DSC::make_deformable_simplicial_complex_3<Complex>(
-          boundaries, CGAL::Tetgen_tetrahedralizer_3(), domain);
+      return DSC::make_deformable_simplicial_complex_3<Complex>(boundaries, Tetrahedralizer(),
+                                                                domain);
     } catch (const DSC::Invalid_surface_error& error) {
       refuse(scene, boundaries, error);
     }

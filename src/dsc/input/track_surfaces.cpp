@@ -5,6 +5,7 @@
 #include "input/domain_box.h"
 #include "input/start_complex.h"
 #include "input/surface.h"
+#include "input/tetrahedralizer.h"
 #include "motions/tracked_complex_3.h"
 #include "output/label_titles.h"
 #include "programs/errors.h"
@@ -14,7 +15,6 @@
 #include <CGAL/Interface_remeshing/control_detail.h>
 #include <CGAL/Interface_remeshing/improve_mesh.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
-#include <CGAL/Tetgen_tetrahedralizer_3.h>
 #include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
 #include <CGAL/Triangle_soup_repair/make_patches_3.h>
 
@@ -127,7 +127,7 @@ std::unique_ptr<Tracked_complex_3> fill(const std::vector<Surface>& surfaces,
                                         std::optional<Patches>& patches) {
   try {
     auto result = std::make_unique<Tracked_complex_3>(
-        DSC::fill_solids_3<Complex>(surfaces, CGAL::Tetgen_tetrahedralizer_3(), patches,
+        DSC::fill_solids_3<Complex>(surfaces, Tetrahedralizer(), patches,
                                     normalized(options.domain, options.start.thin_parts)));
     if (patches && !options.output.quiet)
       tell_labels(*patches, names, largest_coordinate(surfaces));

@@ -6,6 +6,7 @@
 #include "input/labeled_tetrahedra.h"
 #include "input/mesh_content.h"
 #include "input/start_complex.h"
+#include "input/tetrahedralizer.h"
 #include "input/translations.h"
 #include "motions/arrays_on.h"
 #include "motions/tracked_complex_3.h"
@@ -14,7 +15,6 @@
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Complex_construction/refine_thin_parts.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Tetgen_tetrahedralizer_3.h>
 #include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
 
 #include <algorithm>
@@ -71,7 +71,7 @@ track_in_box(const std::string& path, const Labeled_tetrahedra& mesh, const Run_
   try {
     auto result =
         std::make_unique<Tracked_complex_3>(DSC::make_deformable_simplicial_complex_3<Complex>(
-            mesh.points, mesh.tetrahedra, mesh.labels, CGAL::Tetgen_tetrahedralizer_3(),
+            mesh.points, mesh.tetrahedra, mesh.labels, Tetrahedralizer(),
             normalized(options.domain, options.start.thin_parts)));
     if (result->complex.interface_facets().empty())
       throw Input_error(path + ": all tetrahedra have the label 0, so there is no interface; give "

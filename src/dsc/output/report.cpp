@@ -73,6 +73,7 @@ Report::Report(const Run_options& options, const Run_start& start, const Repairs
     : m_path(options.output.report), m_sweep_seconds(sweep_seconds), m_names(std::move(names)),
       m_json({{"input", with_user_names(start.inputs)},
               {"parameters", parameters_json(options, start)},
+              {"tetrahedralizer", DSC_TETRAHEDRALIZER},
               {"repairs", repairs_json(repairs)},
               {"sweep_seconds", sweep_seconds},
               {"steps", Json::array()}}) {}

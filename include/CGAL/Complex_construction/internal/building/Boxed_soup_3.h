@@ -11,6 +11,7 @@
 #include <CGAL/Complex_construction/Construction_options.h>
 #include <CGAL/Complex_construction/Tetrahedralization_3.h>
 #include <CGAL/Complex_construction/internal/building/label_cells.h>
+#include <CGAL/Complex_construction/internal/building/remove_points_on_triangles_3.h>
 #include <CGAL/Complex_construction/internal/thin_parts/Thickness.h>
 #include <CGAL/Complex_construction/refine_thin_parts.h>
 #include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
@@ -165,11 +166,17 @@ struct Boxed_soup_3
   Bbox_3 box;
   unsigned subdivision; // number of subdivisions of each edge of the box
 
-  std::vector<Wall<3>> walls() const {
+  // Returns the facets of the mesh made by `fill_box()` that form the surfaces.
+  std::vector<Wall<3>> walls(const Tetrahedralization_3& mesh) const {
     std::vector<Wall<3>> result;
-    for (std::size_t t = 0; t < soup.triangles.size(); ++t)
-      result.push_back(make_wall(soup.triangles[t], soup.triangle_origins[t].surface));
+    for (std::size_t i = 0; i < mesh.facets.size(); ++i)
+      result.push_back(make_wall(mesh.facets[i], origin(mesh, i).surface));
     return result;
+  }
+
+  // Returns the origin of the triangle that contains a facet.
+  const Joined_soup_3::Origin& origin(const Tetrahedralization_3& mesh, std::size_t facet) const {
+    return soup.triangle_origins[mesh.triangles_of_facets[facet]];
   }
 };
 
@@ -186,15 +193,16 @@ inline Boxed_soup_3 put_into_box(Joined_soup_3 soup, const Construction_options<
   return result;
 }
 
-// Fills the box with tetrahedra. The triangles of the soup are facets of them, and the points of
-// the soup come first. Throws `Tetrahedralization_error` if the tetrahedralizer moves these points
-// or returns an invalid index.
+// Fills the box with tetrahedra. The points of the soup come first. The members `facets` and
+// `triangles_of_facets` of the result are those of the soup, also if no triangle was divided.
+// Throws `Tetrahedralization_error` if the tetrahedralizer moves points of the soup or returns an
+// invalid index.
 template <class Tetrahedralizer>
 Tetrahedralization_3 fill_box(const Boxed_soup_3& boxed, const Tetrahedralizer& tetrahedralizer) {
   const Progress_phase phase("filling the box with tetrahedra");
   Triangle_soup_3 all = boxed.soup;
   append(all, box_surface(boxed.box, boxed.subdivision));
-  auto mesh = tetrahedralizer(all.points, all.triangles);
+  Tetrahedralization_3 mesh = tetrahedralizer(all.points, all.triangles);
   if (mesh.points.size() < all.points.size() ||
       !std::equal(all.points.begin(), all.points.end(), mesh.points.begin()))
     throw Tetrahedralization_error(
@@ -203,6 +211,19 @@ Tetrahedralization_3 fill_box(const Boxed_soup_3& boxed, const Tetrahedralizer& 
     if (*std::max_element(t.begin(), t.end()) >= mesh.points.size())
       throw Tetrahedralization_error(
           "the tetrahedralizer refers to a point that does not exist: use another tetrahedralizer");
+  Tetrahedralization_3 of_all;
+  std::swap(of_all.facets, mesh.facets);
+  std::swap(of_all.triangles_of_facets, mesh.triangles_of_facets);
+  if (of_all.facets.empty()) {
+    mesh.facets = boxed.soup.triangles;
+    mesh.triangles_of_facets.resize(mesh.facets.size());
+    std::iota(mesh.triangles_of_facets.begin(), mesh.triangles_of_facets.end(), std::size_t(0));
+  }
+  for (std::size_t i = 0; i < of_all.facets.size(); ++i)
+    if (const std::size_t t = of_all.triangles_of_facets.at(i); t < boxed.soup.triangles.size()) {
+      mesh.facets.push_back(of_all.facets[i]);
+      mesh.triangles_of_facets.push_back(t);
+    }
   return mesh;
 }
 
@@ -224,11 +245,11 @@ void complete_in_frame(Complex& dsc, const Building_frame_3& frame,
   improve_new_mesh(dsc, options);
 }
 
-// Returns what the thin parts of a complex require of the triangles of a soup, so that about `most`
-// triangles arise at most. The points of the soup are the first ones of `vertices`.
+// Returns what the thin parts of a complex require of the triangles that contain facets of a mesh,
+// so that about `most` triangles arise at most. The points of the mesh are `vertices`.
 template <class Complex>
 std::vector<Soup_bisector_3::Requirement>
-requirements_of_thin_parts(const Complex& dsc, const Triangle_soup_3& soup,
+requirements_of_thin_parts(const Complex& dsc, const Tetrahedralization_3& mesh,
                            const std::vector<typename Complex::Vertex_handle>& vertices,
                            double edge_per_thickness, std::size_t most) {
   const auto coarse = coarse_facets(dsc, edge_per_thickness, most).facets;
@@ -236,11 +257,8 @@ requirements_of_thin_parts(const Complex& dsc, const Triangle_soup_3& soup,
     return {};
   const Vertex_numbers numbers(dsc, vertices);
   std::map<Triangle_indices, std::size_t> triangles;
-  for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
-    Triangle_indices key = soup.triangles[t];
-    std::sort(key.begin(), key.end());
-    triangles.emplace(key, t);
-  }
+  for (std::size_t i = 0; i < mesh.facets.size(); ++i)
+    triangles.emplace(sorted(mesh.facets[i]), mesh.triangles_of_facets[i]);
   std::vector<Soup_bisector_3::Requirement> result;
   for (const auto& facet : coarse) {
     Triangle_indices key = {};
@@ -265,10 +283,14 @@ requirements_of_thin_parts(const Complex& dsc, const Triangle_soup_3& soup,
 template <class Complex, class Tetrahedralizer, class Label>
 Complex make_resolved(Boxed_soup_3 boxed, const Tetrahedralizer& tetrahedralizer,
                       Construction_options<3> options, const Label& label) {
+  Tetrahedralization_3 mesh;
+  std::size_t number_of_points = 0; // of the surfaces in the mesh
   const auto make = [&](std::vector<typename Complex::Vertex_handle>& vertices) {
-    const auto mesh = fill_box(boxed, tetrahedralizer);
+    auto filled = fill_box(boxed, tetrahedralizer);
     Complex dsc;
-    vertices = dsc.assign(mesh_points<Complex>(mesh), mesh.tetrahedra, label(mesh, boxed));
+    vertices = dsc.assign(mesh_points<Complex>(filled), filled.tetrahedra, label(filled, boxed));
+    mesh = std::move(filled);
+    number_of_points = boxed.soup.points.size();
     return dsc;
   };
   std::vector<typename Complex::Vertex_handle> vertices;
@@ -279,7 +301,7 @@ Complex make_resolved(Boxed_soup_3 boxed, const Tetrahedralizer& tetrahedralizer
     if (boxed.soup.triangles.size() >= most)
       break;
     Soup_bisector_3 bisector(boxed.soup);
-    if (!bisector.run(requirements_of_thin_parts(dsc, boxed.soup, vertices,
+    if (!bisector.run(requirements_of_thin_parts(dsc, mesh, vertices,
                                                  options.thin_parts.edge_per_thickness,
                                                  most - boxed.soup.triangles.size()),
                       most))
@@ -292,6 +314,7 @@ Complex make_resolved(Boxed_soup_3 boxed, const Tetrahedralizer& tetrahedralizer
     }
   }
   options.thin_parts.edge_per_thickness = 0; // done
+  remove_points_on_triangles(dsc, mesh, number_of_points, vertices);
   complete_in_frame(dsc, boxed.frame, options);
   return dsc;
 }

@@ -121,9 +121,13 @@ public:
 
   // Returns the given tetrahedra, followed by the tetrahedra of the mesh that lie outside them, in
   // the frame of the mesh.
-  // \pre `boxed` contains `boundary()`, and the triangles of `boundary()` are facets of the mesh.
+  // \pre `boxed` contains `boundary()`, and the mesh was made by `fill_box()`
+  // Throws `Tetrahedralization_error` if triangles of `boundary()` are divided.
   Tetrahedralization_3 with_space_around(const Tetrahedralization_3& mesh,
                                          const Boxed_soup_3& boxed) const {
+    if (mesh.facets.size() != boxed.soup.triangles.size())
+      throw Tetrahedralization_error("the tetrahedralizer divided facets of the given tetrahedra: "
+                                     "use Tetgen_tetrahedralizer_3");
     std::vector<std::size_t> on_boundary(m_points.size(), none);
     for (std::size_t i = 0; i < boxed.soup.points.size(); ++i)
       on_boundary[boxed.soup.point_origins[i].index] = i;
@@ -145,7 +149,7 @@ public:
                                    : number(mesh_numbers[b], mesh.points[b]);
       }
     }
-    const auto is_inside = label_cells<3>(mesh.tetrahedra, boxed.walls(), {1});
+    const auto is_inside = label_cells<3>(mesh.tetrahedra, boxed.walls(mesh), {1});
     for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
       if (is_inside[t])
         continue;
