@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Complex_construction, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_CONFORMING_TETRAHEDRALIZER_3_H
 #define CGAL_CONFORMING_TETRAHEDRALIZER_3_H
@@ -19,7 +19,6 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Unique_hash_map.h>
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 #include <new>
@@ -41,7 +40,7 @@ thin. The functions that build complexes improve them.
 
 A call cannot be interrupted.
 
-\cgalModels `ConstrainedTetrahedralizer_3`
+\cgalModels{ConstrainedTetrahedralizer_3}
 */
 class Conforming_tetrahedralizer_3
 {

@@ -1,10 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Deformable_simplicial_complexes, written for CGAL
-// (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_FACE_BASE_2_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_FACE_BASE_2_H
@@ -26,7 +25,7 @@ complex.
 \tparam Traits a model of `DeformableSimplicialComplexTraits_2`
 \tparam Fb a face base class of 2D triangulations
 
-\cgalModels `DeformableSimplicialComplexFaceBase_2`
+\cgalModels{DeformableSimplicialComplexFaceBase_2}
 */
 template <class Traits, class Fb = Triangulation_face_base_2<Traits>>
 class Deformable_simplicial_complex_face_base_2

@@ -1,10 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Deformable_simplicial_complexes, written for CGAL
-// (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_VERTEX_BASE_2_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_VERTEX_BASE_2_H
@@ -25,7 +24,7 @@ Vertex of a deformable simplicial complex in the plane.
 \tparam Traits a model of `DeformableSimplicialComplexTraits_2`
 \tparam Vb a vertex base class of 2D triangulations with points
 
-\cgalModels `DeformableSimplicialComplexVertexBase_2`
+\cgalModels{DeformableSimplicialComplexVertexBase_2}
 */
 template <class Traits, class Vb = Triangulation_vertex_base_2<Traits>>
 class Deformable_simplicial_complex_vertex_base_2

@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Complex_construction, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_TETGEN_TETRAHEDRALIZER_3_H
 #define CGAL_TETGEN_TETRAHEDRALIZER_3_H
@@ -33,7 +33,7 @@ exception is thrown if the next runs fail, too, or if memory is exhausted. All m
 is returned to the system. On platforms without `fork()`, such as Windows, TetGen runs in the
 calling process and may end it.
 
-\cgalModels `ConstrainedTetrahedralizer_3`
+\cgalModels{ConstrainedTetrahedralizer_3}
 */
 class Tetgen_tetrahedralizer_3
 {

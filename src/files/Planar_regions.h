@@ -15,11 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
-#include <map>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace dsc_files {
 

@@ -25,8 +25,6 @@
 #include <filesystem>
 #include <iostream>
 #include <new>
-#include <stdexcept>
-#include <string>
 
 namespace {
 

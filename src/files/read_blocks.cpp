@@ -15,12 +15,9 @@
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkUnstructuredGrid.h>
 #include <vtkXMLMultiBlockDataReader.h>
 
-#include <cstddef>
 #include <set>
-#include <string>
 
 namespace dsc_files {
 namespace {

@@ -40,13 +40,9 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <initializer_list>
 #include <iterator>
-#include <map>
 #include <sstream>
 #include <type_traits>
-#include <vector>
 
 namespace dsc_files {
 namespace {

@@ -12,8 +12,6 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <initializer_list>
-#include <map>
-#include <string>
 
 namespace dsc_files {
 

@@ -12,12 +12,9 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
 #include <iterator>
-#include <limits>
 #include <optional>
 #include <sstream>
-#include <vector>
 
 namespace dsc_files {
 namespace {

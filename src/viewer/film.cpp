@@ -9,10 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <charconv>
-#include <cmath>
-#include <numeric>
 #include <set>
 #include <stdexcept>
 

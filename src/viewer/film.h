@@ -10,14 +10,10 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <array>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <map>
 #include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace dsc {
 

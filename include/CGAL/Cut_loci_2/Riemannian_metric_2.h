@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Cut_loci_2, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_CUT_LOCI_2_RIEMANNIAN_METRIC_2_H
 #define CGAL_CUT_LOCI_2_RIEMANNIAN_METRIC_2_H
@@ -183,7 +183,7 @@ automatic differentiation.
         `template <class T> std::array<T, 3> operator()(const T& u, const T& v) const`. `T` is a
         number type that is constructible from `double`. The functions of `<cmath>` are found for
         `T` by argument-dependent lookup.
-\cgalModels `RiemannianMetric_2`
+\cgalModels{RiemannianMetric_2}
 */
 template <class Embedding> class Embedded_surface_2
 {
@@ -223,7 +223,7 @@ differentiation.
 
 \tparam Tensor has `template <class T> std::array<T, 3> operator()(const T& u, const T& v) const`.
         It returns E, F and G. `T` is a number type as for `Embedded_surface_2`.
-\cgalModels `RiemannianMetric_2`
+\cgalModels{RiemannianMetric_2}
 */
 template <class Tensor> class Metric_tensor_2
 {

@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Cut_loci_2, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_CUT_LOCI_2_SPHERE_LIKE_SURFACE_2_H
 #define CGAL_CUT_LOCI_2_SPHERE_LIKE_SURFACE_2_H
@@ -73,7 +73,7 @@ directions makes the metric at the source isotropic.
         directions `n` of unit length. `T` is a number type as for `Embedded_surface_2`.
 \tparam Differentiated the class template of the metric of an embedding of a chart. `Embedding` must
         accept only the number types that this template uses.
-\cgalModels `RiemannianMetric_2`
+\cgalModels{RiemannianMetric_2}
 */
 template <class Embedding, template <class> class Differentiated = Embedded_surface_2>
 class Sphere_like_surface_2

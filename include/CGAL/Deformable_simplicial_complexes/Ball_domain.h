@@ -1,10 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Deformable_simplicial_complexes, written for CGAL
-// (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_BALL_DOMAIN_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_BALL_DOMAIN_H
@@ -34,7 +33,7 @@ A domain answers all questions that depend on the shape of space as a whole: whi
 cells are outside, where a corner of a cell is as seen from the cell, and where a vertex of the
 boundary may go. In a ball, all cells see a vertex at its position.
 
-\cgalModels `SimplicialDomain`
+\cgalModels{SimplicialDomain}
 */
 class Ball_domain
 {

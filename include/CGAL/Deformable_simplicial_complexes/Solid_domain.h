@@ -1,10 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Deformable_simplicial_complexes, written for CGAL
-// (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_SOLID_DOMAIN_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_SOLID_DOMAIN_H
@@ -25,7 +24,7 @@ cells that are connected through facets at the vertex. If the domain is a box, v
 boundary move only within their sides. Otherwise, they do not move. `assign_solid_3()` makes
 complexes in such domains, and `improve_mesh()` improves them.
 
-\cgalModels `SimplicialDomain`
+\cgalModels{SimplicialDomain}
 */
 class Solid_domain : public Ball_domain
 {

@@ -1,10 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Deformable_simplicial_complexes, written for CGAL
-// (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_TORUS_DOMAIN_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_TORUS_DOMAIN_H
@@ -36,7 +35,7 @@ as seen from the box are thus doubles, and no rounding occurs across the seam.
 
 \tparam d the dimension
 
-\cgalModels `SimplicialDomain`
+\cgalModels{SimplicialDomain}
 */
 template <int d> class Torus_domain
 {

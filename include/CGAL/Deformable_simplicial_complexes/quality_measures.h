@@ -1,10 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Deformable_simplicial_complexes, written for CGAL
-// (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_QUALITY_MEASURES_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_QUALITY_MEASURES_H
@@ -138,7 +137,7 @@ Quality measure of tetrahedra: volume divided by the cube of the root mean squar
 6 sqrt(2) (section 3.2 of the paper, after \cgalCite{cgal:pgh-ctqm-94}). It penalizes slivers and
 needles equally, and is smooth.
 
-\cgalModels `TetrahedronQualityMeasure_3`
+\cgalModels{TetrahedronQualityMeasure_3}
 */
 struct Volume_length_ratio_3
 {
@@ -172,7 +171,7 @@ Quality measure of tetrahedra: smallest sine of the six dihedral angles, divided
 the regular tetrahedron. It is low for small and for large angles, and does not depend on the
 lengths of edges.
 
-\cgalModels `TetrahedronQualityMeasure_3`
+\cgalModels{TetrahedronQualityMeasure_3}
 */
 struct Minimum_sine_3
 {
@@ -190,7 +189,7 @@ Quality measure of tetrahedra: as `Minimum_sine_3`, with sines of obtuse angles 
 \cgalCite{cgal:ks-atmi-07}, since angles near 180 degrees do more harm than angles near 0. Use
 this measure for meshes that do not move and whose angles are important.
 
-\cgalModels `TetrahedronQualityMeasure_3`
+\cgalModels{TetrahedronQualityMeasure_3}
 */
 struct Biased_minimum_sine_3
 {
@@ -207,7 +206,7 @@ struct Biased_minimum_sine_3
 Quality measure of tetrahedra: three times the radius of the inscribed sphere, divided by the radius
 of the circumscribed sphere.
 
-\cgalModels `TetrahedronQualityMeasure_3`
+\cgalModels{TetrahedronQualityMeasure_3}
 */
 struct Radius_ratio_3
 {

@@ -1,10 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Deformable_simplicial_complexes, written for CGAL
-// (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_TOPOLOGY_CONTROL_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_TOPOLOGY_CONTROL_H
@@ -24,7 +23,7 @@ namespace CGAL::Deformable_simplicial_complexes {
 /// \ingroup PkgDeformableSimplicialComplexesRef
 /// Topology control that permits all changes: components of a phase may merge, split, appear and
 /// vanish. This is the default.
-/// \cgalModels `TopologyControl`
+/// \cgalModels{TopologyControl}
 struct Allow_topology_changes
 {
   /// Returns true.
@@ -39,7 +38,7 @@ struct Allow_topology_changes
 /// Topology control that forbids all changes: the Betti numbers of each phase and of the interface
 /// stay the same. Vertices that would have to pass through another part of the interface do not
 /// reach their destinations.
-/// \cgalModels `TopologyControl`
+/// \cgalModels{TopologyControl}
 struct Forbid_topology_changes
 {
   /// Returns false.
@@ -53,7 +52,7 @@ struct Forbid_topology_changes
 /// \ingroup PkgDeformableSimplicialComplexesRef
 /// Topology control that permits changes only where space passes from one label of a given pair to
 /// the other, in either direction.
-/// \cgalModels `TopologyControl`
+/// \cgalModels{TopologyControl}
 class Allow_topology_changes_between
 {
 public:

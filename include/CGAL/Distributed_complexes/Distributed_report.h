@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Distributed_complexes, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_DISTRIBUTED_REPORT_H
 #define CGAL_DISTRIBUTED_COMPLEXES_DISTRIBUTED_REPORT_H
@@ -13,10 +13,6 @@
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
-
-#include <array>
-#include <cstdint>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
 

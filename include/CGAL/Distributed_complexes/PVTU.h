@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Distributed_complexes, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_PVTU_H
 #define CGAL_DISTRIBUTED_COMPLEXES_PVTU_H
@@ -15,13 +15,6 @@
 #include <CGAL/Mesh_files/internal/grids/write_vtu.h>
 #include <CGAL/Mesh_files/internal/text/Xml_element.h>
 #include <CGAL/Mesh_files/replace_file.h>
-
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
-#include <ostream>
-#include <string>
-#include <vector>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes::internal {

@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Distributed_complexes, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_PART_DOMAIN_H
 #define CGAL_DISTRIBUTED_COMPLEXES_PART_DOMAIN_H
@@ -24,7 +24,7 @@ cut, around which cells are missing, have the class `cut`. They do not move, the
 their cells keep their labels. Operations inside the part thus leave the larger complex valid if the
 part is put back.
 
-\cgalModels `SimplicialDomain`
+\cgalModels{SimplicialDomain}
 */
 class Part_domain : public Ball_domain
 {

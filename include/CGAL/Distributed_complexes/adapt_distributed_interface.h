@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Distributed_complexes, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_ADAPT_DISTRIBUTED_INTERFACE_H
 #define CGAL_DISTRIBUTED_COMPLEXES_ADAPT_DISTRIBUTED_INTERFACE_H
@@ -25,10 +25,6 @@
 #include <CGAL/Interface_remeshing/internal/remeshing/Detail_controller.h>
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/parameter_values.h>
-
-#include <algorithm>
-#include <cstdint>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {

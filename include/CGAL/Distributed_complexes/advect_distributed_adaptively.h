@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Interface_flows, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_ADVECT_DISTRIBUTED_ADAPTIVELY_H
 #define CGAL_DISTRIBUTED_COMPLEXES_ADVECT_DISTRIBUTED_ADAPTIVELY_H
@@ -21,8 +21,6 @@
 #include <CGAL/Interface_remeshing/Adaptive_advection.h>
 #include <CGAL/Interface_remeshing/Detail_options.h>
 #include <CGAL/Interface_remeshing/Interface_adaptation.h>
-
-#include <cmath>
 
 namespace CGAL::Deformable_simplicial_complexes {
 

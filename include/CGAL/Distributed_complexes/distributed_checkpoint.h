@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Distributed_complexes, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_DISTRIBUTED_CHECKPOINT_H
 #define CGAL_DISTRIBUTED_COMPLEXES_DISTRIBUTED_CHECKPOINT_H
@@ -19,18 +19,6 @@
 #include <CGAL/Mesh_files/internal/text/files.h>
 #include <CGAL/Mesh_files/replace_file.h>
 #include <CGAL/Mesh_support/coordinates.h>
-
-#include <array>
-#include <cstdint>
-#include <exception>
-#include <fstream>
-#include <new>
-#include <optional>
-#include <ostream>
-#include <string>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes::internal {

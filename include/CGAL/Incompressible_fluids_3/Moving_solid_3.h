@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Incompressible_fluids_3, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_MOVING_SOLID_3_H
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_MOVING_SOLID_3_H
@@ -130,7 +130,7 @@ motion_of_places(const std::function<Solid_place_3(double)>& place_at, double st
 /// \ingroup PkgIncompressibleFluids3Ref
 /// A solid whose motion is a function of time. Copies can be used by several threads if the
 /// function can be.
-/// \cgalModels `Solid_3`
+/// \cgalModels{Solid_3}
 /// \tparam Solid a model of `Solid_3`
 template <class Solid> class Moving_solid_3
 {

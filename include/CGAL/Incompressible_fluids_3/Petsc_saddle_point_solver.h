@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Incompressible_fluids_3, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_PETSC_SADDLE_POINT_SOLVER_H
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_PETSC_SADDLE_POINT_SOLVER_H
@@ -44,7 +44,7 @@ solution.
 \pre `PetscInitialize()` has been called, and `PetscFinalize()` is called after the destruction of
 all solvers.
 
-\cgalModels `SaddlePointSolver`
+\cgalModels{SaddlePointSolver}
 */
 class Petsc_saddle_point_solver
 {

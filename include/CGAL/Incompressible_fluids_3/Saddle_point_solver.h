@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Incompressible_fluids_3, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_SADDLE_POINT_SOLVER_H
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_SADDLE_POINT_SOLVER_H
@@ -31,7 +31,7 @@ exists for any order of the unknowns, because the matrix is quasi-definite (R. J
 "Symmetric quasidefinite matrices", SIAM J. Optim. 5, 1995). It is fast for up to about five hundred
 vertices.
 
-\cgalModels `SaddlePointSolver`
+\cgalModels{SaddlePointSolver}
 */
 class Direct_saddle_point_solver
 {
@@ -167,7 +167,7 @@ element solvers for the generalized Stokes problem", Int. J. Numer. Methods Flui
 Memory and time are almost linear in the number of unknowns. The result is deterministic
 and does not depend on the number of threads.
 
-\cgalModels `SaddlePointSolver`
+\cgalModels{SaddlePointSolver}
 */
 class Iterative_saddle_point_solver
 {
@@ -333,7 +333,7 @@ private:
 The default solver of saddle point systems. It solves systems with at most 2000 unknowns directly,
 and larger systems iteratively. Another solver can replace both at run time.
 
-\cgalModels `SaddlePointSolver`
+\cgalModels{SaddlePointSolver}
 */
 class Saddle_point_solver
 {

@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Incompressible_fluids_3, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_SOLIDS_3_H
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_SOLIDS_3_H
@@ -117,7 +117,7 @@ private:
 
 /// \ingroup PkgIncompressibleFluids3Ref
 /// The half space behind a plane.
-/// \cgalModels `Solid_3`
+/// \cgalModels{Solid_3}
 class Plane_solid_3
 {
 public:
@@ -145,7 +145,7 @@ private:
 /// \ingroup PkgIncompressibleFluids3Ref
 /// A tank: the outside of a box, with six walls, or five if it is open. In the plane, a tank has
 /// four walls, or three if it is open.
-/// \cgalModels `Solid_3`
+/// \cgalModels{Solid_3}
 class Tank_solid_3
 {
 public:
@@ -191,7 +191,7 @@ private:
 ///
 /// Vertices at an edge of the box touch both sides that meet there, so that they stay on the edge.
 /// Other sides are ends of walls for the vertices on a side, see `Wall_3::is_end`.
-/// \cgalModels `Solid_3`
+/// \cgalModels{Solid_3}
 class Box_solid_3
 {
 public:
@@ -284,7 +284,7 @@ private:
 
 /// \ingroup PkgIncompressibleFluids3Ref
 /// A ball, or the outside of a ball.
-/// \cgalModels `Solid_3`
+/// \cgalModels{Solid_3}
 class Ball_solid_3
 {
 public:
@@ -310,7 +310,7 @@ private:
 
 /// \ingroup PkgIncompressibleFluids3Ref
 /// An infinite cylinder, or the outside of one.
-/// \cgalModels `Solid_3`
+/// \cgalModels{Solid_3}
 class Cylinder_solid_3
 {
 public:
@@ -341,7 +341,7 @@ private:
 /// \ingroup PkgIncompressibleFluids3Ref
 /// The region bounded by a closed triangle mesh, or the outside of this region. Copies share the
 /// mesh.
-/// \cgalModels `Solid_3`
+/// \cgalModels{Solid_3}
 class Mesh_solid_3
 {
 public:

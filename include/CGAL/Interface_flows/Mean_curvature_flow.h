@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Interface_flows, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_INTERFACE_FLOWS_MEAN_CURVATURE_FLOW_H
 #define CGAL_INTERFACE_FLOWS_MEAN_CURVATURE_FLOW_H
@@ -34,7 +34,7 @@ The explicit form is stable for short time steps only: about half of the area of
 triangle, in the plane half of the square of the shortest edge, divided by the greatest product of a
 tension and a mobility. `Mean_curvature_flow` has no such limit.
 
-\cgalModels `InterfaceVelocity`
+\cgalModels{InterfaceVelocity}
 */
 class Mean_curvature_velocity
 {
@@ -97,7 +97,7 @@ in the plane, the time step is divided. So corners, where the curvature is not b
 at the right speed. Parts are not shorter than about a thousandth of the time step. A step within
 which a component vanishes is not divided.
 
-\cgalModels `InterfaceStep`
+\cgalModels{InterfaceStep}
 */
 class Mean_curvature_flow
 {

@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Interface_flows, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_INTERFACE_FLOWS_NORMAL_OFFSET_H
 #define CGAL_INTERFACE_FLOWS_NORMAL_OFFSET_H
@@ -148,7 +148,7 @@ In the plane, `advect_interface()` collapses edges of the interface that become 
 moves only a small volume, see `keeps_volumes()`. So a corner removes the vertices of the segments
 that it passes.
 
-\cgalModels `InterfaceVelocity`
+\cgalModels{InterfaceVelocity}
 */
 struct Normal_offset
 {

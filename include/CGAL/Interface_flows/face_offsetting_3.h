@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Interface_flows, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_INTERFACE_FLOWS_FACE_OFFSETTING_3_H
 #define CGAL_INTERFACE_FLOWS_FACE_OFFSETTING_3_H
@@ -50,7 +50,7 @@ length. Facets become too large where the front grows, and degenerate where it s
 `improve_interface()` preserves sharp edges when it changes such facets. A deformation removes
 degenerate facets without regard to sharp edges.
 
-\cgalModels `InterfaceStep`
+\cgalModels{InterfaceStep}
 */
 class Face_offset_3
 {
@@ -142,7 +142,7 @@ interface. Their distribution therefore stays as uniform as it is. The source is
 `Face_offset_3` names.
 
 \tparam Field model of `VelocityField`
-\cgalModels `InterfaceStep`
+\cgalModels{InterfaceStep}
 */
 template <class Field> class Advective_face_offset_3
 {

@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Interface_flows, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_INTERFACE_FLOWS_INTERFACE_FLOWS_2_H
 #define CGAL_INTERFACE_FLOWS_INTERFACE_FLOWS_2_H
@@ -13,7 +13,6 @@
 #include <CGAL/Interface_flows/Normal_offset.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/tags.h>
 
 namespace CGAL::Deformable_simplicial_complexes {
 
@@ -23,7 +22,7 @@ namespace CGAL::Deformable_simplicial_complexes {
 A rotation about a point with constant angular velocity. It returns positions, so the rotation is
 exact up to rounding for any integration scheme. `Rigid_rotation_3` is the version in space.
 
-\cgalModels `InterfaceFlowMap`
+\cgalModels{InterfaceFlowMap}
 */
 class Rigid_rotation_2
 {

@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Interface_flows, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_INTERFACE_FLOWS_INTERFACE_FLOWS_3_H
 #define CGAL_INTERFACE_FLOWS_INTERFACE_FLOWS_3_H
@@ -12,7 +12,6 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Interface_flows/Normal_offset.h>
-#include <CGAL/tags.h>
 
 namespace CGAL::Deformable_simplicial_complexes {
 
@@ -22,7 +21,7 @@ namespace CGAL::Deformable_simplicial_complexes {
 A rotation about an axis with constant angular velocity (section 4.1.1 of the paper). It returns
 positions, so the rotation is exact up to rounding for any integration scheme.
 
-\cgalModels `InterfaceFlowMap`
+\cgalModels{InterfaceFlowMap}
 */
 class Rigid_rotation_3
 {

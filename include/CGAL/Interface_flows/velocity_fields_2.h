@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Interface_flows, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_INTERFACE_FLOWS_VELOCITY_FIELDS_2_H
 #define CGAL_INTERFACE_FLOWS_VELOCITY_FIELDS_2_H
@@ -26,7 +26,7 @@ T. The velocity changes its direction at t = T / 2, and at t = T each point is b
 The field preserves areas and maps the unit square to itself. `Single_vortex_velocity_3` is the
 version in space.
 
-\cgalModels `VelocityField`
+\cgalModels{VelocityField}
 */
 class Single_vortex_velocity_2
 {

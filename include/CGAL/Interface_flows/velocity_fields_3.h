@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Interface_flows, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_INTERFACE_FLOWS_VELOCITY_FIELDS_3_H
 #define CGAL_INTERFACE_FLOWS_VELOCITY_FIELDS_3_H
@@ -29,7 +29,7 @@ flow stretches a ball to a thin sheet until t = T / 2. Then the velocity changes
 at t = T each point is back at its start. The field preserves volumes and maps the unit cube
 \f$[0, 1]^3\f$ to itself.
 
-\cgalModels `VelocityField`
+\cgalModels{VelocityField}
 */
 class Enright_velocity_3
 {
@@ -63,7 +63,7 @@ The single vortex of Bell, Colella and Glaz in each plane of constant z: the cur
 T. The velocity changes its direction at t = T / 2, and at t = T each point is back at its start.
 The field preserves volumes and maps the unit square of each plane to itself.
 
-\cgalModels `VelocityField`
+\cgalModels{VelocityField}
 */
 class Single_vortex_velocity_3
 {
@@ -93,7 +93,7 @@ potential: a sum of waves of the same length in random directions (after R. Brid
 M. Nordenstam, *Curl-noise for procedural fluid flow*, SIGGRAPH 2007). The field depends on the
 arguments of the constructor only. Between machines, it differs by the rounding of sine and cosine.
 
-\cgalModels `VelocityField`
+\cgalModels{VelocityField}
 */
 class Curl_noise_velocity_3
 {
@@ -153,7 +153,7 @@ user to the coordinates of the complex.
 
 \tparam Complex the type of the complex
 \tparam Field model of `VelocityField`
-\cgalModels `VelocityField`
+\cgalModels{VelocityField}
 */
 template <class Complex, class Field> class Velocity_in_user_coordinates_3
 {

@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Interface_remeshing, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_INTERFACE_REMESHING_INTERFACE_GRAPH_3_H
 #define CGAL_INTERFACE_REMESHING_INTERFACE_GRAPH_3_H
@@ -141,10 +141,10 @@ Any number of threads may use a graph.
 \pre The complex outlives the graph and does not change as long as the graph is used. The functions
      that return ranges check this.
 
-\cgalModels `VertexListGraph`
-\cgalModels `EdgeListGraph`
-\cgalModels `HalfedgeListGraph`
-\cgalModels `FaceListGraph`
+\cgalModels{VertexListGraph}
+\cgalModels{EdgeListGraph}
+\cgalModels{HalfedgeListGraph}
+\cgalModels{FaceListGraph}
 
 \sa `extract_interface()`
 */

@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Interface_remeshing, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_INTERFACE_REMESHING_NUMBER_ROWS_H
 #define CGAL_INTERFACE_REMESHING_NUMBER_ROWS_H
@@ -48,7 +48,7 @@ A map from vertices or cells to rows, which are stored in a vector in the order 
 refer to the same vector, which must outlive them.
 
 \tparam Handle the type of vertices or cells of a complex
-\cgalModels `ReadWritePropertyMap`
+\cgalModels{ReadWritePropertyMap}
 */
 template <class Handle> struct Number_row_map
 {

@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Interface_remeshing, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_INTERFACE_REMESHING_EXTRACT_INTERFACE_3_H
 #define CGAL_INTERFACE_REMESHING_EXTRACT_INTERFACE_3_H
@@ -19,7 +19,6 @@
 #include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/properties.hpp>
-#include <boost/property_map/property_map.hpp>
 
 namespace CGAL::Deformable_simplicial_complexes {
 

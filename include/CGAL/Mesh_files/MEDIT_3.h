@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Mesh_files, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_MESH_FILES_MEDIT_3_H
 #define CGAL_MESH_FILES_MEDIT_3_H
@@ -19,18 +19,6 @@
 #include <CGAL/Mesh_files/internal/text/files.h>
 #include <CGAL/Mesh_files/replace_file.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
-
-#include <array>
-#include <cstddef>
-#include <fstream>
-#include <istream>
-#include <limits>
-#include <locale>
-#include <ostream>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace CGAL::IO {
 

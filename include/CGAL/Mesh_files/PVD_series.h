@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Mesh_files, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_MESH_FILES_PVD_SERIES_H
 #define CGAL_MESH_FILES_PVD_SERIES_H
@@ -15,13 +15,7 @@
 #include <CGAL/Mesh_files/replace_file.h>
 
 #include <cmath>
-#include <filesystem>
 #include <limits>
-#include <ostream>
-#include <string>
-#include <system_error>
-#include <utility>
-#include <vector>
 
 namespace CGAL::IO {
 

@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Mesh_files, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_MESH_FILES_SVG_2_H
 #define CGAL_MESH_FILES_SVG_2_H
@@ -15,13 +15,7 @@
 #include <CGAL/Mesh_files/internal/pictures/colors.h>
 #include <CGAL/Mesh_support/Error.h>
 
-#include <CGAL/Bbox_2.h>
-
-#include <array>
 #include <map>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace IO {

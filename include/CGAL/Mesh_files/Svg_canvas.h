@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Mesh_files, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_MESH_FILES_SVG_CANVAS_H
 #define CGAL_MESH_FILES_SVG_CANVAS_H
@@ -16,14 +16,9 @@
 
 #include <CGAL/Bbox_2.h>
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstddef>
-#include <ostream>
-#include <string>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes {
 

@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Mesh_files, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_MESH_FILES_LABELED_PNG_2_H
 #define CGAL_MESH_FILES_LABELED_PNG_2_H
@@ -18,13 +18,8 @@
 
 #include <png.h>
 
-#include <algorithm>
-#include <cstddef>
 #include <cstring>
 #include <new>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 namespace CGAL {
 namespace Deformable_simplicial_complexes::internal {

@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Mesh_files, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_MESH_FILES_LABELED_CURVES_2_H
 #define CGAL_MESH_FILES_LABELED_CURVES_2_H
@@ -17,15 +17,6 @@
 #include <CGAL/Mesh_files/internal/curves/read_poly.h>
 #include <CGAL/Mesh_files/internal/curves/read_wkt.h>
 #include <CGAL/Mesh_files/replace_file.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
-#include <cstddef>
-#include <limits>
-#include <ostream>
-#include <set>
-#include <string>
-#include <vector>
 
 namespace CGAL::IO {
 

@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Mesh_files, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_MESH_FILES_LABELED_IMAGE_2_H
 #define CGAL_MESH_FILES_LABELED_IMAGE_2_H
@@ -16,10 +16,7 @@
 #include <CGAL/Mesh_files/internal/text/files.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
-#include <algorithm>
 #include <cctype>
-#include <cstddef>
-#include <string>
 
 namespace CGAL::IO {
 

@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Mesh_files, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_MESH_FILES_POINT_SET_3_H
 #define CGAL_MESH_FILES_POINT_SET_3_H
@@ -20,15 +20,6 @@
 #include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <fstream>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace IO {

@@ -1,3 +1,10 @@
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
+
 // List of the named parameters of the package, in the form of CGAL's list
 // <CGAL/STL_Extension/internal/parameters_interface.h>, to which a merge into CGAL appends these
 // lines. The list has no include guard, since it is included several times.

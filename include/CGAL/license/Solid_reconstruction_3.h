@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Solid_reconstruction_3, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_LICENSE_SOLID_RECONSTRUCTION_3_H
 #define CGAL_LICENSE_SOLID_RECONSTRUCTION_3_H

@@ -14,11 +14,7 @@
 #include "programs/option_values.h"
 #include "programs/standard_streams.h"
 
-#include <CLI/CLI.hpp>
-
 #include <iostream>
-#include <memory>
-#include <string>
 
 namespace dsc {
 namespace {

@@ -15,18 +15,8 @@
 
 #include <CGAL/number_utils.h>
 
-#include <CLI/CLI.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdio>
 #include <limits>
-#include <memory>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 namespace dsc {
 namespace {

@@ -14,12 +14,7 @@
 #include "programs/option_values.h"
 #include "programs/standard_streams.h"
 
-#include <CLI/CLI.hpp>
-
 #include <climits>
-#include <memory>
-#include <string>
-#include <variant>
 
 namespace dsc {
 namespace {

@@ -25,18 +25,7 @@
 
 #include <CGAL/Mesh_files/checkpoint.h>
 
-#include <CLI/CLI.hpp>
-
-#include <algorithm>
 #include <climits>
-#include <cstdio>
-#include <iostream>
-#include <memory>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace dsc {
 namespace {

@@ -15,19 +15,9 @@
 
 #include <CGAL/Mesh_files/Svg_canvas.h>
 
-#include <CGAL/Bbox_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-#include <CLI/CLI.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdio>
 #include <memory>
-#include <string>
-#include <vector>
 
 namespace dsc {
 namespace {

@@ -16,13 +16,8 @@
 #include "programs/option_values.h"
 #include "programs/standard_streams.h"
 
-#include <CLI/CLI.hpp>
-
 #include <cstdio>
 #include <memory>
-#include <optional>
-#include <string>
-#include <utility>
 
 namespace dsc {
 namespace {

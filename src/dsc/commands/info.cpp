@@ -16,13 +16,6 @@
 #include "programs/interrupt.h"
 #include "programs/standard_streams.h"
 
-#include <CLI/CLI.hpp>
-
-#include <iostream>
-#include <memory>
-#include <optional>
-#include <string>
-
 namespace dsc {
 namespace {
 

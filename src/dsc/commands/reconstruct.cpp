@@ -22,21 +22,8 @@
 
 #include <CGAL/Mesh_files/point_set_3.h>
 #include <CGAL/Solid_reconstruction_3/compiled_3.h>
-#include <CGAL/property_map.h>
 
-#include <CLI/CLI.hpp>
-
-#include <algorithm>
 #include <climits>
-#include <cmath>
-#include <cstddef>
-#include <cstdio>
-#include <functional>
-#include <memory>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace dsc {
 namespace {

@@ -9,10 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include <array>
 #include <initializer_list>
-#include <optional>
-#include <string>
 
 namespace dsc {
 

@@ -18,18 +18,10 @@
 #include <CGAL/Mesh_files/replace_file.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
-#include <CLI/CLI.hpp>
-
-#include <algorithm>
 #include <climits>
-#include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <memory>
-#include <optional>
 #include <set>
-#include <string>
-#include <vector>
 
 namespace dsc {
 namespace {

@@ -5,15 +5,6 @@
 #include "fluids/fluid_holes.h"
 #include "fluids/fluid_shapes.h"
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <map>
-#include <optional>
-#include <set>
-#include <utility>
-#include <variant>
-
 namespace dsc {
 namespace {
 

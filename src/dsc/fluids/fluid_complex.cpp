@@ -15,20 +15,8 @@
 #include "output/label_titles.h"
 #include "programs/errors.h"
 
-#include <CGAL/Bbox_2.h>
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
-#include <CGAL/number_utils.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <optional>
-#include <string>
-#include <utility>
-#include <variant>
-#include <vector>
 
 namespace dsc {
 namespace {

@@ -4,8 +4,6 @@
 
 #include "fluids/fluid_fields.h"
 
-#include <string>
-
 namespace dsc {
 namespace {
 

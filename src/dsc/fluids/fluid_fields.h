@@ -9,11 +9,6 @@
 
 #include <CGAL/Mesh_files/Mesh_arrays.h>
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <map>
-
 namespace dsc {
 
 /// The velocities and pressures in the cells of a fluid. At a vertex of the interface they depend

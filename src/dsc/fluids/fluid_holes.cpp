@@ -9,11 +9,6 @@
 
 #include <CGAL/Incompressible_fluids_3/Solids_3.h>
 
-#include <algorithm>
-#include <limits>
-#include <string>
-#include <variant>
-
 namespace dsc {
 namespace {
 

@@ -7,11 +7,7 @@
 
 #include "fluids/fluid_shapes.h"
 
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <type_traits>
-#include <vector>
 
 namespace dsc {
 

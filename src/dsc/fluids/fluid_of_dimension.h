@@ -14,10 +14,6 @@
 #include <CGAL/Incompressible_fluids_3/compiled_2.h>
 #include <CGAL/Incompressible_fluids_3/compiled_3.h>
 
-#include <array>
-#include <cstddef>
-#include <type_traits>
-
 namespace dsc {
 
 /// The complex of a scene in the plane or in space.

@@ -9,14 +9,6 @@
 
 #include <CGAL/Mesh_files/SVG_2.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdio>
-#include <limits>
-#include <utility>
-
 namespace dsc {
 namespace {
 

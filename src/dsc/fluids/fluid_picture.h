@@ -8,10 +8,6 @@
 #include "fluids/fluid_of_dimension.h"
 #include "programs/option_values.h"
 
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace dsc {
 
 /// The options of the picture of a fluid.

@@ -15,17 +15,6 @@
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <limits>
-#include <map>
-#include <set>
-#include <string>
-#include <utility>
-#include <variant>
-#include <vector>
-
 namespace dsc {
 namespace {
 

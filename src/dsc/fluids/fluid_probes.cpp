@@ -9,15 +9,6 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Linear_element.h>
 
-#include <CGAL/number_utils.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <vector>
-
 namespace dsc {
 namespace {
 

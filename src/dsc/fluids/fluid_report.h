@@ -9,11 +9,6 @@
 #include "fluids/fluid_scene.h"
 #include "output/report_json.h"
 
-#include <map>
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace dsc {
 
 /// Returns the report of a state: after a step, or before the first step if there is no `report`.

@@ -12,10 +12,6 @@
 
 #include <CGAL/Mesh_files/checkpoint.h>
 
-#include <algorithm>
-#include <cstdio>
-#include <type_traits>
-
 namespace dsc {
 namespace {
 

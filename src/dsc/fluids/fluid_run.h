@@ -8,9 +8,6 @@
 #include "fluids/fluid_of_dimension.h"
 #include "fluids/fluid_scene.h"
 
-#include <memory>
-#include <string>
-
 namespace dsc {
 
 /// A run of a scene: its complex and its fluid.

@@ -13,9 +13,6 @@
 
 #include <CGAL/Mesh_files/internal/text/files.h>
 
-#include <cmath>
-#include <cstddef>
-#include <map>
 #include <set>
 
 namespace dsc {

@@ -11,13 +11,7 @@
 #include "output/report_json.h"
 #include "scenes/scene_solid.h"
 
-#include <algorithm>
-#include <array>
-#include <optional>
-#include <string>
-#include <utility>
 #include <variant>
-#include <vector>
 
 namespace dsc {
 

@@ -4,13 +4,7 @@
 
 #include "fluids/fluid_scene_parts.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <set>
-#include <string>
-#include <utility>
 
 namespace dsc {
 namespace {

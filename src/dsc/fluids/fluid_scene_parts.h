@@ -8,10 +8,6 @@
 #include "fluids/fluid_scene.h"
 #include "scenes/json_fields.h"
 
-#include <array>
-#include <map>
-#include <string>
-
 namespace dsc {
 
 /// Read a part of a scene. The dimension of the fields is the dimension of the scene.

@@ -7,13 +7,6 @@
 #include "input/files.h"
 #include "output/label_titles.h"
 
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <string>
-#include <vector>
-
 namespace dsc {
 namespace {
 

@@ -6,8 +6,6 @@
 
 #include "programs/errors.h"
 
-#include <algorithm>
-#include <cmath>
 #include <iterator>
 
 namespace dsc {

@@ -9,11 +9,7 @@
 #include "input/start_curves.h"
 #include "input/surface.h"
 
-#include <array>
-#include <cstddef>
 #include <set>
-#include <utility>
-#include <vector>
 
 namespace dsc {
 

@@ -12,16 +12,7 @@
 
 #include <CGAL/Mesh_support/coordinates.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <filesystem>
-#include <map>
-#include <optional>
-#include <utility>
-#include <vector>
 
 namespace dsc {
 namespace {

@@ -8,9 +8,6 @@
 #include "fluids/fluid_of_dimension.h"
 #include "fluids/fluid_scene.h"
 
-#include <memory>
-#include <string>
-
 namespace dsc {
 
 /// Returns the complex with the initial liquids of a scene of its dimension. Files of the scene are

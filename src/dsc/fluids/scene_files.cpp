@@ -6,7 +6,6 @@
 
 #include <filesystem>
 #include <system_error>
-#include <vector>
 
 namespace dsc {
 namespace fs = std::filesystem;

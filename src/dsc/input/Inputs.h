@@ -8,10 +8,6 @@
 #include "input/surface.h"
 #include "motions/tracked_complex.h"
 
-#include <functional>
-#include <memory>
-#include <string>
-
 namespace dsc {
 
 struct Run_options;

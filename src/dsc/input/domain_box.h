@@ -9,11 +9,7 @@
 
 #include <CGAL/Complex_construction/Construction_options.h>
 
-#include <CGAL/Bbox_2.h>
-#include <CGAL/Bbox_3.h>
-
 #include <array>
-#include <optional>
 
 namespace dsc {
 

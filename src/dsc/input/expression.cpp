@@ -14,9 +14,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstddef>
 #include <sstream>
-#include <stdexcept>
 #include <utility>
 
 namespace dsc {

@@ -8,13 +8,7 @@
 
 #include <CGAL/Mesh_files/replace_file.h>
 
-#include <fcntl.h>
 #include <unistd.h>
-
-#include <algorithm>
-#include <cerrno>
-#include <filesystem>
-#include <system_error>
 
 namespace dsc {
 namespace fs = std::filesystem;

@@ -10,13 +10,7 @@
 
 #include <CGAL/Mesh_files/internal/text/files.h>
 
-#include <cstdint>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-#include <string_view>
-#include <system_error>
 
 namespace dsc {
 namespace {

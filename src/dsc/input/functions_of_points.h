@@ -11,9 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace dsc {
 

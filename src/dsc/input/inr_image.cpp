@@ -13,19 +13,7 @@
 
 #include <zlib.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
-#include <limits>
-#include <map>
 #include <memory>
-#include <optional>
-#include <string>
-#include <system_error>
-#include <vector>
 
 namespace dsc {
 namespace {

@@ -9,11 +9,8 @@
 #include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Mesh_support/internal/sets/Disjoint_sets.h>
 
-#include <algorithm>
 #include <cmath>
 #include <sstream>
-#include <utility>
-#include <vector>
 
 namespace dsc {
 namespace {

@@ -10,14 +10,6 @@
 #include <CGAL/Mesh_files/MEDIT_3.h>
 #include <CGAL/Mesh_files/VTU_3.h>
 
-#include <algorithm>
-#include <filesystem>
-#include <limits>
-#include <map>
-#include <sstream>
-#include <stdexcept>
-#include <utility>
-
 namespace dsc {
 namespace {
 

@@ -14,11 +14,6 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-#include <array>
-#include <cstddef>
-#include <string>
-#include <vector>
-
 namespace dsc {
 
 using DSC::Mesh_array;

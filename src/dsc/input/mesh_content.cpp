@@ -10,12 +10,6 @@
 #include <CGAL/Mesh_files/internal/grids/write_vtu.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <numeric>
-#include <utility>
-
 namespace dsc {
 namespace {
 

@@ -10,9 +10,6 @@
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/Solid_domain.h>
 
-#include <string>
-#include <vector>
-
 namespace dsc {
 
 /// The contents of a file of tetrahedra other than points and labels. Arrays are ordered by the

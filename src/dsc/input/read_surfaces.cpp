@@ -10,13 +10,6 @@
 #include <CGAL/Mesh_files/Surface_parts.h>
 #include <CGAL/Mesh_files/labeled_surface_3.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace dsc {
 namespace {
 

@@ -9,13 +9,6 @@
 #include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Triangle_soup_repair/repair_surface_3.h>
 
-#include <algorithm>
-#include <limits>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace dsc {
 
 namespace {

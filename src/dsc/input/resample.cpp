@@ -20,14 +20,9 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
 #include <queue>
 #include <set>
 #include <tuple>
-#include <utility>
 
 namespace dsc {
 namespace PMP = CGAL::Polygon_mesh_processing;

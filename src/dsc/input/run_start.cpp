@@ -6,8 +6,6 @@
 
 #include "input/files.h"
 
-#include <algorithm>
-
 namespace dsc {
 
 int dimension_of(const Run_start& start) {

@@ -9,11 +9,7 @@
 
 #include <CGAL/Complex_construction/Thin_part_options.h>
 
-#include <array>
-#include <cstddef>
 #include <optional>
-#include <string>
-#include <vector>
 
 namespace dsc {
 

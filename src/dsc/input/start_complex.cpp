@@ -13,9 +13,6 @@
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Mesh_files/checkpoint.h>
 
-#include <algorithm>
-#include <map>
-
 namespace dsc {
 namespace {
 

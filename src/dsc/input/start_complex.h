@@ -15,11 +15,6 @@
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
 
-#include <cstddef>
-#include <memory>
-#include <string>
-#include <utility>
-
 namespace dsc {
 
 // All functions throw std::runtime_error if an input cannot be read, or does not define a complex.

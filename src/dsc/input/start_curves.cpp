@@ -10,8 +10,6 @@
 
 #include <CGAL/Mesh_files/labeled_curves_2.h>
 
-#include <CGAL/number_utils.h>
-
 namespace dsc {
 namespace {
 

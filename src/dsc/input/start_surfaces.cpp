@@ -7,14 +7,9 @@
 #include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
 #include <CGAL/Triangle_soup_repair/make_patches_3.h>
 
-#include <CGAL/Bbox_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/generators.h>
 #include <CGAL/bounding_box.h>
-
-#include <algorithm>
-#include <cmath>
-#include <map>
 
 namespace dsc {
 namespace {

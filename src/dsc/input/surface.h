@@ -14,10 +14,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-#include <cstddef>
 #include <limits>
-#include <string>
-#include <vector>
 
 namespace dsc {
 

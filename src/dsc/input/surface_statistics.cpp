@@ -7,10 +7,6 @@
 
 #include <CGAL/Mesh_support/internal/sets/Disjoint_sets.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 namespace dsc {
 namespace {
 

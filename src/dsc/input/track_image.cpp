@@ -11,8 +11,6 @@
 #include <CGAL/Complex_construction/convert_labeled_image_3.h>
 #include <CGAL/Mesh_support/Error.h>
 
-#include <CGAL/Bbox_3.h>
-
 namespace dsc {
 
 std::unique_ptr<Tracked_complex> track_image(const std::string& path, const Run_options& options) {

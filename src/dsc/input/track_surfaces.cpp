@@ -18,18 +18,6 @@
 #include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
 #include <CGAL/Triangle_soup_repair/make_patches_3.h>
 
-#include <CGAL/Bbox_3.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <iostream>
-#include <limits>
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace dsc {
 namespace {
 

@@ -17,11 +17,6 @@
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
 
-#include <algorithm>
-#include <memory>
-#include <string>
-#include <utility>
-
 namespace dsc {
 namespace {
 

@@ -10,31 +10,22 @@
 
 #include <CGAL/Mesh_files/replace_file.h>
 
-#include <fcntl.h>
 #include <signal.h>
 #include <spawn.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cctype>
-#include <cerrno>
-#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
-#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
-#include <map>
 #include <optional>
 #include <set>
 #include <sstream>
-#include <stdexcept>
-#include <system_error>
 #include <thread>
-#include <utility>
 
 extern char** environ;
 

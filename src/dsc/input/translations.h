@@ -10,7 +10,6 @@
 #include <CGAL/Mesh_files/Unused_content.h>
 
 #include <functional>
-#include <string>
 #include <vector>
 
 namespace dsc {

@@ -9,13 +9,6 @@
 
 #include <CGAL/Mesh_files/replace_file.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <ostream>
-#include <utility>
-
 namespace dsc {
 namespace {
 

@@ -12,10 +12,7 @@
 
 #include <CGAL/Image_3.h>
 
-#include <cstddef>
 #include <map>
-#include <string>
-#include <vector>
 
 namespace dsc {
 

@@ -15,11 +15,7 @@
 #include <CGAL/Interface_remeshing/internal/values/overlap_measure.h>
 #include <CGAL/Mesh_files/Mesh_arrays.h>
 
-#include <algorithm>
-#include <cstddef>
 #include <optional>
-#include <utility>
-#include <vector>
 
 namespace dsc {
 

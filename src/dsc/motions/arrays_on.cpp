@@ -8,17 +8,8 @@
 #include <CGAL/Interface_remeshing/internal/values/overlap_measure.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
-#include <CGAL/Bbox_3.h>
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/box_intersection_d.h>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <limits>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 namespace dsc {
 namespace {

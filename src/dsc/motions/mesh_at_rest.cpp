@@ -22,12 +22,6 @@
 #include <CGAL/Mesh_files/internal/grids/Written_vertices.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <utility>
-
 namespace dsc {
 namespace {
 

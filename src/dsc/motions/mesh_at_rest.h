@@ -11,10 +11,6 @@
 
 #include <CGAL/Deformable_simplicial_complexes/State.h>
 
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace dsc {
 
 /// The options of the improvement of tetrahedra.

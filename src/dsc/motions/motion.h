@@ -10,10 +10,7 @@
 #include <CGAL/Interface_flows/Corner_rule.h>
 #include <CGAL/Interface_flows/Integration_scheme.h>
 
-#include <array>
-#include <map>
 #include <optional>
-#include <string>
 #include <variant>
 
 namespace dsc {

@@ -7,16 +7,7 @@
 #include "programs/add_value.h"
 #include "programs/errors.h"
 
-#include <CLI/CLI.hpp>
-
-#include <algorithm>
-#include <array>
-#include <map>
-#include <optional>
-#include <stdexcept>
 #include <type_traits>
-#include <variant>
-#include <vector>
 
 namespace dsc {
 namespace {

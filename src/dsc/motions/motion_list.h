@@ -9,7 +9,6 @@
 #include "output/report_json.h"
 
 #include <set>
-#include <string>
 
 namespace CLI {
 class App;

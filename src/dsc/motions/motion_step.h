@@ -26,17 +26,6 @@
 #include <CGAL/Interface_remeshing/restore_volumes.h>
 #include <CGAL/Mesh_support/coordinates.h>
 
-#include <CGAL/number_utils.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <functional>
-#include <map>
-#include <optional>
-#include <type_traits>
-#include <variant>
-
 namespace dsc {
 
 /// Sets the options of all motions. The run itself lets the domain grow.

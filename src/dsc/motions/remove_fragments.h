@@ -8,9 +8,7 @@
 #include "input/label_components.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
-#include <map>
 #include <utility>
 #include <vector>
 

@@ -22,14 +22,7 @@
 #include "programs/interrupt.h"
 #include "programs/option_values.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <iostream>
-#include <memory>
-#include <stdexcept>
-#include <variant>
-#include <vector>
 
 namespace dsc {
 namespace {

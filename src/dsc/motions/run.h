@@ -9,10 +9,7 @@
 #include "input/surface.h"
 #include "motions/motion.h"
 
-#include <array>
-#include <optional>
 #include <set>
-#include <string>
 
 namespace dsc {
 

@@ -9,10 +9,6 @@
 
 #include <CGAL/Mesh_files/Label_names.h>
 
-#include <map>
-#include <string>
-#include <vector>
-
 namespace dsc {
 
 /// The balance of the volumes of a run: the sums over its steps.

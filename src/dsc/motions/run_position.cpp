@@ -9,10 +9,6 @@
 #include "output/label_titles.h"
 #include "output/report_json.h"
 
-#include <cstddef>
-#include <stdexcept>
-#include <vector>
-
 namespace dsc {
 
 using DSC::Label_names;

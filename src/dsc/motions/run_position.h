@@ -12,9 +12,6 @@
 #include <CGAL/Mesh_files/Label_names.h>
 #include <CGAL/Mesh_files/Mesh_arrays.h>
 
-#include <optional>
-#include <string>
-
 namespace dsc {
 
 /// The current position of a run.

@@ -4,9 +4,6 @@
 
 #include "motions/start_distance.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace dsc {
 
 Start_distance::Start_distance(const std::vector<Surface>& surfaces) {

@@ -13,9 +13,6 @@
 
 #include <CGAL/AABB_tree.h>
 
-#include <optional>
-#include <vector>
-
 namespace dsc {
 
 /// The distance of an interface from its initial surfaces.

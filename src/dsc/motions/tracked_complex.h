@@ -11,16 +11,9 @@
 
 #include <CGAL/Mesh_files/Label_names.h>
 
-#include <algorithm>
-#include <array>
 #include <chrono>
-#include <cmath>
 #include <functional>
 #include <memory>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace dsc {
 

@@ -25,11 +25,6 @@
 #include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
 
-#include <array>
-#include <cstddef>
-#include <map>
-#include <optional>
-
 namespace dsc {
 namespace {
 

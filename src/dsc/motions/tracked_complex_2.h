@@ -9,8 +9,6 @@
 
 #include <CGAL/Interface_flows/compiled_2.h>
 
-#include <string>
-
 namespace dsc {
 
 extern template class Tracked_whole<CGAL::Deformable_simplicial_complex_2<>>;

@@ -17,10 +17,6 @@
 #include <CGAL/Mesh_files/VTU_3.h>
 #include <CGAL/Mesh_files/labeled_surface_3.h>
 
-#include <cstddef>
-#include <utility>
-#include <vector>
-
 namespace dsc {
 
 Statistics Tracked_complex_3::statistics() const { return statistics_of(complex, label_names); }

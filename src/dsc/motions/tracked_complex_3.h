@@ -11,9 +11,6 @@
 #include <CGAL/Interface_flows/compiled_3.h>
 #include <CGAL/Mesh_files/Mesh_arrays.h>
 
-#include <optional>
-#include <string>
-
 namespace dsc {
 
 extern template class Tracked_whole<CGAL::Deformable_simplicial_complex_3<>>;

@@ -14,13 +14,6 @@
 #include <CGAL/Distributed_complexes/advect_distributed_interface.h>
 #include <CGAL/Distributed_complexes/distributed_checkpoint.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <map>
-#include <variant>
-
 namespace dsc {
 namespace {
 

@@ -9,11 +9,6 @@
 
 #include <CGAL/Distributed_complexes/Distributed_complex.h>
 
-#include <functional>
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace dsc {
 
 /// A complex that is distributed among processes. All functions are collective. A file is written

@@ -10,12 +10,6 @@
 
 #include <CGAL/Mesh_files/Mesh_arrays.h>
 
-#include <functional>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace dsc {
 
 /// The functions that compute the arrays of output files, such as the velocities of a fluid.

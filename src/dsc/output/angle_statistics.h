@@ -11,9 +11,7 @@
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 
 namespace dsc {
 

@@ -18,9 +18,6 @@
 #include <CGAL/Mesh_files/labeled_surface_3.h>
 #include <CGAL/Mesh_support/coordinates.h>
 
-#include <string>
-#include <utility>
-
 namespace dsc {
 
 /// Returns the statistics of a complex in space whose labels may have names.

@@ -18,11 +18,6 @@
 #include <CGAL/Interface_remeshing/extract_interface_3.h>
 #include <CGAL/Mesh_files/labeled_surface_3.h>
 
-#include <fstream>
-#include <optional>
-#include <utility>
-#include <vector>
-
 namespace dsc {
 namespace {
 

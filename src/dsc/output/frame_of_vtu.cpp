@@ -6,12 +6,6 @@
 
 #include <CGAL/Mesh_files/internal/grids/read_vtu_tetrahedra.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numeric>
-#include <utility>
-
 namespace dsc {
 namespace {
 

@@ -10,7 +10,6 @@
 
 #include <CGAL/Mesh_files/Label_names.h>
 
-#include <string>
 #include <vector>
 
 namespace dsc {

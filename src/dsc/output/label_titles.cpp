@@ -11,9 +11,6 @@
 
 #include <CGAL/Mesh_files/internal/text/number_of_word.h>
 
-#include <algorithm>
-#include <cstddef>
-
 namespace dsc {
 
 using CGAL::Deformable_simplicial_complexes::internal::number_of_word;

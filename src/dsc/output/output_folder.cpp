@@ -11,11 +11,6 @@
 #include <CGAL/Mesh_files/internal/text/files.h>
 #include <CGAL/Mesh_files/internal/text/number_of_word.h>
 
-#include <cmath>
-#include <cstdio>
-#include <filesystem>
-#include <string_view>
-
 namespace dsc {
 namespace fs = std::filesystem;
 namespace {

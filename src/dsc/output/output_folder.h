@@ -11,14 +11,6 @@
 
 #include <CGAL/Mesh_files/PVD_series.h>
 
-#include <exception>
-#include <functional>
-#include <limits>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace dsc {
 
 /// The output files of a run. Each written state has two VTU files; in the plane also a picture

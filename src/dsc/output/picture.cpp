@@ -12,13 +12,7 @@
 
 #include <png.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <limits>
-#include <new>
-#include <ostream>
-#include <string>
 
 namespace dsc {
 namespace {

@@ -9,8 +9,6 @@
 
 #include <CGAL/Mesh_files/internal/pictures/colors.h>
 
-#include <array>
-#include <string>
 #include <vector>
 
 namespace dsc {

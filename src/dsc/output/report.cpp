@@ -6,9 +6,7 @@
 
 #include "input/translations.h"
 
-#include <cstddef>
 #include <cstdio>
-#include <utility>
 
 namespace dsc {
 namespace {

@@ -14,7 +14,6 @@
 #include "output/statistics.h"
 
 #include <chrono>
-#include <string>
 
 namespace dsc {
 

@@ -10,10 +10,6 @@
 #include <CGAL/Mesh_files/internal/text/files.h>
 #include <CGAL/Mesh_files/replace_file.h>
 
-#include <ostream>
-#include <utility>
-#include <vector>
-
 namespace dsc {
 namespace {
 

@@ -11,9 +11,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <optional>
-#include <string>
-
 namespace dsc {
 
 using Json = nlohmann::ordered_json;

@@ -11,11 +11,8 @@
 #include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 
 #include <array>
-#include <cstddef>
 #include <optional>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace dsc {
 

@@ -14,10 +14,6 @@
 #include <CGAL/Mesh_files/VTU_2.h>
 #include <CGAL/Mesh_files/VTU_3.h>
 
-#include <cstddef>
-#include <cstdio>
-#include <string>
-
 namespace dsc {
 
 /// An output folder with the cells and the interface of each step of a run that is not resumed, for

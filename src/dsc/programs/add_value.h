@@ -9,9 +9,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <map>
-#include <string>
-
 namespace dsc {
 
 /// Adds an option that keeps the default of a value unless it is given.

@@ -15,9 +15,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <array>
-#include <string>
-
 namespace {
 
 /// A command that another program contains.

@@ -14,11 +14,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <cstddef>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
 namespace {
 
 [[noreturn]] void leave_to_petsc() {

@@ -20,11 +20,6 @@
 #include <petscsys.h>
 
 #include <cctype>
-#include <cstddef>
-#include <iostream>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace {
 

@@ -24,14 +24,6 @@
 #endif
 
 #include <CLI/CLI.hpp>
-#include <mpi.h>
-
-#include <exception>
-#include <filesystem>
-#include <functional>
-#include <memory>
-#include <string>
-#include <system_error>
 
 namespace {
 

@@ -9,8 +9,6 @@
 
 #include <CGAL/Mesh_support/Progress_scope.h>
 
-#include <chrono>
-
 namespace dsc {
 
 constexpr int exit_code_of_interrupt = 130; ///< exit code of shells for SIGINT

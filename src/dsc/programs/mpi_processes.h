@@ -11,12 +11,8 @@
 
 #include <mpi.h>
 
-#include <chrono>
-#include <cstddef>
 #include <cstdio>
-#include <iostream>
 #include <sstream>
-#include <string>
 #include <thread>
 
 namespace dsc {

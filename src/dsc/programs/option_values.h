@@ -9,9 +9,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <map>
-#include <string>
 #include <vector>
 
 namespace CLI {

@@ -12,18 +12,12 @@
 
 #include <CGAL/assertions.h>
 
-#include <CLI/CLI.hpp>
-
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <exception>
 #include <iostream>
-#include <new>
-#include <stdexcept>
-#include <vector>
 
 namespace {
 

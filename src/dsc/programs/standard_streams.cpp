@@ -15,8 +15,6 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
-#include <iostream>
-#include <map>
 #include <memory>
 #include <system_error>
 #include <utility>

@@ -14,9 +14,6 @@
 #include <CGAL/Incompressible_fluids_3/Solids_3.h>
 #include <CGAL/Mesh_support/coordinates.h>
 
-#include <cstddef>
-#include <type_traits>
-
 namespace dsc {
 
 /// Returns the body of a solid with its initial motion.

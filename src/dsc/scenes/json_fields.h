@@ -8,10 +8,6 @@
 #include "input/expression.h"
 #include "output/report_json.h"
 
-#include <array>
-#include <string>
-#include <vector>
-
 namespace dsc {
 
 /// The fields of an object of a JSON file. Checks that each field is known, of the correct type and

@@ -6,11 +6,6 @@
 
 #include <CGAL/Mesh_support/coordinates.h>
 
-#include <algorithm>
-#include <cstddef>
-#include <utility>
-#include <vector>
-
 namespace dsc {
 namespace {
 

@@ -10,12 +10,6 @@
 #include <CGAL/Incompressible_fluids_3/Moving_solid_3.h>
 #include <CGAL/Incompressible_fluids_3/Solids_3.h>
 
-#include <array>
-#include <functional>
-#include <memory>
-#include <optional>
-#include <string>
-
 namespace dsc {
 
 /// A solid in a fluid. In the plane, points, vectors and boxes have the third coordinate 0.

@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Cut_loci_2, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_CUT_LOCI_2_INTERNAL_GEODESICS_CUT_CIRCLE_2_H
 #define CGAL_CUT_LOCI_2_INTERNAL_GEODESICS_CUT_CIRCLE_2_H

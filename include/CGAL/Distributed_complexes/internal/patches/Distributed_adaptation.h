@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Distributed_complexes, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_INTERNAL_PATCHES_DISTRIBUTED_ADAPTATION_H
 #define CGAL_DISTRIBUTED_COMPLEXES_INTERNAL_PATCHES_DISTRIBUTED_ADAPTATION_H
@@ -23,12 +23,6 @@
 #include <CGAL/Interface_remeshing/Interface_adaptation.h>
 #include <CGAL/Interface_remeshing/improve_interface.h>
 #include <CGAL/Interface_remeshing/internal/interface/Curvature_lengths.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

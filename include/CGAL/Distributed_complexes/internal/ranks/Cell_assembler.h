@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Distributed_complexes, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_INTERNAL_RANKS_CELL_ASSEMBLER_H
 #define CGAL_DISTRIBUTED_COMPLEXES_INTERNAL_RANKS_CELL_ASSEMBLER_H
@@ -19,14 +19,6 @@
 #include <CGAL/Distributed_complexes/internal/ranks/message_bytes.h>
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/coordinates.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

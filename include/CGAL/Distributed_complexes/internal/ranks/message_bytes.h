@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Distributed_complexes, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_INTERNAL_RANKS_MESSAGE_BYTES_H
 #define CGAL_DISTRIBUTED_COMPLEXES_INTERNAL_RANKS_MESSAGE_BYTES_H
@@ -11,13 +11,9 @@
 #include <CGAL/Distributed_complexes/Communicator.h>
 #include <CGAL/Mesh_support/Error.h>
 
-#include <cstddef>
-#include <cstdint>
 #include <cstring>
 #include <map>
 #include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Mesh_files, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_MESH_FILES_INTERNAL_CHECKPOINTS_CHECKPOINT_FILE_H
 #define CGAL_MESH_FILES_INTERNAL_CHECKPOINTS_CHECKPOINT_FILE_H
@@ -16,18 +16,10 @@
 
 #include <boost/crc.hpp>
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
 #include <ios>
 #include <istream>
 #include <ostream>
-#include <string>
 #include <string_view>
-#include <tuple>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Mesh_files, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_MESH_FILES_INTERNAL_CURVES_READ_POLY_H
 #define CGAL_MESH_FILES_INTERNAL_CURVES_READ_POLY_H
@@ -14,18 +14,7 @@
 #include <CGAL/Mesh_files/internal/text/files.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <filesystem>
-#include <fstream>
-#include <limits>
 #include <locale>
-#include <optional>
-#include <string>
-#include <system_error>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

@@ -1,19 +1,14 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Mesh_files, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_MESH_FILES_INTERNAL_GRIDS_MERGED_CORNERS_H
 #define CGAL_MESH_FILES_INTERNAL_GRIDS_MERGED_CORNERS_H
 
 #include <CGAL/Mesh_support/internal/sets/equal_points.h>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Mesh_files, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_MESH_FILES_INTERNAL_GRIDS_VTU_DOCUMENT_H
 #define CGAL_MESH_FILES_INTERNAL_GRIDS_VTU_DOCUMENT_H
@@ -13,12 +13,7 @@
 #include <CGAL/Mesh_files/internal/grids/vtk_numbers.h>
 #include <CGAL/Mesh_files/internal/text/little_endian.h>
 
-#include <cstddef>
-#include <cstdint>
 #include <ostream>
-#include <string>
-#include <type_traits>
-#include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

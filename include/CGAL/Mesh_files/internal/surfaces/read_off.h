@@ -1,19 +1,15 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Mesh_files, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_MESH_FILES_INTERNAL_SURFACES_READ_OFF_H
 #define CGAL_MESH_FILES_INTERNAL_SURFACES_READ_OFF_H
 
 #include <CGAL/Mesh_files/internal/text/File_scanner.h>
 
-#include <cstddef>
-#include <cstdint>
-#include <string>
-#include <string_view>
 #include <vector>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {

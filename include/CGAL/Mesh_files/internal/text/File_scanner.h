@@ -1,9 +1,9 @@
-// Copyright (c) 2026 The deformable simplicial complex authors.
-// All rights reserved.
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
 //
-// This file is part of the package Mesh_files, written for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
 
 #ifndef CGAL_MESH_FILES_INTERNAL_TEXT_FILE_SCANNER_H
 #define CGAL_MESH_FILES_INTERNAL_TEXT_FILE_SCANNER_H
@@ -13,15 +13,8 @@
 #include <CGAL/Mesh_files/internal/text/little_endian.h>
 #include <CGAL/Mesh_files/internal/text/number_of_word.h>
 
-#include <algorithm>
-#include <cstddef>
-#include <ios>
 #include <istream>
 #include <iterator>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <utility>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

@@ -20,10 +20,6 @@
 #include <CGAL/Interface_remeshing/improve_interface.h>
 #include <CGAL/Interface_remeshing/improve_mesh.h>
 
-#include <functional>
-#include <optional>
-#include <vector>
-
 #ifndef CGAL_DSC_INSTANTIATION // defined where the component instantiates the templates
 #define CGAL_DSC_INSTANTIATION extern
 #endif

@@ -23,12 +23,6 @@
 #include <CGAL/Triangle_soup_repair/internal/soups/soup_intersections_3.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/soup_rays_3.h>
 
-#include <cstddef>
-#include <functional>
-#include <optional>
-#include <utility>
-#include <vector>
-
 #ifndef CGAL_DSC_INSTANTIATION // defined where the component instantiates the templates
 #define CGAL_DSC_INSTANTIATION extern
 #endif

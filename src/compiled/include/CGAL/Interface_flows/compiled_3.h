@@ -18,9 +18,6 @@
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_remeshing/restore_volumes.h>
 
-#include <map>
-#include <vector>
-
 namespace CGAL::Deformable_simplicial_complexes {
 #define CGAL_DSC_COMPILED_COMPLEX internal::Default_complex_3
 #include <CGAL/Interface_flows/compiled_functions.h>
