@@ -243,7 +243,7 @@ def header_faults(path, text, package):
                  "// SPDX-License-Identifier: ", "// Author(s)     : "):
         if f"\n{line}" not in f"\n{text[:1000]}":
             yield f"has no line '{line}'"
-    if "#ifndef CGAL_DSC_PARAMETER_OF_CGAL" in text:
+    if "The list has no include guard" in text:
         return  # a list that is included several times
     guard = re.search(r"^#ifndef (\w+)\n#define (\w+)$", text, re.MULTILINE)
     parts = path.parts[path.parts.index("include") + 2:]
