@@ -55,7 +55,7 @@ void remove_points_on_triangles(Complex& dsc, const Tetrahedralization_3& mesh, 
   for (const std::size_t i : added)
     vertices.push_back(handles[i]);
   Cavity<Complex> cavity(dsc);
-  Any_visitor<Complex> visitor;
+  Deformation_visitor<Complex> visitor;
   Improvement_report report;
   for (std::size_t before = 0; before != vertices.size();) {
     before = vertices.size();
