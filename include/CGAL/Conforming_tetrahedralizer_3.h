@@ -38,7 +38,9 @@ to rounding. Away from triangles, it adds points at distances of about the edge 
 triangles. Tetrahedra can be degenerate up to rounding where triangles are divided or parts are
 thin. The functions that build complexes improve them.
 
-A call cannot be interrupted.
+A call cannot be interrupted, and its time and memory are not bounded. Both can be very large if
+a thin part has flat sides of many triangles that are rounded, such as a rotated plate. Use
+`Tetgen_tetrahedralizer_3` for such surfaces.
 
 \cgalModels{ConstrainedTetrahedralizer_3}
 */
@@ -106,7 +108,7 @@ private:
       double length = 0;
       for (int i = 0; i < 3; ++i)
         length = (std::max)(length, squared_distance(facet[i], facet[(i + 1) % 3]));
-      const int exponent = std::ilogb(std::sqrt(length) / unit);
+      const int exponent = std::ilogb(2 * std::sqrt(length) / unit);
       const unsigned level = unsigned(std::clamp(exponent, 0, int(octree.last_level()) - 1)) + 1;
       const auto center = centroid(facet);
       Octree_3::Place block;
