@@ -161,11 +161,11 @@ private:
   // geodesic.
   void visit(const State& s, const Vector& normal, double length, double step, double width) {
     const Vector here = s.head<3>(), direction = s.segment<3>(3);
-    const auto near = m_cells.find(cell(here, {0, 0, 0}));
-    if (near == m_cells.end())
+    const auto nearby = m_cells.find(cell(here, {0, 0, 0}));
+    if (nearby == m_cells.end())
       return;
     const double half = beyond * std::abs(s[6]) * width;
-    for (std::size_t i : near->second) {
+    for (std::size_t i : nearby->second) {
       const Vector d = difference(here, (*m_points)[i]);
       const double ahead = d.dot(direction), side = d.dot(normal.cross(direction)),
                    above = d.dot(normal);

@@ -145,7 +145,7 @@ public:
   double maximum(const char* key) const {
     double result = 0;
     for (const Json& step : m_steps)
-      result = std::max(result, step[key].get<double>());
+      result = (std::max)(result, step[key].get<double>());
     return result;
   }
 

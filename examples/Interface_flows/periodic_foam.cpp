@@ -90,7 +90,8 @@ int main(int argc, char** argv) {
         int label = 0;
         double least = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < centers.size(); ++i)
-          if (const double d = (domain.near(p, centers[i]) - p).squared_length(); d < least) {
+          if (const double d = (domain.nearest_image(p, centers[i]) - p).squared_length();
+              d < least) {
             least = d;
             label = int(i) + 1;
           }

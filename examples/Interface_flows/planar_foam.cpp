@@ -29,7 +29,7 @@ int nearest(const Domain& domain, const std::vector<Point>& seeds, const Point& 
   int label = 0;
   double least = 1;
   for (std::size_t i = 0; i < seeds.size(); ++i)
-    if (const double d = (domain.near(p, seeds[i]) - p).squared_length(); d < least) {
+    if (const double d = (domain.nearest_image(p, seeds[i]) - p).squared_length(); d < least) {
       least = d;
       label = int(i) + 1;
     }
@@ -73,8 +73,8 @@ int main(int argc, char** argv) {
   while (seeds.size() < number_of_cells) {
     const Point p(coordinate(), coordinate());
     const int other = nearest(domain, seeds, p);
-    if (other == 0 ||
-        (domain.near(p, seeds[other - 1]) - p).squared_length() > .4 / double(number_of_cells))
+    if (other == 0 || (domain.nearest_image(p, seeds[other - 1]) - p).squared_length() >
+                          .4 / double(number_of_cells))
       seeds.push_back(p);
   }
   Complex foam = DSC::make_deformable_simplicial_complex_2<Complex>(

@@ -17,7 +17,7 @@ using Domain = DSC::Torus_domain<2>;
 using Sphere = DSC::Sphere_like_surface_2<Sphere_surface, Metric_of_chart>;
 
 /// Returns the smallest length of unit vectors along the axes of a chart.
-double scale_of(const DSC::Metric_jet_2& g) { return std::sqrt(std::min(g.E, g.G)); }
+double scale_of(const DSC::Metric_jet_2& g) { return std::sqrt((std::min)(g.E, g.G)); }
 
 template <class Front>
 Geodesic_source::Ball grow(Front front, double radius, double step, const std::string& path) {
@@ -29,7 +29,7 @@ Geodesic_source::Ball grow(Front front, double radius, double step, const std::s
   }
   bool continues = true;
   while (continues && front.radius() < radius)
-    continues = front.advance(std::min(step, radius - front.radius()));
+    continues = front.advance((std::min)(step, radius - front.radius()));
   if (!path.empty() && std::filesystem::path(path).extension() == ".vtu")
     CGAL::IO::write_VTU(path, front.complex());
   else if (!path.empty())
@@ -46,7 +46,7 @@ public:
 
   double default_spacing() const override {
     static constexpr double edges = 40; // on the shorter period
-    return std::min(m_domain.periods()[0], m_domain.periods()[1]) / edges;
+    return (std::min)(m_domain.periods()[0], m_domain.periods()[1]) / edges;
   }
   double default_step(double spacing) const override {
     return spacing / 2 * scale_of(m_surface.metric(m_source.x(), m_source.y()));

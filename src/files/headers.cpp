@@ -29,14 +29,14 @@ namespace internal = CGAL::Deformable_simplicial_complexes::internal;
 void limit(int resource, double bound) {
   rlimit limits = {};
   getrlimit(resource, &limits);
-  limits.rlim_cur = std::min(limits.rlim_max, rlim_t(std::min(bound, 1e18)));
+  limits.rlim_cur = (std::min)(limits.rlim_max, rlim_t((std::min)(bound, 1e18)));
   setrlimit(resource, &limits);
 }
 
 /// Returns a number in an attribute of an element; 0 if there is none.
 double number_in(vtkXMLDataElement* element, const char* attribute) {
   const char* const text = element->GetAttribute(attribute);
-  return text == nullptr ? 0 : std::max(0., std::strtod(text, nullptr));
+  return text == nullptr ? 0 : (std::max)(0., std::strtod(text, nullptr));
 }
 
 /// Ends this process at deeply nested elements, since VTK visits elements by recursion.
@@ -73,8 +73,8 @@ struct Sizes
       char* rest = nullptr;
       const double first = std::strtod(extent, &rest), last = std::strtod(rest, &rest);
       extent = rest;
-      points *= std::max(0., last - first + 1);
-      cells *= std::max(1., last - first);
+      points *= (std::max)(0., last - first + 1);
+      cells *= (std::max)(1., last - first);
     }
   }
 };
@@ -118,7 +118,7 @@ private:
         type && (name == "DataArray" || name == "PDataArray")) {
       const double bits = std::strtod(type + std::strcspn(type, "0123456789"), nullptr);
       m_header.content += (1 + items + number_in(element, "NumberOfTuples")) * bits / 8 *
-                          std::max(1., number_in(element, "NumberOfComponents"));
+                          (std::max)(1., number_in(element, "NumberOfComponents"));
     }
     const char* const file = element->GetAttribute(name == "Piece" ? "Source" : "file");
     if (m_may_name_files && file != nullptr && (name == "Piece" || name == "DataSet")) {
@@ -216,7 +216,7 @@ void accept_content(double content, double bytes) {
   if (!refusal.empty())
     throw Failure(refusal);
   static double accepted = 0;
-  accepted += std::max(content, bytes);
+  accepted += (std::max)(content, bytes);
   limit(RLIMIT_CPU, seconds + accepted / bytes_per_second);
 #ifdef __linux__ // memory that is written; RLIMIT_AS would include the libraries
   limit(RLIMIT_DATA, memory + accepted * memory_of_byte);

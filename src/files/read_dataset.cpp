@@ -96,13 +96,13 @@ double content_of_image(vtkInformation* announced) {
   announced->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
   double result = 1;
   for (int axis = 0; axis < 3; ++axis)
-    result *= std::max(0., double(extent[2 * axis + 1]) - extent[2 * axis] + 1);
+    result *= (std::max)(0., double(extent[2 * axis + 1]) - extent[2 * axis] + 1);
   vtkInformation* const values = vtkDataObject::GetActiveFieldInformation(
       announced, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
   if (values != nullptr)
     result *=
         double(vtkDataArray::GetDataTypeSize(values->Get(vtkDataObject::FIELD_ARRAY_TYPE()))) *
-        std::max(1, values->Get(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS()));
+        (std::max)(1, values->Get(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS()));
   return result;
 }
 
@@ -248,7 +248,7 @@ std::map<int, std::string> names_in(vtkDataSet* data) {
   auto* const names =
       vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("label_names"));
   if (labels != nullptr && names != nullptr && data->GetCellData()->HasArray("label") != 0)
-    for (vtkIdType i = 0; i < std::min(labels->GetNumberOfTuples(), names->GetNumberOfTuples());
+    for (vtkIdType i = 0; i < (std::min)(labels->GetNumberOfTuples(), names->GetNumberOfTuples());
          ++i)
       result.emplace(int(labels->GetTuple1(i)), names->GetValue(i));
   return result;

@@ -111,7 +111,7 @@ vtkSmartPointer<vtkUnstructuredGrid> grid_of_model(Translation& translation) {
     std::vector<std::vector<std::size_t>> elements, nodes;
     gmsh::model::mesh::getElements(types, elements, nodes, dimension, entity);
     if (!types.empty())
-      largest = std::max(largest, dimension);
+      largest = (std::max)(largest, dimension);
     for (std::size_t t = 0; t < types.size(); ++t) {
       const Element_type& type = type_of(types[t]);
       for (std::size_t i = 0; i < elements[t].size(); ++i) {

@@ -36,8 +36,8 @@ std::vector<double> otsu_thresholds(const std::vector<double>& values, int numbe
   double least = std::numeric_limits<double>::infinity(), largest = -least;
   for (const double value : values)
     if (std::isfinite(value)) {
-      least = std::min(least, value);
-      largest = std::max(largest, value);
+      least = (std::min)(least, value);
+      largest = (std::max)(largest, value);
     }
   if (!(least < largest))
     throw Failure("has a single value, so that no threshold can be chosen");
@@ -45,7 +45,7 @@ std::vector<double> otsu_thresholds(const std::vector<double>& values, int numbe
   Sums sums;
   for (const double value : values)
     if (std::isfinite(value)) {
-      const auto bin = std::min(bins - 1, std::size_t((value - least) / width));
+      const auto bin = (std::min)(bins - 1, std::size_t((value - least) / width));
       sums.number[bin + 1] += 1;
       sums.value[bin + 1] += double(bin);
     }

@@ -279,7 +279,7 @@ std::vector<int> labels_of(vtkDataSet* data, const std::string& name, Translatio
   leave_out_arrays(data->GetCellData(), "cell", result, array);
   for (std::size_t i = 0; array != nullptr && i < labels.size(); ++i) {
     const double value = array->GetTuple1(vtkIdType(i));
-    if (!(value == std::floor(value) && std::abs(value) <= std::numeric_limits<int>::max()))
+    if (!(value == std::floor(value) && std::abs(value) <= (std::numeric_limits<int>::max)()))
       throw Failure("has labels that are not integers, in the array '" +
                     std::string(array->GetName()) + "'");
     labels[i] = int(value);

@@ -83,7 +83,7 @@ std::vector<int> integers_of(vtkDataArray* array) {
     if (!(value == std::floor(value)))
       throw Failure("contains gray values, such as " + std::to_string(value) +
                     ", and no labels; choose labels by --threshold");
-    if (std::abs(value) > std::numeric_limits<int>::max())
+    if (std::abs(value) > (std::numeric_limits<int>::max)())
       throw Failure("contains a label that does not fit into 32 bits");
     labels.push_back(int(value));
   }
@@ -207,7 +207,7 @@ Voxels<Value> along_axes_of_space(vtkImageData* image, bool are_cells, std::vect
   image->GetDimensions(dimensions);
   std::array<std::size_t, 3> size, strides;
   for (std::size_t j = 0; j < 3; ++j)
-    size[j] = std::size_t(std::max(1, dimensions[j] - (are_cells ? 1 : 0)));
+    size[j] = std::size_t((std::max)(1, dimensions[j] - (are_cells ? 1 : 0)));
   strides = {1, size[0], size[0] * size[1]};
   int extent[6];
   image->GetExtent(extent);
@@ -223,7 +223,7 @@ Voxels<Value> along_axes_of_space(vtkImageData* image, bool are_cells, std::vect
                  last_center = first_center + direction * double(size[j] - 1);
     result.size[a] = size[j];
     result.spacing[a] = std::abs(spacing);
-    result.origin[a] = std::min(first_center, last_center);
+    result.origin[a] = (std::min)(first_center, last_center);
     steps[a] = direction < 0 ? -std::ptrdiff_t(strides[j]) : std::ptrdiff_t(strides[j]);
     if (direction < 0)
       first += std::ptrdiff_t(strides[j] * (size[j] - 1));

@@ -9,7 +9,6 @@
 #include <CGAL/Mesh_files/internal/text/files.h>
 #include <CGAL/Mesh_files/internal/text/number_of_word.h>
 
-
 namespace dsc {
 
 double Grain_energy::fastest() const {
@@ -17,7 +16,7 @@ double Grain_energy::fastest() const {
     return 1;
   double result = 0;
   for (const auto& row : table.rows)
-    result = std::max(result, row.tension * row.mobility);
+    result = (std::max)(result, row.tension * row.mobility);
   return result;
 }
 

@@ -29,7 +29,7 @@ bool read(const Json& json, Grain_run& run) {
   return json.at("dimension") == run.dimension && (run.is_periodic || json.at("domain") == "box") &&
          run.number > 0 && run.number <= most && run.particles <= most && run.edges > 0 &&
          run.step > 0 && run.particle_radius > 0 &&
-         json.at("seed") <= std::numeric_limits<std::uint32_t>::max();
+         json.at("seed") <= (std::numeric_limits<std::uint32_t>::max)();
 }
 
 } // namespace

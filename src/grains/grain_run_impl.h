@@ -48,7 +48,7 @@ public:
       const int a = facet.first->subdomain_index(),
                 b = facet.first->neighbor(facet.second)->subdomain_index();
       arrays.cells.back().values.push_back(
-          std::min(a, b) == particle_label ? none : orientations.misorientation(a, b) / degree);
+          (std::min)(a, b) == particle_label ? none : orientations.misorientation(a, b) / degree);
     }
     m_folder->require();
     // The most precious file comes first, because the disk may be full.
@@ -170,7 +170,7 @@ private:
     for (int axis = 0; axis < d; ++axis) {
       double x = std::abs(p[axis] - q[axis]);
       if (m_is_periodic)
-        x = std::min(x, 1 - x);
+        x = (std::min)(x, 1 - x);
       result += x * x;
     }
     return std::sqrt(result);
@@ -257,7 +257,7 @@ Grain_result grow_grains(const Grain_run& run, Grain_files& files, const Complex
   static constexpr std::size_t fewest = 20;
   bool moves = true;
   const auto goal = std::size_t(std::ceil(run.until * double(run.number) - rounding));
-  while (state.grains > std::max(goal, std::size_t(1)) && moves &&
+  while (state.grains > (std::max)(goal, std::size_t(1)) && moves &&
          (run.steps == 0 || state.step - first < run.steps)) {
     const bool compares = has_law && state.grains >= (std::min)(fewest, run.number) &&
                           state.step * run.step > settled && state.step % interval == 0;
@@ -296,7 +296,7 @@ Complex first_grains(const Grain_run& run, const DSC::Interface_energy& energy, 
   sides.fill(1);
   const Voronoi_labels<Complex> grains(run.number, sides, run.is_periodic, run.seed);
   const double edge =
-      std::min(longest_edge<d>(run), std::pow(double(run.number), -1. / d) / run.edges);
+      (std::min)(longest_edge<d>(run), std::pow(double(run.number), -1. / d) / run.edges);
   if (run.particles == 0) {
     Complex result = make(edge, grains);
     keep_largest_components(result, energy);

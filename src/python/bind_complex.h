@@ -70,8 +70,8 @@ public:
     const auto indices =
         array_of<std::int64_t>(facets.size(), d, [&](std::size_t i, std::size_t j) {
           const auto& v = facets[i].vertices;
-          return images.index(v[j],
-                              complex.domain().near(images.position(v[0]), images.position(v[j])));
+          return images.index(
+              v[j], complex.domain().nearest_image(images.position(v[0]), images.position(v[j])));
         });
     const auto labels = array_of<std::int32_t>(facets.size(), 2, [&](std::size_t i, std::size_t j) {
       return j == 0 ? facets[i].behind : facets[i].in_front;

@@ -56,7 +56,7 @@ auto from_image(const py::array& labels, std::size_t width, std::size_t height, 
                 const std::array<double, 2>& origin, double edge, const py::object& progress) {
   const DSC::Labeled_image_2 image{width, height, labels_of(labels, "labels")};
   static constexpr double least = 1e-30, most = 1e30; // as for all complexes
-  const double extent = spacing * double(std::max(width, height));
+  const double extent = spacing * double((std::max)(width, height));
   if (!(extent >= least && extent <= most))
     throw py::value_error(
         "the spacing must be positive, and the extent of the image between 1e-30 and "

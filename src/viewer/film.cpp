@@ -138,17 +138,17 @@ void Film::set_box(const Film_frame& frame) {
   std::array<double, 3> low = frame.points.front(), high = low;
   for (const auto& p : frame.points)
     for (int i = 0; i < 3; ++i) {
-      low[i] = std::min(low[i], p[i]);
-      high[i] = std::max(high[i], p[i]);
+      low[i] = (std::min)(low[i], p[i]);
+      high[i] = (std::max)(high[i], p[i]);
     }
   m_origin = low;
-  const double extent = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+  const double extent = (std::max)({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
   m_unit = extent > 0 ? extent / (std::ldexp(1., position_bits) - 1) : 1;
 }
 
 void Film::Field::add(double value) {
-  least = components > 1 ? 0 : std::min(least, value);
-  greatest = std::max(greatest, value);
+  least = components > 1 ? 0 : (std::min)(least, value);
+  greatest = (std::max)(greatest, value);
 }
 
 Film::Quantized Film::quantized(const std::array<double, 3>& point) const {

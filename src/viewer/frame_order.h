@@ -15,7 +15,7 @@
 namespace dsc {
 
 using Index = std::uint32_t;
-constexpr Index none = std::numeric_limits<Index>::max(); ///< no index
+constexpr Index none = (std::numeric_limits<Index>::max)(); ///< no index
 
 /// Returns indices such that the keys are increasing; equal keys are in their order.
 template <class Key> std::vector<Index> sorted_indices(const std::vector<Key>& keys) {
@@ -65,7 +65,7 @@ std::vector<Index> matches_in_order(const std::vector<Point>& before,
   for (std::size_t i = 1; i < n; ++i)
     limit += squared_distance(before[i], before[i - 1]) / double(4 * n);
   const std::size_t shifts =
-      std::min({(n > m ? n - m : 0) + most_new, most_shifts, most_states / m});
+      (std::min)({(n > m ? n - m : 0) + most_new, most_shifts, most_states / m});
   std::vector<double> least(shifts + 1, 0); // cost of the points so far, by the last shift
   std::vector<std::uint16_t> previous(m * (shifts + 1));
   for (std::size_t j = 0; j < m; ++j) {
@@ -77,8 +77,9 @@ std::vector<Index> matches_in_order(const std::vector<Point>& before,
         from = std::uint16_t(k);
       }
       previous[j * (shifts + 1) + k] = from;
-      least[k] = running +
-                 (j + k < n ? std::min(limit, squared_distance(points[j], before[j + k])) : limit);
+      least[k] =
+          running +
+          (j + k < n ? (std::min)(limit, squared_distance(points[j], before[j + k])) : limit);
     }
   }
   auto shift = std::size_t(std::min_element(least.begin(), least.end()) - least.begin());

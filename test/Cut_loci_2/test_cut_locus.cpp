@@ -150,7 +150,7 @@ TEST(Geodesic_front, is_a_circle_before_it_meets_itself) {
     EXPECT_TRUE(front.advance(.02));
   EXPECT_TRUE(front.complex().is_valid());
   for (auto v : front.complex().interface_vertices()) {
-    const auto q = front.complex().domain().near(Point(0, 0), front.complex().position(v));
+    const auto q = front.complex().domain().nearest_image(Point(0, 0), front.complex().position(v));
     EXPECT_NEAR(std::hypot(q.x(), q.y()), front.radius(), 1e-9);
   }
 }

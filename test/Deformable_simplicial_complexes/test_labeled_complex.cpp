@@ -11,7 +11,7 @@
 namespace {
 
 // The number of allocations that still succeed.
-std::size_t granted = std::numeric_limits<std::size_t>::max();
+std::size_t granted = (std::numeric_limits<std::size_t>::max)();
 
 void* allocate(std::size_t size) {
   if (granted == 0)
@@ -38,7 +38,7 @@ using plane::Point;
 using Cavity = Complex::Cavity;
 using Cell = Complex::Cell_handle;
 using Vertex = Complex::Vertex_handle;
-constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t unlimited = (std::numeric_limits<std::size_t>::max)();
 
 // With the surroundings, there are four labels, for which the totals have space; a fifth label
 // needs more space.

@@ -40,16 +40,16 @@ TEST(Torus_domain, rounds_positions_to_images_in_the_box) {
 
 TEST(Torus_domain, sees_nearest_images_without_rounding) {
   const Domain domain({1, 3});
-  EXPECT_EQ(domain.near(Point(.125, .125), Point(.875, 2.875)), Point(-.125, -.125));
-  EXPECT_EQ(domain.near(Point(.875, 2.875), Point(.125, .125)), Point(1.125, 3.125));
-  EXPECT_EQ(domain.near(Point(.5, .5), Point(.625, .75)), Point(.625, .75));
+  EXPECT_EQ(domain.nearest_image(Point(.125, .125), Point(.875, 2.875)), Point(-.125, -.125));
+  EXPECT_EQ(domain.nearest_image(Point(.875, 2.875), Point(.125, .125)), Point(1.125, 3.125));
+  EXPECT_EQ(domain.nearest_image(Point(.5, .5), Point(.625, .75)), Point(.625, .75));
   std::mt19937 random(1);
   std::uniform_real_distribution<double> coordinate(0, 3);
   for (int i = 0; i < 1000; ++i) {
     const Point p = domain.canonical(Point(coordinate(random), coordinate(random))),
                 q = domain.canonical(Point(coordinate(random), coordinate(random)));
-    EXPECT_EQ(domain.canonical(domain.near(p, q)), q);
-    EXPECT_EQ(domain.near(q, domain.near(p, q)), q);
+    EXPECT_EQ(domain.canonical(domain.nearest_image(p, q)), q);
+    EXPECT_EQ(domain.nearest_image(q, domain.nearest_image(p, q)), q);
   }
 }
 
@@ -380,7 +380,7 @@ TEST(Make_complex_on_a_torus, of_nested_curves_across_the_seams) {
     ++on_interface;
     EXPECT_TRUE(std::any_of(curves.begin(), curves.end(), [&](const Curve& curve) {
       return std::any_of(curve.points.begin(), curve.points.end(), [&](const Point& p) {
-        const Point q = domain.near(p, Point(dsc.position(v).x(), dsc.position(v).y()));
+        const Point q = domain.nearest_image(p, Point(dsc.position(v).x(), dsc.position(v).y()));
         return std::hypot(p.x() - q.x(), p.y() - q.y()) < 1e-14;
       });
     }));

@@ -51,7 +51,7 @@ inline const Surface& ball() {
       std::map<std::array<std::size_t, 2>, std::size_t> middles;
       const auto middle = [&](std::size_t a, std::size_t b) {
         const auto [place, is_new] = middles.emplace(
-            std::array<std::size_t, 2>{std::min(a, b), std::max(a, b)}, s.points.size());
+            std::array<std::size_t, 2>{(std::min)(a, b), (std::max)(a, b)}, s.points.size());
         if (is_new) {
           Point p;
           for (int i = 0; i < 3; ++i)

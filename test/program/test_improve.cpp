@@ -297,7 +297,7 @@ Measures measures(const std::string& mesh) {
 }
 
 int distance_from(int center, int x, int y, int z) {
-  return std::max({std::abs(x - center), std::abs(y - center), std::abs(z - center)});
+  return (std::max)({std::abs(x - center), std::abs(y - center), std::abs(z - center)});
 }
 
 // Parts, rings, shells, a cavity in a part in a cavity, and parts that touch in edges and vertices.
@@ -405,7 +405,8 @@ TEST_F(Improve, reports_the_quality_that_it_improves) {
     return std::sin(report.at("before").at(angle).get<double>() * std::acos(-1.) / 180);
   };
   const double of_regular = std::sqrt(8.) / 3;
-  EXPECT_NEAR(before, std::min(sine("min_dihedral"), .7 * sine("max_dihedral")) / of_regular, 1e-9);
+  EXPECT_NEAR(before, (std::min)(sine("min_dihedral"), .7 * sine("max_dihedral")) / of_regular,
+              1e-9);
 }
 
 TEST_F(Improve, leaves_the_interface_as_it_was) {

@@ -346,7 +346,7 @@ TEST_F(Planar_program, finds_cut_loci) {
   const Json locus = report("a.json");
   double farthest = 0;
   for (const Json& vertex : locus.at("vertices"))
-    farthest = std::max(farthest, vertex.at("distance").get<double>());
+    farthest = (std::max)(farthest, vertex.at("distance").get<double>());
   EXPECT_NEAR(farthest, 7.63112309, .01);
   EXPECT_PRED2(contains, contents(path("a.svg")), "cut_locus");
 }

@@ -48,7 +48,7 @@ public:
   template <class Point> Point canonical(const Point& p) const;
 
   /// Returns the image of `q` that is nearest to `p`.
-  template <class Point> Point near(const Point& p, const Point& q) const;
+  template <class Point> Point nearest_image(const Point& p, const Point& q) const;
 
   /// Returns `f(corner(0), ..., corner(n - 1))`, where the corners of a cell are replaced by images
   /// that form a simplex. Corners are points with coordinates of type `double`.

@@ -38,7 +38,7 @@ Changes_of_label<Complex> changes_of_label(const Complex& complex, const LabelAt
   const auto facets = complex.interface_facets();
   for (const auto& facet : facets) {
     behind.push_back(barycenter(complex, facet.first));
-    in_front.push_back(complex.domain().near(
+    in_front.push_back(complex.domain().nearest_image(
         behind.back(), barycenter(complex, facet.first->neighbor(facet.second))));
   }
   const auto labels_behind = labels_at(complex, label_at, behind),
@@ -76,7 +76,8 @@ changes_of_labels(const Complex& complex, const LabelAt& label_at,
   const Changes_of_label<Complex> changes = changes_of_label(complex, label_at);
   for (std::size_t i = 0; i < changes.facets.size(); ++i)
     for (std::size_t v : interface_.facets()[changes.facets[i]].vertices) {
-      sums[v] = sums[v] + (complex.domain().near(positions[v], changes.places[i]) - positions[v]);
+      sums[v] = sums[v] +
+                (complex.domain().nearest_image(positions[v], changes.places[i]) - positions[v]);
       ++numbers[v];
     }
   std::vector<typename Complex::Point> result = positions;

@@ -42,7 +42,7 @@ template <int d> struct Sampling_grid
     for (int axis = 0; axis < d; ++axis) {
       if (!(spacing[axis] > 0 && std::isfinite(spacing[axis]) && std::isfinite(origin[axis])))
         throw Error("the spacing of a grid is not positive, or its origin is not finite");
-      if (size[axis] == 0 || size[axis] > std::numeric_limits<std::size_t>::max() / result)
+      if (size[axis] == 0 || size[axis] > (std::numeric_limits<std::size_t>::max)() / result)
         throw Error("the size of a grid is 0 or too large");
       result *= size[axis];
     }

@@ -80,7 +80,7 @@ public:
 
   // Returns the vector from a point to a state, in the copy of the torus that is nearest.
   Pair miss(const Point& p, const typename Front::State& state) const {
-    const Point q = m_front.complex().domain().near(p, Point(state[0], state[1]));
+    const Point q = m_front.complex().domain().nearest_image(p, Point(state[0], state[1]));
     return Pair(q.x() - p.x(), q.y() - p.y());
   }
 
@@ -137,18 +137,18 @@ private:
     const Square s = square(p);
     const int n = number_of_squares(0), m = number_of_squares(1);
     const double farthest = size_of_squares * m_front.spacing();
-    std::vector<std::pair<double, const Arrival*>> near;
+    std::vector<std::pair<double, const Arrival*>> nearby;
     for (int i = -1; i <= 1; ++i)
       for (int j = -1; j <= 1; ++j)
         if (const auto it = m_arrivals.find({(s[0] + i + n) % n, (s[1] + j + m) % m});
             it != m_arrivals.end())
           for (const Arrival& a : it->second)
             if (const double distance = miss(p, a.state).norm(); distance < farthest)
-              near.emplace_back(distance, &a);
-    std::stable_sort(near.begin(), near.end(),
+              nearby.emplace_back(distance, &a);
+    std::stable_sort(nearby.begin(), nearby.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<const Arrival*> result;
-    for (const auto& item : near)
+    for (const auto& item : nearby)
       result.push_back(item.second);
     return result;
   }
@@ -222,12 +222,12 @@ public:
   /// \throws Error if the metric is not positive definite on a geodesic.
   double operator()(const Point_2& p) const {
     // Near the source, one geodesic leads to the point. A flat metric gives a good initial guess.
-    static constexpr double near = 3, at_source = 1e-6; // in spacings
+    static constexpr double nearby = 3, at_source = 1e-6; // in spacings
     const auto straight = m_front->departure(p);
     const double spacing = m_front->length_of_spacing();
     if (straight.length <= at_source * spacing)
       return straight.length;
-    if (straight.length < near * spacing)
+    if (straight.length < nearby * spacing)
       if (const auto found = m_finder.geodesic_to(p, {straight.angle, straight.length}))
         return found->length;
     return m_finder.shortest_to(p);

@@ -296,7 +296,7 @@ private:
       const double length = part * (std::max)(from.length, to.length) +
                             (1 - part) * (std::min)(from.length, to.length);
       const State state = m_geodesics.shoot(angle, length);
-      const Point_2 p = m_complex.domain().near(middle, point(state));
+      const Point_2 p = m_complex.domain().nearest_image(middle, point(state));
       if (!((p - middle).squared_length() < edge.squared_length()) ||
           !propose_edge_split(m_complex, c, i, j, p, cavity))
         continue;

@@ -64,7 +64,9 @@ public:
   template <class Point> const Point& canonical(const Point& p) const { return p; }
 
   /// Returns `q`, since a point has no other images.
-  template <class Point> const Point& near(const Point& /*p*/, const Point& q) const { return q; }
+  template <class Point> const Point& nearest_image(const Point& /*p*/, const Point& q) const {
+    return q;
+  }
 
   /// Returns `f(corner(0), ...)` with the corners of a cell.
   template <class Complex, class Function, class Corner>

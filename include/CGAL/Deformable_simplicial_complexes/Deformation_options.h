@@ -141,6 +141,7 @@ auto flow_of_vertices(const Complex& complex, const Flow& flow) {
   using Point = typename Complex::Point;
   using Vertex_handle = typename Complex::Vertex_handle;
   return [&complex, flow](const std::vector<Vertex_handle>& vertices) {
+    static_cast<void>(complex); // flows of vertices do not use it
     std::vector<Point> result;
     result.reserve(vertices.size());
     for (Vertex_handle v : vertices)

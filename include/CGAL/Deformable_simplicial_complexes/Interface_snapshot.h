@@ -57,7 +57,7 @@ template <class Complex_> struct Interface_vertices
   corners(const Facet& facet, const std::vector<typename Complex::Point>& positions) const {
     std::array<typename Complex::Point, Complex::dimension> result;
     for (std::size_t i = 0; i < result.size(); ++i)
-      result[i] = domain.near(positions[facet.vertices[0]], positions[facet.vertices[i]]);
+      result[i] = domain.nearest_image(positions[facet.vertices[0]], positions[facet.vertices[i]]);
     return result;
   }
 

@@ -248,7 +248,7 @@ public:
   const Point& position(Vertex_handle v) const { return v->point(); }
   /// Returns the position of v as seen from p; on a torus, the image nearest to p. \pre v is finite
   Point position_near(const Point& p, Vertex_handle v) const {
-    return m_domain.near(p, position(v));
+    return m_domain.nearest_image(p, position(v));
   }
   /// Returns the position of the vertex `i` of a cell, as seen from its vertex 0. \pre c is finite
   Point corner(Cell_handle c, int i) const {
@@ -262,7 +262,7 @@ public:
   /// Returns the shortest vector from v to p. \pre v is finite
   Vector displacement(Vertex_handle v, const Point& p) const {
     const Point from = position(v);
-    return m_domain.near(from, p) - from;
+    return m_domain.nearest_image(from, p) - from;
   }
   /// Stores the cells around v, including infinite ones, in `star`, which is cleared first. The
   /// first cell is `v->cell()`.

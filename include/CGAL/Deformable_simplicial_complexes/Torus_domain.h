@@ -89,7 +89,7 @@ public:
   template <class Point> Point canonical(const Point& p) const;
 
   /// Returns the image of `q` that is nearest to `p` along each axis.
-  template <class Point> Point near(const Point& p, const Point& q) const;
+  template <class Point> Point nearest_image(const Point& p, const Point& q) const;
 
   /// Returns `f(corner(0), ...)` with the corners of a cell, as images nearest to the first corner.
   template <class Complex, class Function, class Corner>
@@ -120,7 +120,7 @@ private:
   template <class Complex, class Corner> auto images(const Corner& corner) const {
     std::array<typename Complex::Point, d + 1> result;
     for (int i = 0; i <= d; ++i)
-      result[i] = near(i == 0 ? corner(0) : result[0], corner(i));
+      result[i] = nearest_image(i == 0 ? corner(0) : result[0], corner(i));
     return result;
   }
 
@@ -181,7 +181,7 @@ template <int d> template <class Point> Point Torus_domain<d>::canonical(const P
 
 template <int d>
 template <class Point>
-Point Torus_domain<d>::near(const Point& p, const Point& q) const {
+Point Torus_domain<d>::nearest_image(const Point& p, const Point& q) const {
   std::array<double, d> x;
   for (int axis = 0; axis < d; ++axis)
     x[axis] = q[axis] + m_periods[axis] * std::round((p[axis] - q[axis]) / m_periods[axis]);

@@ -92,9 +92,9 @@ private:
         std::sort(link->begin(), link->end());
         link->erase(std::unique(link->begin(), link->end()), link->end());
       }
-      std::vector<Simplex> common;
-      std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(common));
-      return common == ab;
+      std::vector<Simplex> in_both;
+      std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(in_both));
+      return in_both == ab;
     }
   };
 

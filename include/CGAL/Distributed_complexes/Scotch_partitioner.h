@@ -41,7 +41,7 @@ public:
   /// \throws Error on all ranks if PT-Scotch fails
   template <int d>
   std::vector<int> operator()(Communicator& communicator, const Distributed_graph<d>& graph) const {
-    constexpr auto most = std::int64_t(std::numeric_limits<SCOTCH_Num>::max());
+    constexpr auto most = std::int64_t((std::numeric_limits<SCOTCH_Num>::max)());
     communicator.agree_on_error(graph.first.back() > most || graph.begin.back() > most
                                     ? "the complex is too large for the integers of PT-Scotch: use "
                                       "another partitioner"

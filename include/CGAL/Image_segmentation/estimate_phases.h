@@ -105,12 +105,12 @@ struct Block_means
 
 private:
   static double clipped_mean(std::vector<double>& values, double noise) {
-    static constexpr double far = 4; // in deviations of the noise
+    static constexpr double distant = 4; // in deviations of the noise
     const double middle = median(values);
     double sum = 0;
     std::size_t n = 0;
     for (const double x : values)
-      if (std::abs(x - middle) <= far * noise) {
+      if (std::abs(x - middle) <= distant * noise) {
         sum += x;
         ++n;
       }

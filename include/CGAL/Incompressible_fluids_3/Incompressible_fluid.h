@@ -779,7 +779,7 @@ private:
   Flow move_interface(const Flow& flow, const Contacts& contacts,
                       const Eigen::VectorXd& coordinates, const Options& chosen, Report& report);
   std::vector<std::size_t> stamps_of_interface() const;
-  Eigen::VectorXd coordinates_of_interface(const Eigen::VectorXd& near = {}) const;
+  Eigen::VectorXd coordinates_of_interface(const Eigen::VectorXd& nearby = {}) const;
   double update_components(const Mesh& mesh, const Liquid_bookkeeping::Volumes& volumes);
   double restore_momenta(Flow& flow);
   template <class MomentumOf> void record_momenta(const Flow& flow, const MomentumOf& momentum_of);

@@ -356,8 +356,8 @@ public:
       return;
     }
     // In unknowns, which are about 500 vertices. For this size, both solvers take the same time.
-    static constexpr Eigen::Index small = 2000;
-    m_is_direct = 3 * system.nodal.rows() + system.c.rows() <= small;
+    static constexpr Eigen::Index small_system = 2000;
+    m_is_direct = 3 * system.nodal.rows() + system.c.rows() <= small_system;
     if (m_is_direct)
       m_direct.factorize(std::move(system), number_of_threads);
     else

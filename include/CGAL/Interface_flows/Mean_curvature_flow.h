@@ -205,7 +205,8 @@ private:
     for (const auto& facet : interface_.facets())
       for (const auto& [i, j] : Complex::Space::facet_edges) {
         const auto& p = positions[facet.vertices[i]];
-        sum += Complex::Space::length(interface_.domain.near(p, positions[facet.vertices[j]]) - p);
+        sum += Complex::Space::length(
+            interface_.domain.nearest_image(p, positions[facet.vertices[j]]) - p);
         ++number;
       }
     return sum / double(number);

@@ -110,7 +110,7 @@ public:
         Vertex& v = vertices[corner[i]];
         const auto& p = positions[corner[i]];
         const auto edge_to = [&](int j) {
-          return interface_.domain.near(p, positions[corner[j % 3]]) - p;
+          return interface_.domain.nearest_image(p, positions[corner[j % 3]]) - p;
         };
         const Vector into_facet = edge_to(i + 1) + edge_to(i + 2);
         const double cosine = std::abs(triangle.unit_normal * v.direction);

@@ -207,7 +207,7 @@ public:
       if (!cavity.is_infinite(t.vertices)) {
         Corners corners;
         for (int i = 0; i < Complex::corners; ++i)
-          corners[i] = near(cavity.vertices()[t.vertices[i]].position);
+          corners[i] = nearest_image(cavity.vertices()[t.vertices[i]].position);
         add_target(corners, t.parent->subdomain_index());
       }
     redistribute();
@@ -219,7 +219,7 @@ public:
   void before_smoothing(Vertex_handle v, const std::vector<Cell_handle>& star,
                         const Point& target) override {
     begin(star);
-    const auto position = near(target);
+    const auto position = nearest_image(target);
     for (Cell_handle c : star)
       if (!m_complex.is_infinite(c)) {
         Corners moved = internal::cell_corners(m_complex, c, m_middle);
@@ -244,8 +244,8 @@ private:
   }
 
   // Returns the image of p nearest to `m_middle`: on a torus, all images are taken near one place.
-  typename Complex::Point near(const typename Complex::Point& p) const {
-    return m_complex.domain().near(m_middle, p);
+  typename Complex::Point nearest_image(const typename Complex::Point& p) const {
+    return m_complex.domain().nearest_image(m_middle, p);
   }
 
   void multiply(Cell_handle c, double factor) {

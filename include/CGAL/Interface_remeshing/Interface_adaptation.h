@@ -164,7 +164,7 @@ bool is_stretched(const Interface_snapshot<Complex>& interface_, const Points& f
   bool result = false;
   internal::for_each_edge_of(interface_.facets(), [&](std::size_t a, std::size_t b) {
     const auto squared_length = [&](const Points& p) {
-      return (interface_.domain.near(p[a], p[b]) - p[a]).squared_length();
+      return (interface_.domain.nearest_image(p[a], p[b]) - p[a]).squared_length();
     };
     const double before = squared_length(from);
     result = result || std::abs(squared_length(to) - before) > rigid * before;
@@ -203,7 +203,8 @@ public:
     const std::vector<double> sizes_if_flat = sizes(Rule::longest_if_flat * Rule::longest);
     Interface_wear<Complex::dimension> wear;
     internal::for_each_edge_of(m_interface.facets(), [&](std::size_t a, std::size_t b) {
-      wear.add(std::sqrt((m_interface.domain.near(m_positions[a], m_positions[b]) - m_positions[a])
+      wear.add(std::sqrt((m_interface.domain.nearest_image(m_positions[a], m_positions[b]) -
+                          m_positions[a])
                              .squared_length()),
                (std::min)(m_sizes[a], m_sizes[b]), (std::min)(sizes_if_flat[a], sizes_if_flat[b]));
     });

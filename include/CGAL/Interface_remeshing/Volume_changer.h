@@ -173,7 +173,7 @@ private:
   // positive towards its front; exact up to rounding.
   double swept_measure(const Corners& a, const Corners& b) const {
     // The flux is a polynomial in time of degree d - 1, for which Simpson's rule is exact.
-    const Vector image = m_interface.domain.near(a[0], b[0]) - b[0];
+    const Vector image = m_interface.domain.nearest_image(a[0], b[0]) - b[0];
     Corners m;
     Vector displacement(NULL_VECTOR);
     for (std::size_t i = 0; i < m.size(); ++i) {

@@ -31,8 +31,8 @@ template <class Triangle, class Domain, class Point>
 std::array<Point, 3> corners(const Triangle& triangle, const Domain& domain,
                              const std::vector<Point>& positions) {
   const Point& p = positions[triangle.vertices[0]];
-  return {p, domain.near(p, positions[triangle.vertices[1]]),
-          domain.near(p, positions[triangle.vertices[2]])};
+  return {p, domain.nearest_image(p, positions[triangle.vertices[1]]),
+          domain.nearest_image(p, positions[triangle.vertices[2]])};
 }
 
 /*!

@@ -162,8 +162,13 @@ void replace_option(const char* name, const Given& given, Value& value) {
         (std::min<std::uintmax_t>)(given, (std::numeric_limits<unsigned>::max)()));
   } else if constexpr (std::is_pointer<Value>::value)
     value = &given.get();
-  else
-    value = given;
+  else {
+    static constexpr bool has_right_type = std::is_assignable<Value&, const Given&>::value;
+    static_assert(has_right_type, "the value of a named parameter has the type of the member of "
+                                  "the options with its name, or converts to it");
+    if constexpr (has_right_type)
+      value = given;
+  }
 }
 
 } // namespace internal

@@ -107,8 +107,8 @@ int draw_ball(const Cut_locus_options& options, const Geodesic_source& source) {
 void print_summary(const DSC::Cut_locus_2& locus) {
   double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
   for (const auto& vertex : locus.vertices) {
-    nearest = std::min(nearest, vertex.distance);
-    farthest = std::max(farthest, vertex.distance);
+    nearest = (std::min)(nearest, vertex.distance);
+    farthest = (std::max)(farthest, vertex.distance);
   }
   std::printf("dsc: %zu %s with %zu %s, distances %.9g to %.9g%s\n", locus.polylines.size(),
               noun(locus.polylines.size(), "arc", "arcs"), locus.vertices.size(),

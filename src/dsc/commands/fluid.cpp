@@ -40,7 +40,7 @@ struct Fluid_options
   bool prints = false; ///< whether the scene is printed
   double end = 0;      ///< final time; if 0, the end of the scene
   unsigned steps = 0;  ///< maximum number; 0 for no limit
-  unsigned threads = std::max(1u, default_number_of_threads() / processes_of_machine());
+  unsigned threads = (std::max)(1u, default_number_of_threads() / processes_of_machine());
   std::string solver = built_in_solver;
   std::string output; ///< output folder; empty for no files
   unsigned every = 1;

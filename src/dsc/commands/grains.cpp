@@ -102,7 +102,7 @@ std::string number(double x) {
 void draw(const Histogram& histogram, double left, DSC::Svg_canvas& canvas, DSC::Svg_layer& bars,
           DSC::Svg_layer& axes) {
   const std::vector<double> densities = histogram.densities();
-  const double most = std::max(*std::max_element(densities.begin(), densities.end()), 1e-300),
+  const double most = (std::max)(*std::max_element(densities.begin(), densities.end()), 1e-300),
                bar = width / double(densities.size());
   for (std::size_t i = 0; i < densities.size(); ++i) {
     const double x = left + double(i) * bar, top = margin + height * densities[i] / most;
@@ -150,7 +150,7 @@ void plot(const std::string& path, const Grain_result& result, int dimension) {
     sizes.values.push_back(
         std::pow(grain.measure * double(result.grains.size()) / sum, 1. / dimension));
     neighbors.values.push_back(double(grain.neighbors));
-    most = std::max(most, grain.neighbors);
+    most = (std::max)(most, grain.neighbors);
   }
   sizes.quantity = "diameter of a grain / diameter of a mean grain";
   sizes.high = largest_size;

@@ -112,7 +112,7 @@ void draw(const std::string& path, const Tracked_complex_2& tracked,
   static constexpr Picture_color without_value = {1, 1, 1};
   static constexpr std::size_t most = 800; // squares along a side of the picture
   const auto& grid = image.grid;
-  const std::size_t step = std::max(grid.size[0], grid.size[1]) / most + 1; // pixels of a square
+  const std::size_t step = (std::max)(grid.size[0], grid.size[1]) / most + 1; // pixels of a square
   const std::vector<double> values = gray_values(image);
   Picture picture;
   for (std::size_t y = 0; y < grid.size[1]; y += step) {
@@ -121,9 +121,9 @@ void draw(const std::string& path, const Tracked_complex_2& tracked,
       Picture_polygon square;
       for (const auto& [i, j] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}})
         square.corners.push_back(
-            {grid.origin[0] +
-                 (double(std::min(x + std::size_t(i) * step, grid.size[0])) - .5) * grid.spacing[0],
-             grid.origin[1] + (double(std::min(y + std::size_t(j) * step, grid.size[1])) - .5) *
+            {grid.origin[0] + (double((std::min)(x + std::size_t(i) * step, grid.size[0])) - .5) *
+                                  grid.spacing[0],
+             grid.origin[1] + (double((std::min)(y + std::size_t(j) * step, grid.size[1])) - .5) *
                                   grid.spacing[1]});
       const std::size_t pixel = y * grid.size[0] + x;
       if (image.has_value(pixel))

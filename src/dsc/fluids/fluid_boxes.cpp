@@ -58,7 +58,7 @@ Grid_of_boxes::Grid_of_boxes(const std::vector<Labeled_box>& boxes, double edge)
 void Grid_of_boxes::require_few_facets(double edge) const {
   std::array<double, 3> cells;
   for (std::size_t axis = 0; axis < 3; ++axis)
-    cells[axis] = std::max(1., (*m_lines[axis].rbegin() - *m_lines[axis].begin()) / edge);
+    cells[axis] = (std::max)(1., (*m_lines[axis].rbegin() - *m_lines[axis].begin()) / edge);
   number_of_parts(cells[0] * cells[1] + cells[1] * cells[2] + cells[2] * cells[0]);
 }
 
@@ -179,8 +179,8 @@ std::optional<Labeled_box> hole_in_boxes(const Fluid_scene& scene, const Box_hol
     if (!bounds)
       bounds = other.box;
     for (std::size_t i = 0; i < 3; ++i) {
-      bounds->from[i] = std::min(bounds->from[i], other.box.from[i]);
-      bounds->to[i] = std::max(bounds->to[i], other.box.to[i]);
+      bounds->from[i] = (std::min)(bounds->from[i], other.box.from[i]);
+      bounds->to[i] = (std::max)(bounds->to[i], other.box.to[i]);
     }
   }
   if (hole.is_in_liquid)
@@ -188,8 +188,8 @@ std::optional<Labeled_box> hole_in_boxes(const Fluid_scene& scene, const Box_hol
   if (!bounds)
     return std::nullopt;
   for (std::size_t i = 0; i < 3; ++i) {
-    result.box.from[i] = std::max(result.box.from[i], bounds->from[i]);
-    result.box.to[i] = std::min(result.box.to[i], bounds->to[i]);
+    result.box.from[i] = (std::max)(result.box.from[i], bounds->from[i]);
+    result.box.to[i] = (std::min)(result.box.to[i], bounds->to[i]);
   }
   return result;
 }

@@ -26,7 +26,7 @@ namespace {
 /// \throws Input_error if there would be too many edges
 Curve curve_of(const Ball_shape& disk, double edge) {
   static constexpr std::size_t least = 8;
-  const std::size_t n = std::max(least, number_of_parts(2 * CGAL_PI * disk.radius / edge));
+  const std::size_t n = (std::max)(least, number_of_parts(2 * CGAL_PI * disk.radius / edge));
   const double step = 2 * CGAL_PI / double(n),
                radius = disk.radius * std::sqrt(step / std::sin(step));
   std::vector<Curve_point> points;
@@ -51,7 +51,7 @@ void fit(Curve& curve, const Ball& disk) {
   const Curve_point middle((box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2);
   double farthest = 0;
   for (const Curve_point& p : curve.points)
-    farthest = std::max(farthest, CGAL::squared_distance(p, middle));
+    farthest = (std::max)(farthest, CGAL::squared_distance(p, middle));
   const double scale = disk.radius / std::sqrt(farthest);
   for (Curve_point& p : curve.points)
     p = Curve_point(disk.center[0], disk.center[1]) + scale * (p - middle);
@@ -160,7 +160,7 @@ template <class Boundary> Boundary Scene_boundaries<Boundary>::boundary_of(const
     static constexpr double parts = 16; // largest number in the mesh of a side
     double edge = m_scene.edge;
     for (std::size_t i = 0; i < 3; ++i)
-      edge = std::max(edge, (box->to[i] - box->from[i]) / parts);
+      edge = (std::max)(edge, (box->to[i] - box->from[i]) / parts);
     return m_boundaries_of_boxes({{label, *box}}, edge).front();
   }
   Boundary result = *m_boundary_of(hole.shape);

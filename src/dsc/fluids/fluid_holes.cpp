@@ -87,7 +87,8 @@ bool is_around(const Curve& curve, const Place_of_hole& p) {
 bool is_around(const Surface& surface, const Place_of_hole& p) {
   // Edges of the projections are compared in the same order in both of their triangles.
   const auto crosses = [&](std::size_t i, std::size_t j) {
-    const Surface_point &a = surface.points[std::min(i, j)], &b = surface.points[std::max(i, j)];
+    const Surface_point &a = surface.points[(std::min)(i, j)],
+                        &b = surface.points[(std::max)(i, j)];
     return (a.y() > p[1]) != (b.y() > p[1]) &&
            p[0] < a.x() + (p[1] - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
   };
@@ -169,7 +170,7 @@ int label_of_holes(const Fluid_scene& scene) {
     return 0;
   int largest = 0;
   for (const auto& filling : shapes_of(scene))
-    largest = std::max(largest, filling.first);
+    largest = (std::max)(largest, filling.first);
   return largest + 1;
 }
 

@@ -27,8 +27,8 @@ public:
       return;
     for (const Cell_handle c : fluid.complex().cells())
       if (m_fields.is_liquid(c)) {
-        m_least = std::min(m_least, value(c));
-        m_largest = std::max(m_largest, value(c));
+        m_least = (std::min)(m_least, value(c));
+        m_largest = (std::max)(m_largest, value(c));
       }
   }
 

@@ -108,7 +108,7 @@ template <int dimension> double Fluid_run<dimension>::next_step(double end) cons
   const double left = end - fluid->time();
   double dt = scene.time_step;
   if (scene.cfl > 0)
-    dt = std::min(dt, fluid->largest_step(scene.cfl));
+    dt = (std::min)(dt, fluid->largest_step(scene.cfl));
   // Avoids a tiny last step.
   static constexpr double almost = 1e-9;
   return dt * (1 + almost) >= left ? left : dt * 2 <= left ? dt : left / 2;

@@ -104,8 +104,8 @@ double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] 
 std::pair<double, double> distances(const Vector& p, const std::array<double, 6>& box) {
   Vector nearest, farthest;
   for (std::size_t i = 0; i < 3; ++i) {
-    nearest[i] = std::max({box[i] - p[i], p[i] - box[i + 3], 0.});
-    farthest[i] = std::max(std::abs(box[i] - p[i]), std::abs(box[i + 3] - p[i]));
+    nearest[i] = (std::max)({box[i] - p[i], p[i] - box[i + 3], 0.});
+    farthest[i] = (std::max)(std::abs(box[i] - p[i]), std::abs(box[i + 3] - p[i]));
   }
   return {std::sqrt(dot(nearest, nearest)), std::sqrt(dot(farthest, farthest))};
 }

@@ -145,7 +145,8 @@ Fluid_shape read_shape(const Json_fields& shape) {
 
 int read_label(const Json_fields& json, const std::string& field, const Json& value,
                const Label_names& names) {
-  if (value.is_number_integer() && std::abs(value.get<double>()) <= std::numeric_limits<int>::max())
+  if (value.is_number_integer() &&
+      std::abs(value.get<double>()) <= (std::numeric_limits<int>::max)())
     return value.get<int>();
   if (!value.is_string())
     json.refuse(field, "must be an integer of 32 bits, or a name");

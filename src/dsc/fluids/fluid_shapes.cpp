@@ -15,7 +15,7 @@ std::size_t number_of_parts(double parts) {
   if (!(parts <= most))
     throw Input_error("the edge length of the scene is too small for its shapes or its domain; "
                       "choose a larger 'edge'");
-  return std::size_t(std::lround(std::max(1., parts)));
+  return std::size_t(std::lround((std::max)(1., parts)));
 }
 
 std::vector<double> divided_lines(const std::set<double>& lines, double edge) {
@@ -36,7 +36,7 @@ Surface surface_of(const Ball_shape& ball, double edge) {
   Run_start start;
   start.ball = Ball{ball.center, ball.radius};
   start.triangles =
-      ball.triangles > 0 ? ball.triangles : number_of_parts(std::max(20., 4 * CGAL_PI / area));
+      ball.triangles > 0 ? ball.triangles : number_of_parts((std::max)(20., 4 * CGAL_PI / area));
   Surface surface = start_surfaces(start).all.front();
   const Surface_point center(ball.center[0], ball.center[1], ball.center[2]);
   if (ball.mode > 0)
@@ -88,7 +88,7 @@ Cylinder_surface::Cylinder_surface(const Cylinder_shape& shape, double edge)
   // component.
   const double x = std::abs(m_along.x()), y = std::abs(m_along.y()), z = std::abs(m_along.z());
   std::array<double, 3> unit = {};
-  unit[x <= std::min(y, z) ? 0 : y <= z ? 1 : 2] = 1;
+  unit[x <= (std::min)(y, z) ? 0 : y <= z ? 1 : 2] = 1;
   m_u = CGAL::cross_product(m_along, Vector(unit[0], unit[1], unit[2]));
   m_u = m_u / std::sqrt(m_u.squared_length());
   m_v = CGAL::cross_product(m_along, m_u);

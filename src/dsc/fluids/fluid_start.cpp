@@ -75,11 +75,11 @@ void set_field(const Scene_field& field, const Fluid_scene& scene, Fluid<Complex
   constexpr int d = Complex::dimension;
   fluid.set_field([&](const Point& p) { return *field.initial.at_point(p, d); });
   static constexpr double rounding = 1e-9; // relative to the edge length
-  fluid.fix_field([field, domain = scene.domain, near = rounding * scene.edge](
+  fluid.fix_field([field, domain = scene.domain, nearby = rounding * scene.edge](
                       const Point& p, double t) -> std::optional<double> {
     bool is_on_side = false;
     for (std::size_t side = 0; side < std::size_t(2 * d); ++side)
-      if (std::abs(p[int(side / 2)] - domain[side / 2 + 3 * (side % 2)]) <= near) {
+      if (std::abs(p[int(side / 2)] - domain[side / 2 + 3 * (side % 2)]) <= nearby) {
         is_on_side = true;
         if (field.on_sides[side])
           return *field.on_sides[side]->at_point(p, Complex::dimension, t);

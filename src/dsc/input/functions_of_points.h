@@ -107,7 +107,7 @@ bool lengths_repeat(const Image& image, const std::array<double, 2>& periods) {
       const double du = a * short_step * periods[0], dv = b * short_step * periods[1],
                    here = length(u, v, du, dv);
       for (double there : {length(u + periods[0], v, du, dv), length(u, v + periods[1], du, dv)})
-        if (!(std::abs(there - here) <= tolerance * std::max(here, there)))
+        if (!(std::abs(there - here) <= tolerance * (std::max)(here, there)))
           return false;
     }
   }

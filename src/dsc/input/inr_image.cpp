@@ -60,8 +60,8 @@ public:
       if (!(side > 0))
         fail("has an invalid voxel size: " + key + " is not positive; correct the header");
       if (sizes[axis] > 1) {
-        least = std::min(least, side);
-        largest = std::max(largest, side);
+        least = (std::min)(least, side);
+        largest = (std::max)(largest, side);
       }
     }
     if (largest > largest_ratio * least)

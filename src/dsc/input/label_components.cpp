@@ -70,8 +70,8 @@ private:
                std::size_t di, std::size_t dj) {
     if (!m_with_corners)
       di = dj = 0;
-    for (std::size_t l = j - std::min(j, dj); l <= std::min(j + dj, m_ny - 1); ++l)
-      for (std::size_t k = i - std::min(i, di); k <= std::min(i + di, m_nx - 1); ++k) {
+    for (std::size_t l = j - (std::min)(j, dj); l <= (std::min)(j + dj, m_ny - 1); ++l)
+      for (std::size_t k = i - (std::min)(i, di); k <= (std::min)(i + di, m_nx - 1); ++k) {
         const Sample& other = layer[k + l * m_nx];
         if (other.label != sample.label)
           continue;

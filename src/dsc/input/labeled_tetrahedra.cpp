@@ -13,7 +13,7 @@
 namespace dsc {
 namespace {
 
-constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
 /// Removes items and renumbers the others.
 /// \param new_indices new index of each item; `none` for items to be removed

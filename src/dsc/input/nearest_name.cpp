@@ -21,10 +21,10 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
         d = i + j;
         continue;
       }
-      d = std::min({distance[i - 1][j] + 1, distance[i][j - 1] + 1,
-                    distance[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      d = (std::min)({distance[i - 1][j] + 1, distance[i][j - 1] + 1,
+                      distance[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
       if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-        d = std::min(d, distance[i - 2][j - 2] + 1);
+        d = (std::min)(d, distance[i - 2][j - 2] + 1);
     }
   return distance[a.size()][b.size()];
 }
@@ -49,7 +49,7 @@ std::string nearest_name(const std::string& name, const std::vector<std::string>
       return candidate;
     // A name whose letters must all change is not near.
     if (const std::size_t d = edit_distance(name, candidate);
-        d < least && d < std::max(name.size(), candidate.size())) {
+        d < least && d < (std::max)(name.size(), candidate.size())) {
       least = d;
       result = candidate;
     }

@@ -80,7 +80,7 @@ Surface read_surface(const std::string& path, DSC::Surface_parts* parts) {
   print_unused(path, unused);
   static constexpr double largest = 1e90; // of which volumes have a cube that is a number
   for (const Surface_point& p : result.points)
-    if (std::max({std::abs(p.x()), std::abs(p.y()), std::abs(p.z())}) > largest)
+    if ((std::max)({std::abs(p.x()), std::abs(p.y()), std::abs(p.z())}) > largest)
       throw Input_error(path +
                         " has coordinates greater than 1e90, so that its volume is no number; "
                         "scale it");

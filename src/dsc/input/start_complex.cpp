@@ -22,7 +22,7 @@ std::unique_ptr<Tracked_complex> track_inequalities(const Run_start& start,
                                                     const std::array<double, 6>& d) {
   const Inequalities inequalities(start.inputs);
   static constexpr double edges_of_side = 40;
-  const double side = std::max({d[3] - d[0], d[4] - d[1], d[5] - d[2]});
+  const double side = (std::max)({d[3] - d[0], d[4] - d[1], d[5] - d[2]});
   const double edge = start.edge > 0 ? start.edge : side / edges_of_side;
   const Label_function label_at = [&](const std::array<double, 3>& p) {
     return inequalities.label_at(p);

@@ -25,7 +25,7 @@ double length(const Surface_vector& v) { return std::sqrt(v.squared_length()); }
 /// Returns a sphere: an icosahedron whose faces are divided into n^2 triangles and projected to the
 /// sphere. The number n is chosen so that the number of triangles is nearest to `triangles`.
 Surface sphere(const Ball& ball, std::size_t triangles) {
-  const auto n = std::max(1, static_cast<int>(std::lround(std::sqrt(triangles / 20.))));
+  const auto n = (std::max)(1, static_cast<int>(std::lround(std::sqrt(triangles / 20.))));
   CGAL::Surface_mesh<Surface_point> icosahedron;
   CGAL::make_icosahedron(icosahedron, Surface_point(0, 0, 0));
   Surface surface;
@@ -76,7 +76,7 @@ void fit(std::vector<Surface>& surfaces, const Ball& ball) {
   for (const Surface& surface : surfaces)
     for (const auto& triangle : surface.triangles)
       for (const std::size_t corner : triangle)
-        farthest = std::max(farthest, length(surface.points[corner] - middle));
+        farthest = (std::max)(farthest, length(surface.points[corner] - middle));
   for (Surface& surface : surfaces)
     for (Surface_point& p : surface.points)
       p = center(ball) + ball.radius * ((p - middle) / farthest);
@@ -108,7 +108,7 @@ Surfaces start_surfaces(const Run_start& start, Surfaces surfaces, std::size_t m
     std::size_t present = 0;
     for (const Surface& surface : surfaces.all)
       present += surface.triangles.size();
-    const std::size_t target = std::min(start.triangles, std::max(present, most_triangles));
+    const std::size_t target = (std::min)(start.triangles, (std::max)(present, most_triangles));
     if (target != present && are_separate(surfaces.all))
       resample(surfaces, target);
   }

@@ -63,11 +63,11 @@ Surfaces read_and_repair(const Run_start& start, Repairs* repairs);
 /// \param most_triangles surfaces of files are not refined to more triangles
 /// \throws std::runtime_error if a surface cannot be read or resampled
 Surfaces start_surfaces(const Run_start& start,
-                        std::size_t most_triangles = std::numeric_limits<std::size_t>::max());
+                        std::size_t most_triangles = (std::numeric_limits<std::size_t>::max)());
 
 /// The same if the surfaces of the files have been read, and perhaps repaired.
 Surfaces start_surfaces(const Run_start& start, Surfaces surfaces,
-                        std::size_t most_triangles = std::numeric_limits<std::size_t>::max());
+                        std::size_t most_triangles = (std::numeric_limits<std::size_t>::max)());
 
 /// Decimates or refines surfaces to about `triangles` triangles in total, by a common factor.
 /// Refinement keeps the shape. Decimation collapses the edges with the smallest cost.

@@ -37,12 +37,12 @@ Surface_statistics surface_statistics(const std::string& path) {
       const std::size_t a = triangle[i], b = triangle[(i + 1) % 3], c = triangle[(i + 2) % 3];
       used[a] = true;
       connected.join(a, b);
-      edges.push_back({std::min(a, b), std::max(a, b)});
+      edges.push_back({(std::min)(a, b), (std::max)(a, b)});
       const Vector u = surface.points[b] - surface.points[a],
                    v = surface.points[c] - surface.points[a];
       const double angle = std::atan2(norm(CGAL::cross_product(u, v)), u * v) * (180 / CGAL_PI);
-      result.min_angle = std::min(result.min_angle, angle);
-      result.max_angle = std::max(result.max_angle, angle);
+      result.min_angle = (std::min)(result.min_angle, angle);
+      result.max_angle = (std::max)(result.max_angle, angle);
     }
     const Vector p = surface.points[triangle[0]] - origin, q = surface.points[triangle[1]] - origin,
                  r = surface.points[triangle[2]] - origin;

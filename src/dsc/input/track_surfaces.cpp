@@ -67,7 +67,7 @@ double largest_coordinate(const std::vector<Surface>& surfaces) {
   double result = 0;
   for (const Surface& surface : surfaces)
     for (const Surface_point& p : surface.points)
-      result = std::max({result, std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
+      result = (std::max)({result, std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
   return result;
 }
 
@@ -169,8 +169,8 @@ void refine(Complex& complex, std::size_t triangles) {
     if (static_cast<double>(present) >= enough)
       break;
     // The split of an edge with two facets, which is listed twice, makes two triangles.
-    const std::size_t number = std::min(triangles - present, lengths.size() - 1);
-    const double length = std::max(lengths[number], shortest * lengths.front());
+    const std::size_t number = (std::min)(triangles - present, lengths.size() - 1);
+    const double length = (std::max)(lengths[number], shortest * lengths.front());
     auto options = interface_options(length);
     options.interface_split_length = 1;
     if (DSC::control_detail(complex, options).split == 0)

@@ -21,7 +21,7 @@ using Corners = std::array<Position, 4>;
 using Simplex = DSC::internal::Clipping_simplex<Space>;
 using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::size_t>;
 
-constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
 std::vector<Box> boxes_of(const std::vector<Simplex>& simplices) {
   std::vector<Box> result;
@@ -147,7 +147,7 @@ private:
     CGAL::Bbox_3 all;
     for (const Simplex& simplex : m_old)
       all += simplex.bbox();
-    const double margin = 1e-9 * std::max({all.x_span(), all.y_span(), all.z_span()});
+    const double margin = 1e-9 * (std::max)({all.x_span(), all.y_span(), all.z_span()});
     std::vector<Box> from, to;
     for (std::size_t i = 0; i < m_old.size(); ++i) {
       const CGAL::Bbox_3 b = m_old[i].bbox();

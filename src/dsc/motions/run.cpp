@@ -97,8 +97,8 @@ struct Flat_cells
     if (outcome.flat_cells == 0)
       return;
     ++steps;
-    most = std::max(most, outcome.flat_cells);
-    quality = std::min(quality, complex.worst_quality());
+    most = (std::max)(most, outcome.flat_cells);
+    quality = (std::min)(quality, complex.worst_quality());
   }
 };
 
@@ -132,7 +132,7 @@ double chosen_time_step(const Tracked_complex& complex, const Advection& flow, d
   double fastest = 0;
   for (const Surface_point& p : complex.interface_points()) {
     const auto [x, y, z] = velocity.at({p.x(), p.y(), p.z()}, time);
-    fastest = std::max(fastest, std::hypot(x, y, z));
+    fastest = (std::max)(fastest, std::hypot(x, y, z));
   }
   double result = fastest > 0 ? complex.mean_edge() / fastest : at_rest;
   if (flow.period)
@@ -177,7 +177,7 @@ struct Divided_steps
 
   void add(const Step_outcome& outcome) {
     steps += outcome.parts > 1;
-    most = std::max(most, outcome.parts);
+    most = (std::max)(most, outcome.parts);
   }
 };
 

@@ -33,7 +33,7 @@ void Run_balance::add(unsigned step, const std::vector<Label_balance>& balances)
       entry.sum.overlaps += balance.overlaps;
       entry.sum.unexplained += balance.unexplained;
     }
-    entry.most = std::max({entry.most, balance.before, balance.after});
+    entry.most = (std::max)({entry.most, balance.before, balance.after});
     entry.vanished = balance.components_after > 0 ? 0 : step;
   }
 }

@@ -31,7 +31,7 @@ std::optional<Distance_statistics> Start_distance::of(const std::vector<Surface_
         m_segments.empty() ? m_tree.squared_distance(p) : m_segment_tree.squared_distance(p);
     const double distance = std::sqrt(squared) / edge;
     result.mean += distance / static_cast<double>(points.size());
-    result.maximum = std::max(result.maximum, distance);
+    result.maximum = (std::max)(result.maximum, distance);
   }
   return result;
 }

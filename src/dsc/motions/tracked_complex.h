@@ -118,7 +118,7 @@ double seconds_of_sweep(const Cells& cells, const Evaluate& evaluate) {
   }
   std::nth_element(seconds.begin(), seconds.begin() + seconds.size() / 2, seconds.end());
   // The clock may be too coarse for a few cells. The lower bound avoids a division by zero.
-  return std::max(seconds[seconds.size() / 2], 1e-9);
+  return (std::max)(seconds[seconds.size() / 2], 1e-9);
 }
 
 /// Returns the changes of components in a report of the library.

@@ -140,9 +140,9 @@ Statistics Tracked_distributed::statistics() const {
 double Tracked_distributed::worst_quality() const {
   double worst = 1;
   for (std::uint32_t c : complex.mesh().own_cells())
-    worst = std::min(worst, complex.mesh().quality(c));
+    worst = (std::min)(worst, complex.mesh().quality(c));
   // Rounding can make a quality slightly larger than 1.
-  return 1 - DSC::internal::maximum_of_ranks(complex.communicator(), std::max(0., 1 - worst));
+  return 1 - DSC::internal::maximum_of_ranks(complex.communicator(), (std::max)(0., 1 - worst));
 }
 
 std::vector<Surface_point> Tracked_distributed::interface_points() const {

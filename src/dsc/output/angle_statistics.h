@@ -54,8 +54,8 @@ struct Angle_statistics
   /// Adds the angles of a cell.
   template <class Corners> void add(const Corners& corners) {
     for (const double angle : angles_of(corners)) {
-      least = std::min(least, angle);
-      largest = std::max(largest, angle);
+      least = (std::min)(least, angle);
+      largest = (std::max)(largest, angle);
       ++histogram[std::size_t(std::clamp(int(angle / 10), 0, 17))];
       outside += angle < 6 || angle > 171;
     }
@@ -66,7 +66,7 @@ struct Angle_statistics
 template <class Complex> double least_quality(const Complex& complex) {
   double result = 1;
   for (const typename Complex::Cell_handle c : complex.finite_cells())
-    result = std::min(result, complex.quality(c));
+    result = (std::min)(result, complex.quality(c));
   return result;
 }
 

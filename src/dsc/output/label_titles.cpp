@@ -46,7 +46,7 @@ std::vector<int> labels_of(const std::string& option, const std::vector<std::str
   std::vector<int> result;
   for (const std::string& list : lists)
     for (std::size_t begin = 0, end = 0; begin <= list.size(); begin = end + 1) {
-      end = std::min(list.find(',', begin), list.size());
+      end = (std::min)(list.find(',', begin), list.size());
       for (const auto& [label, name] : names)
         if (const std::size_t other = begin + name.size();
             other > end && list.compare(begin, name.size(), name) == 0 &&

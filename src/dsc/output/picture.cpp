@@ -40,7 +40,7 @@ Picture_color shaded(const Picture_color& color, const std::array<Vector, 3>& t)
   const Vector light = unit(Vector(-.4, .5, 1)),
                normal = unit(CGAL::cross_product(t[1] - t[0], t[2] - t[0]));
   const double shade =
-      ambient + (1 - ambient) * std::max(0., light * normal * (normal.z() < 0 ? -1 : 1));
+      ambient + (1 - ambient) * (std::max)(0., light * normal * (normal.z() < 0 ? -1 : 1));
   return {color[0] * shade, color[1] * shade, color[2] * shade};
 }
 
@@ -59,8 +59,8 @@ public:
       return;
     const auto bounds = [&](int axis) {
       const auto [least, most] = std::minmax({t[0][axis], t[1][axis], t[2][axis]});
-      return std::make_pair(std::max(0, int(std::floor(least))),
-                            std::min(points - 1, int(std::ceil(most))));
+      return std::make_pair((std::max)(0, int(std::floor(least))),
+                            (std::min)(points - 1, int(std::ceil(most))));
     };
     const auto [x0, x1] = bounds(0);
     const auto [y0, y1] = bounds(1);
@@ -108,7 +108,7 @@ private:
 /// the same unit.
 Vector fitted(const CGAL::Bbox_2& box, const Vector& p) {
   static constexpr double margin = .05; // relative to the side
-  const double extent = std::max({box.xmax() - box.xmin(), box.ymax() - box.ymin(), 1e-300}),
+  const double extent = (std::max)({box.xmax() - box.xmin(), box.ymax() - box.ymin(), 1e-300}),
                scale = (1 - 2 * margin) * points / extent;
   return {points / 2. + scale * (p.x() - (box.xmin() + box.xmax()) / 2),
           points / 2. + scale * (p.y() - (box.ymin() + box.ymax()) / 2), scale * p.z()};

@@ -192,7 +192,7 @@ void Scene_solid::set_mesh(Mesh given) {
   Place::Vector sum(0, 0, 0);
   for (const auto v : mesh->vertices())
     sum = sum + (mesh->point(v) - CGAL::ORIGIN);
-  center = DSC::coordinates_of<3>(sum / std::max(1., double(mesh->number_of_vertices())));
+  center = DSC::coordinates_of<3>(sum / (std::max)(1., double(mesh->number_of_vertices())));
 }
 
 } // namespace dsc

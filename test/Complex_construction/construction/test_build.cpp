@@ -266,8 +266,8 @@ TEST(Build, any_size_and_place) {
     EXPECT_THROW(build(extreme), CGAL::Deformable_simplicial_complexes::Error);
     EXPECT_EQ(build(extreme, parameters::normalize(true)).interface_facets().size(), 12u);
   }
-  const Surfaces far = {cube(1, 1, Point(1e12, -1e12, 1e11))};
-  EXPECT_EQ(triangles(build(far)), triangles(far));
+  const Surfaces distant = {cube(1, 1, Point(1e12, -1e12, 1e11))};
+  EXPECT_EQ(triangles(build(distant)), triangles(distant));
 }
 
 TEST(Build, refuses_what_normalization_makes_equal) {

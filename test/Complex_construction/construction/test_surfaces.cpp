@@ -280,14 +280,14 @@ TEST(Surfaces, two_surfaces_that_cross) {
   const Surface needle = {{{.25, .25, .25}, {.25, .25, -1}, {.5, .25, -1}, {.25, .5, -1}},
                           {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}},
                           2};
-  const Surface far = tetrahedron(Point(5, 5, 5));
-  const auto e = refusal(std::vector<Surface>{far, tetrahedron(), far, needle});
+  const Surface distant = tetrahedron(Point(5, 5, 5));
+  const auto e = refusal(std::vector<Surface>{distant, tetrahedron(), distant, needle});
   ASSERT_TRUE(e);
   EXPECT_EQ(e->reason(), Reason::crossing_surfaces);
   EXPECT_EQ(e->surface(), 0u); // equal surfaces intersect in all facets
   EXPECT_EQ(e->other_surface(), 2u);
 
-  const auto f = refusal(std::vector<Surface>{far, tetrahedron(), needle});
+  const auto f = refusal(std::vector<Surface>{distant, tetrahedron(), needle});
   ASSERT_TRUE(f);
   EXPECT_EQ(f->reason(), Reason::crossing_surfaces);
   EXPECT_EQ(f->surface(), 1u);

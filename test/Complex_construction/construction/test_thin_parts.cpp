@@ -22,7 +22,7 @@ Complex build(const Surfaces& surfaces, const NP& np = NP()) {
 double worst_quality(const Complex& dsc) {
   double result = 1;
   for (const auto c : dsc.cells())
-    result = std::min(result, dsc.quality(c));
+    result = (std::min)(result, dsc.quality(c));
   return result;
 }
 
@@ -31,7 +31,7 @@ double longest_interface_edge(const Complex& dsc) {
   for (const auto& facet : dsc.interface_facets()) {
     const auto v = dsc.facet_vertices(facet);
     for (int i = 0; i < 3; ++i)
-      result = std::max(result, dsc.displacement(v[i], v[(i + 1) % 3]).squared_length());
+      result = (std::max)(result, dsc.displacement(v[i], v[(i + 1) % 3]).squared_length());
   }
   return std::sqrt(result);
 }

@@ -288,8 +288,8 @@ TEST(Interface, edges_and_vertices_are_those_of_its_facets) {
 }
 
 TEST(Interface, labels_are_any_numbers) {
-  static constexpr int smallest = std::numeric_limits<int>::min(),
-                       largest = std::numeric_limits<int>::max();
+  static constexpr int smallest = (std::numeric_limits<int>::min)(),
+                       largest = (std::numeric_limits<int>::max)();
   const auto label = [](const Point& p) {
     return small_meshes::cube(p) == 0 ? -7 : p.x() < 0 ? smallest : largest;
   };

@@ -282,14 +282,14 @@ TEST(Set_points, moves_vertices_together_that_could_not_move_alone) {
 
 // If the motion stops early, the distance of the destination does not matter.
 TEST(Move_vertex, comes_to_the_link_from_any_distance) {
-  for (double far : {1e3, 1e13, 1e100}) {
+  for (double distant : {1e3, 1e13, 1e100}) {
     Complex dsc = make_complex(box_with_center());
     Vertex_handle center;
     for (Vertex_handle v : dsc.vertices())
       if (!dsc.is_boundary(v))
         center = v;
-    dsc.move_vertex(center, Point(far, .9 * far, .7 * far));
-    EXPECT_GT(dsc.position(center).x(), .99) << far;
+    dsc.move_vertex(center, Point(distant, .9 * distant, .7 * distant));
+    EXPECT_GT(dsc.position(center).x(), .99) << distant;
     EXPECT_TRUE(dsc.is_valid());
   }
 }

@@ -143,7 +143,7 @@ int facet_of_contact(const Complex& dsc, Cell_handle c) {
   for (int i = 0; i < 4; ++i) {
     const auto v = dsc.facet_vertices({c, i});
     areas[i] = std::sqrt(CGAL::squared_area(v[0]->point(), v[1]->point(), v[2]->point()));
-    largest_area = std::max(largest_area, areas[i]);
+    largest_area = (std::max)(largest_area, areas[i]);
   }
   int result = -1;
   for (int i = 0; i < 4; ++i) {

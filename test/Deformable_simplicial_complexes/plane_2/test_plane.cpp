@@ -88,7 +88,7 @@ TEST(Plane, space_without_flow_follows_the_interface) {
   EXPECT_TRUE(report.complete);
   double least = way;
   for (const auto& v : around)
-    least = std::min(least, v.first->point().x() - v.second.x());
+    least = (std::min)(least, v.first->point().x() - v.second.x());
   EXPECT_GT(least, .2 * way);
 }
 

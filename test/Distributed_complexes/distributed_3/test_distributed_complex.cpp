@@ -779,8 +779,8 @@ TEST(Distributed_complex, A_rank_that_ends_ends_the_others) {
 
 TEST(Distributed_complex, Stops_at_the_boundary_of_a_box) {
   on_ranks(2, make_complex(grid(8, small_meshes::ball)), [&](Distributed& dsc, int rank) {
-    const auto far = [](const Point&, double) { return Vector(2, 0, 0); };
-    const Report report = advect_interface(dsc, far, 0, .3);
+    const auto distant = [](const Point&, double) { return Vector(2, 0, 0); };
+    const Report report = advect_interface(dsc, distant, 0, .3);
     EXPECT_GT(report.stopped_at_boundary, 0);
     const Complex gathered = dsc.gather();
     EXPECT_TRUE(rank > 0 || gathered.is_valid(true));

@@ -110,7 +110,7 @@ TEST_F(Fluid_steps, that_fail_for_ever_leave_the_state_before) {
   const auto before = complex.state();
   const auto motion = fluid.state().motion;
   const auto volumes = fluid.state().volumes;
-  Faulty_solver::failures = std::numeric_limits<unsigned>::max();
+  Faulty_solver::failures = (std::numeric_limits<unsigned>::max)();
   const auto error = thrown_by<DSC::Fluid_step_error>([&] { fluid.advance(.02); });
   EXPECT_EQ(error.step(), 2u);
   EXPECT_EQ(error.last_attempt().cause, Fluid_failure::equations);

@@ -178,7 +178,7 @@ double smallest_angle(const Complex& dsc) {
     for (int i = 0; i < 3; ++i) {
       const auto a = dsc.displacement(c->vertex(i), c->vertex((i + 1) % 3)),
                  b = dsc.displacement(c->vertex(i), c->vertex((i + 2) % 3));
-      result = std::min(result, std::atan2(CGAL::determinant(a, b), a * b) * 180 / CGAL_PI);
+      result = (std::min)(result, std::atan2(CGAL::determinant(a, b), a * b) * 180 / CGAL_PI);
     }
   return result;
 }

@@ -198,11 +198,11 @@ TEST(Failed_collapses, are_forgotten_when_a_star_changes) {
   failed.add(v, w);
   EXPECT_TRUE(failed.contains(v, w));
   EXPECT_FALSE(failed.contains(w, v));
-  const auto far = std::find_if(cells.begin(), cells.end(), [&](Complex::Cell_handle c) {
+  const auto distant = std::find_if(cells.begin(), cells.end(), [&](Complex::Cell_handle c) {
     return !c->has_vertex(v) && !c->has_vertex(w);
   });
-  ASSERT_NE(far, cells.end());
-  failed.update({*far});
+  ASSERT_NE(distant, cells.end());
+  failed.update({*distant});
   EXPECT_TRUE(failed.contains(v, w));
   failed.update({cells[0]});
   EXPECT_FALSE(failed.contains(v, w));

@@ -126,7 +126,7 @@ TEST(Improve_interface_2, smoothing_keeps_areas_and_evens_lengths) {
   const double before = spread();
   const auto report =
       DSC::improve_interface(dsc, parameters::interface_collapse_length(0.)
-                                      .interface_split_length(std::numeric_limits<double>::max())
+                                      .interface_split_length((std::numeric_limits<double>::max)())
                                       .number_of_iterations(5));
   EXPECT_GT(report.smoothed, 50u);
   EXPECT_NEAR(dsc.area(1), area, 1e-13);

@@ -67,15 +67,15 @@ bool bounds(const Surface& surface, int label) {
 double least_radius(const Surface& surface) {
   double least = 1;
   for (const auto& p : surface.points)
-    least = std::min(least, std::sqrt((p - CGAL::ORIGIN).squared_length()));
+    least = (std::min)(least, std::sqrt((p - CGAL::ORIGIN).squared_length()));
   return least;
 }
 
 double square_of_longest_edge(const Surface& surface) {
   double longest = 0;
   for (const auto& [ends, degree] : edges(surface))
-    longest = std::max(longest,
-                       (surface.points[ends.first] - surface.points[ends.second]).squared_length());
+    longest = (std::max)(
+        longest, (surface.points[ends.first] - surface.points[ends.second]).squared_length());
   return longest;
 }
 
@@ -108,7 +108,7 @@ void check_step(const Surface& before, const Surface& after) {
 }
 
 bool is_near_origin(const Point& p) {
-  return std::max({std::abs(p.x()), std::abs(p.y()), std::abs(p.z())}) < .5;
+  return (std::max)({std::abs(p.x()), std::abs(p.y()), std::abs(p.z())}) < .5;
 }
 
 // Two boxes of label 1 that touch along an edge from the origin upwards; single cubes if n is 4.
@@ -166,7 +166,7 @@ TEST(Subdivide_interface, of_a_manifold_is_that_of_the_mesh) {
   for (const Point& p : points) {
     double nearest = 1;
     for (const Point& q : expected)
-      nearest = std::min(nearest, CGAL::to_double((p - q).squared_length()));
+      nearest = (std::min)(nearest, CGAL::to_double((p - q).squared_length()));
     EXPECT_LT(nearest, 1e-30);
   }
 }
@@ -285,7 +285,7 @@ TEST(Subdivide_interface, ends_in_the_boundary_as_before) {
   for (const auto& [points, degree] : edges(surface))
     if (degree == 1) {
       const auto p = CGAL::midpoint(surface.points[points.first], surface.points[points.second]);
-      EXPECT_NEAR(std::max({std::abs(p.x()), std::abs(p.y()), std::abs(p.z())}), 1, tolerance);
+      EXPECT_NEAR((std::max)({std::abs(p.x()), std::abs(p.y()), std::abs(p.z())}), 1, tolerance);
     }
 }
 

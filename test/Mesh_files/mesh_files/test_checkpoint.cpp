@@ -86,8 +86,8 @@ TEST(Checkpoint, extreme_numbers_keep_their_bits) {
   State state = ball_state();
   state.points[0] = {-0., Limits::denorm_min(), Limits::max()};
   state.points[1] = {Limits::quiet_NaN(), -Limits::infinity(), 1 + Limits::epsilon()};
-  state.cell_labels[0] = std::numeric_limits<std::int32_t>::min();
-  state.vertex_cells[0] = std::numeric_limits<std::uint32_t>::max();
+  state.cell_labels[0] = (std::numeric_limits<std::int32_t>::min)();
+  state.vertex_cells[0] = (std::numeric_limits<std::uint32_t>::max)();
   state.boundary_classes[0] = 255;
   CGAL::IO::write_checkpoint(folder / "a.dsc", state);
   const State read = CGAL::IO::read_checkpoint(folder / "a.dsc").state;

@@ -175,8 +175,8 @@ TEST(Shared_walls, have_no_needles) {
   for (const auto& patch : patches.patches)
     for (const auto& t : patch.triangles)
       for (int i = 0; i < 3; ++i)
-        shortest = std::min(shortest, std::sqrt(CGAL::squared_distance(
-                                          patch.points[t[i]], patch.points[t[(i + 1) % 3]])));
+        shortest = (std::min)(shortest, std::sqrt(CGAL::squared_distance(
+                                            patch.points[t[i]], patch.points[t[(i + 1) % 3]])));
   EXPECT_GT(shortest, .005); // lines of the two divisions are .0026 apart
   EXPECT_NEAR(volume_of(patches, 1), 1, 1e-12);
   EXPECT_NEAR(volume_of(patches, 2), 1, 1e-12);

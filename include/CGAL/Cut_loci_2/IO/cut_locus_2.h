@@ -49,7 +49,7 @@ inline void write_SVG(const std::string& path,
     Point p = locus.vertices[polyline.front()].point;
     for (std::size_t k = 1; k < polyline.size(); ++k) {
       // Points at the seam of the chart may be on either side of it.
-      const Point q = domain.near(p, locus.vertices[polyline[k]].point);
+      const Point q = domain.nearest_image(p, locus.vertices[polyline[k]].point);
       canvas.add(std::array<Point, 2>{p, q}, arcs);
       p = q;
     }

@@ -168,8 +168,8 @@ private:
   void add_border(double x, double y) {
     const bool is_corner =
         (x == m_box.xmin() || x == m_box.xmax()) && (y == m_box.ymin() || y == m_box.ymax());
-    const Nearest near = m_reaches_box && !is_corner ? nearest(x, y) : Nearest{1, 0};
-    if (near.distance > m_clearance * near.length)
+    const Nearest nearby = m_reaches_box && !is_corner ? nearest(x, y) : Nearest{1, 0};
+    if (nearby.distance > m_clearance * nearby.length)
       m_points.emplace_back(x, y);
   }
 
@@ -250,11 +250,11 @@ insert_points(const std::vector<typename Kernel::Point_2>& points,
   spatial_sort(order.begin(), order.end(),
                Spatial_sort_traits_adapter_2<Kernel, Points>(make_property_map(points.data())));
   std::vector<typename Planar_triangulation_2<Kernel>::Vertex_handle> vertices(points.size());
-  typename Planar_triangulation_2<Kernel>::Face_handle near;
+  typename Planar_triangulation_2<Kernel>::Face_handle nearby;
   for (std::size_t i : order) {
     Progress_scope::check();
-    vertices[i] = triangulation.insert(points[i], near);
-    near = vertices[i]->face();
+    vertices[i] = triangulation.insert(points[i], nearby);
+    nearby = vertices[i]->face();
   }
   return vertices;
 }

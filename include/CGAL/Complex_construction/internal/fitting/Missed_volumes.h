@@ -55,8 +55,8 @@ template <int d> struct Facet_sample
 
 // Gauss's rule with three points, exact for polynomials of degree 5.
 inline std::array<Facet_sample<2>, 3> samples(const std::array<double, 2>& /*of a segment*/) {
-  const double near = .5 - std::sqrt(.15), far = .5 + std::sqrt(.15);
-  return {{{{near, far}, 5. / 18}, {{.5, .5}, 8. / 18}, {{far, near}, 5. / 18}}};
+  const double nearby = .5 - std::sqrt(.15), distant = .5 + std::sqrt(.15);
+  return {{{{nearby, distant}, 5. / 18}, {{.5, .5}, 8. / 18}, {{distant, nearby}, 5. / 18}}};
 }
 
 // Rule with six points, exact for polynomials of degree 4. D. A. Dunavant, High degree efficient
@@ -114,7 +114,7 @@ public:
   double longest_displacement() const {
     double result = 0;
     for (std::size_t v = 0; v < m_positions.size(); ++v)
-      result = std::max(result, Complex::Space::length(m_destinations[v] - m_positions[v]));
+      result = (std::max)(result, Complex::Space::length(m_destinations[v] - m_positions[v]));
     return result;
   }
 
@@ -175,7 +175,8 @@ private:
       static constexpr double least_share = .25;
       const double length = Complex::Space::length(normal);
       for (std::size_t v : facet.vertices)
-        areas[key(facet, v)] += std::max(normal * direction_at(facet, v), least_share * length) / d;
+        areas[key(facet, v)] +=
+            (std::max)(normal * direction_at(facet, v), least_share * length) / d;
     }
     m_destinations = m_positions;
     for (const auto& [key, volume] : missed)
@@ -203,7 +204,7 @@ private:
       double longest = 0;
       for (int i = 0; i < d; ++i)
         for (int j = 0; j < i; ++j)
-          longest = std::max(longest, Complex::Space::length(corners[i] - corners[j]));
+          longest = (std::max)(longest, Complex::Space::length(corners[i] - corners[j]));
       for (const auto& sample : rule()) {
         Vector offset(NULL_VECTOR);
         for (int k = 1; k < d; ++k)

@@ -75,11 +75,14 @@ public:
     normal = normal / length;
     if ((m_complex.corner(facet.first, facet.second) - p[0]) * normal < 0)
       normal = -normal;
-    for (int k = 0; k <= d; ++k) {       // the last one is the barycenter
-      static constexpr double near = .8; // weight of the corner
+    for (int k = 0; k <= d; ++k) {         // the last one is the barycenter
+      static constexpr double nearby = .8; // weight of the corner
       Vector offset(NULL_VECTOR);
       for (int i = 1; i < d; ++i)
-        offset = offset + (k == d ? 1. / d : k == i ? near : (1 - near) / (d - 1)) * (p[i] - p[0]);
+        offset = offset + (k == d   ? 1. / d
+                           : k == i ? nearby
+                                    : (1 - nearby) / (d - 1)) *
+                              (p[i] - p[0]);
       walk(facet, p[0] + offset, normal);
     }
   }

@@ -55,9 +55,9 @@ public:
       double length = m_geodesics.shortest_length(m_step);
       Geodesic_state state = m_geodesics.shoot(angle, length);
       for (; length < farthest && m_geodesics.is_in_chart(state); length += m_step) {
-        const auto near = squares.find(square(point(state)));
-        if (near != squares.end())
-          for (std::size_t i : near->second)
+        const auto nearby = squares.find(square(point(state)));
+        if (nearby != squares.end())
+          for (std::size_t i : nearby->second)
             if (length + distance(point(state), claims[i].point) <
                 claims[i].distance - tolerance * m_step)
               is_wrong[i] = true;
@@ -84,7 +84,7 @@ private:
   bool is_reached(const Cut_claim_2& claim) const {
     for (double angle : claim.angles) {
       const Point p = claim.point,
-                  q = m_domain.near(p, point(m_geodesics.shoot(angle, claim.distance)));
+                  q = m_domain.nearest_image(p, point(m_geodesics.shoot(angle, claim.distance)));
       if (!((q - p).squared_length() <= precision * precision * m_spacing * m_spacing))
         return false;
     }
@@ -107,7 +107,7 @@ private:
   double distance(const Point& p, const Point& to) const {
     static constexpr int parts = 4;
     static constexpr double margin = 1.03;
-    const Point q = m_domain.near(p, to);
+    const Point q = m_domain.nearest_image(p, to);
     const auto difference = q - p;
     double result = 0;
     for (int i = 0; i < parts; ++i)
@@ -188,7 +188,7 @@ private:
   std::size_t vertex(const typename Circle::Break& end) {
     static constexpr double same = 1e-3; // in spacings
     for (std::size_t i = 0; i < m_vertices.size(); ++i) {
-      const Point p = m_vertices[i].point, q = m_equations.domain().near(p, end.point);
+      const Point p = m_vertices[i].point, q = m_equations.domain().nearest_image(p, end.point);
       if ((q - p).squared_length() < std::pow(same * m_equations.spacing(), 2) &&
           m_vertices[i].angles.size() == end.angles.size() && end.angles.size() > 1) {
         ++m_breaks[i];

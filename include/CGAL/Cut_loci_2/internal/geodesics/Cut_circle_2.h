@@ -203,7 +203,7 @@ private:
   }
 
   double distance(const Point& p, const Point& q) const {
-    const Point r = m_equations.domain().near(p, q);
+    const Point r = m_equations.domain().nearest_image(p, q);
     return std::sqrt((r - p).squared_length()) / m_equations.spacing();
   }
 

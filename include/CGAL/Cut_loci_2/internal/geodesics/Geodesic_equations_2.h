@@ -84,13 +84,13 @@ public:
 
   // Returns the direction between two others whose conjugate point is nearest, and the length of
   // its geodesic. `near` is an approximate length.
-  std::optional<Geodesic_2> nearest_conjugate(double right, double left, double near) const {
+  std::optional<Geodesic_2> nearest_conjugate(double right, double left, double nearby) const {
     static constexpr int bits = 26; // half of the bits of a `double`: enough for a minimum
     std::uintmax_t calls = most_calls;
-    const double nowhere = near + 2 * widest * m_step;
+    const double nowhere = nearby + 2 * widest * m_step;
     const auto found = boost::math::tools::brent_find_minima(
-        [&](double angle) { return conjugate_length(angle, near).value_or(nowhere); }, right, left,
-        bits, calls);
+        [&](double angle) { return conjugate_length(angle, nearby).value_or(nowhere); }, right,
+        left, bits, calls);
     if (!(found.second < nowhere))
       return std::nullopt;
     return Geodesic_2{found.first, found.second};
@@ -104,12 +104,12 @@ private:
   static constexpr double precision = 1e-8; // in spacings, steps and radians
 
   // Returns the first length near a given length at which a geodesic is conjugate to the source.
-  std::optional<double> conjugate_length(double angle, double near) const {
-    double low = near, high = near;
+  std::optional<double> conjugate_length(double angle, double nearby) const {
+    double low = nearby, high = nearby;
     const auto diverges = [&](double length) { return spread(angle, length) > 0; };
-    while (diverges(high) && high < near + widest * m_step)
+    while (diverges(high) && high < nearby + widest * m_step)
       high += m_step / 2;
-    while (!diverges(low) && low > m_step && low > near - widest * m_step)
+    while (!diverges(low) && low > m_step && low > nearby - widest * m_step)
       low -= m_step / 2;
     if (low == high || !diverges(low) || diverges(high))
       return std::nullopt;
@@ -144,7 +144,7 @@ private:
 
   // Returns the vector from a point to a state, in spacings.
   Pair difference(const Point& p, const State& state) const {
-    const Point q = m_domain.near(p, point(state));
+    const Point q = m_domain.nearest_image(p, point(state));
     return Pair(q.x() - p.x(), q.y() - p.y()) / m_spacing;
   }
 

@@ -152,7 +152,8 @@ private:
   }
 
   double distance(const State& a, const State& b) const {
-    const Point p = Equations::point(a), q = m_equations.domain().near(p, Equations::point(b));
+    const Point p = Equations::point(a),
+                q = m_equations.domain().nearest_image(p, Equations::point(b));
     return m_equations.geodesics().length(p, q.x() - p.x(), q.y() - p.y());
   }
 
@@ -194,8 +195,8 @@ private:
     Cell cell;
     const Point origin = m_equations.domain().canonical(Equations::point(right_before));
     const auto put = [&](int i, const State& s) {
-      cell.corners[i] =
-          m_equations.domain().near(i == 0 ? origin : cell.corners[0], Equations::point(s));
+      cell.corners[i] = m_equations.domain().nearest_image(i == 0 ? origin : cell.corners[0],
+                                                           Equations::point(s));
     };
     put(0, right_before);
     put(1, left_before);
@@ -244,7 +245,7 @@ private:
   std::optional<Geodesic_2> locate(const Cell& cell, const Point& point) const {
     static constexpr int iterations = 8;
     const auto& c = cell.corners;
-    const Point p = m_equations.domain().near(c[0], point);
+    const Point p = m_equations.domain().nearest_image(c[0], point);
     double s = .5, t = .5; // coordinates in the cell: across, along
     for (int i = 0; i < iterations; ++i) {
       const auto across = (1 - t) * (c[1] - c[0]) + t * (c[2] - c[3]),
@@ -256,8 +257,8 @@ private:
         return std::nullopt;
       s += (miss.x() * along.y() - miss.y() * along.x()) / determinant;
       t += (across.x() * miss.y() - across.y() * miss.x()) / determinant;
-      static constexpr double far = 3; // widths of the cell
-      if (!(std::abs(s) < far && std::abs(t) < far))
+      static constexpr double distant = 3; // widths of the cell
+      if (!(std::abs(s) < distant && std::abs(t) < distant))
         return std::nullopt;
     }
     if (!(s >= -outside && s <= 1 + outside && t >= -outside && t <= 1 + outside))

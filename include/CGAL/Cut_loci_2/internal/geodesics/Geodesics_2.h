@@ -147,7 +147,7 @@ public:
 
   // Returns the geodesic to a point of the chart, for the constant metric of the source.
   Departure departure(const Point& p) const {
-    const auto w = m_domain.near(m_source, p) - m_source;
+    const auto w = m_domain.nearest_image(m_source, p) - m_source;
     const double along = m_g.E * w.x() + m_g.F * w.y(), across = m_g.F * w.x() + m_g.G * w.y();
     return {std::atan2(std::sqrt(m_g.E * m_g.G - m_g.F * m_g.F) * w.y(), along),
             std::sqrt(along * w.x() + across * w.y())};

@@ -68,7 +68,7 @@ double CGAL_DSC_CLASS::move_vertex(Vertex_handle v, const Point& destination, do
   // The volume of a cell is linear along the segment to the destination. `fraction` becomes the
   // smallest parameter at which a cell is flat.
   double fraction = 1;
-  const Point from = position(v), to = m_domain.near(from, q);
+  const Point from = position(v), to = m_domain.nearest_image(from, q);
   for (Cell_handle c : m_star) {
     if (is_infinite(c))
       continue;

@@ -100,7 +100,7 @@ auto CGAL_DSC_CLASS::checked_barycenters(
         throw Invalid_cells_error("a cell refers to a point that does not exist: correct the index",
                                   {t}, {i});
       is_used[i] = true;
-      sum = sum + (m_domain.near(positions[v[0]], positions[i]) - CGAL::ORIGIN);
+      sum = sum + (m_domain.nearest_image(positions[v[0]], positions[i]) - CGAL::ORIGIN);
     }
     barycenters.push_back(CGAL::ORIGIN + sum / corners);
     if (m_domain.orientation(*this, [&](int i) { return positions[v[i]]; }) != POSITIVE)
@@ -392,7 +392,7 @@ void CGAL_DSC_CLASS::measure_interface_edges() {
       ++n;
     }
   }
-  m_mean_interface_edge = n == 0 ? 0 : sum / n;
+  m_mean_interface_edge = n == 0 ? 0 : sum / double(n);
   m_minimum_interface_edge = minimum;
   for (Vertex_handle v : finite_vertices())
     internal::Simplex_access::set_spacing(v, float(interface_edge_length(v)));

@@ -200,8 +200,8 @@ private:
     const auto v = m_complex.facet_vertices(f);
     const auto cosine_with = [&](const auto& position_of) {
       const auto p = position_of(v[0]);
-      return largest_cosine(Triangle{p, m_complex.domain().near(p, position_of(v[1])),
-                                     m_complex.domain().near(p, position_of(v[2]))});
+      return largest_cosine(Triangle{p, m_complex.domain().nearest_image(p, position_of(v[1])),
+                                     m_complex.domain().nearest_image(p, position_of(v[2]))});
     };
     const double after = cosine_with(final);
     if (!(after > m_degenerate_cosine))

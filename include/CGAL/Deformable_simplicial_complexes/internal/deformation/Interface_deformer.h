@@ -142,7 +142,7 @@ public:
   void move_together(unsigned pass) {
     // In lengths of the longest displacement. Larger displacements by the flow are ignored, except
     // if all vertices follow the flow.
-    static constexpr double far = 100;
+    static constexpr double distant = 100;
     const bool moves_all = is_moving_all(pass);
     if (is_complete() && !moves_all)
       return;
@@ -156,7 +156,7 @@ public:
     const typename Flow_displacements<Complex>::Flow no_flow;
     Flow_displacements<Complex> flow(m_complex, pass > 1 ? no_flow : m_options.flow,
                                      moves_all ? std::numeric_limits<double>::infinity()
-                                               : far * longest);
+                                               : distant * longest);
     if (moves_all)
       free = with_vertices_of_flow(free, flow);
     const auto remaining = [&](Vertex_handle v) {
@@ -382,16 +382,16 @@ private:
   }
 
   // Adds all free vertices whose displacement by the flow is known to a list of free vertices.
-  std::vector<Vertex_handle> with_vertices_of_flow(const std::vector<Vertex_handle>& near,
+  std::vector<Vertex_handle> with_vertices_of_flow(const std::vector<Vertex_handle>& nearby,
                                                    Flow_displacements<Complex>& flow) const {
     std::vector<Vertex_handle> all;
     for (Vertex_handle v : m_complex.finite_vertices())
       if (!v->is_interface() && !Boundary_class::fixes_all(v->boundary_class(), Complex::dimension))
         all.push_back(v);
     flow.find(all);
-    std::vector<Vertex_handle> result = near;
+    std::vector<Vertex_handle> result = nearby;
     std::copy_if(all.begin(), all.end(), std::back_inserter(result), [&](Vertex_handle v) {
-      return flow(v) && !std::binary_search(near.begin(), near.end(), v, Less_time_stamp());
+      return flow(v) && !std::binary_search(nearby.begin(), nearby.end(), v, Less_time_stamp());
     });
     sort_by_time_stamp(result);
     return result;

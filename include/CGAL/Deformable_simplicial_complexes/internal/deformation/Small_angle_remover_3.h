@@ -342,8 +342,8 @@ private:
   Position near_home(Vertex_handle v, const Position& p) const {
     static constexpr double longest_displacement = .05; // relative to the edge length
     const auto known = m_homes.find(v->time_stamp());
-    const Position home =
-        m_complex.domain().near(p, known == m_homes.end() ? m_complex.position(v) : known->second);
+    const Position home = m_complex.domain().nearest_image(
+        p, known == m_homes.end() ? m_complex.position(v) : known->second);
     const auto displacement = p - home;
     const double length = std::sqrt(displacement.squared_length()),
                  bound = slack() * longest_displacement * local_edge_length(m_complex, v);

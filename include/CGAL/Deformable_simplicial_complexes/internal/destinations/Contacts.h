@@ -56,11 +56,11 @@ public:
         if (const std::pair<Cell_handle, int> facet(c, i); m_complex.is_interface(facet))
           area += m_complex.measure(facet);
         const Vertex_handle v = c->vertex(i);
-        displacement = (std::max)(
-            displacement,
-            Complex::Space::length(m_complex.domain().near(m_destinations.position_before(v),
-                                                           m_destinations.final_position(v)) -
-                                   m_destinations.position_before(v)));
+        displacement =
+            (std::max)(displacement, Complex::Space::length(m_complex.domain().nearest_image(
+                                                                m_destinations.position_before(v),
+                                                                m_destinations.final_position(v)) -
+                                                            m_destinations.position_before(v)));
       }
     }
     return 2 * volume <= thin * displacement * area;

@@ -74,7 +74,7 @@ public:
     if (!v->is_interface())
       return true;
     const Position from = final_position(v);
-    const Vector step = m_complex->domain().near(from, to) - from;
+    const Vector step = m_complex->domain().nearest_image(from, to) - from;
     std::vector<Swept_facet> facets;
     for (Cell_handle c : star)
       for (int i = 0; i < Complex::corners; ++i)
@@ -116,7 +116,8 @@ private:
       return std::find(v.begin(), v.end(), u) == v.end();
     });
     const auto base = corners(facets[0]);
-    const Vector height = m_complex->domain().near(base[0], final_position(*opposite)) - base[0];
+    const Vector height =
+        m_complex->domain().nearest_image(base[0], final_position(*opposite)) - base[0];
     return is_small(
         {{facets[0], height * Complex::Space::facet_normal(base) / factorial}, {facets[1], 0}},
         removed, factor);
@@ -198,7 +199,7 @@ private:
     for (int k = 0; k < Complex::dimension; ++k) {
       const Position p =
           final_position(facet.first->vertex(Complex::Space::facet_vertices[facet.second][k]));
-      result[k] = k == 0 ? p : m_complex->domain().near(result[0], p);
+      result[k] = k == 0 ? p : m_complex->domain().nearest_image(result[0], p);
     }
     return result;
   }

@@ -130,7 +130,7 @@ private:
     const Position p = position_of(v);
     const double rounding = precision * precision * (p - CGAL::ORIGIN).squared_length();
     const auto squared_distance = [&](const Position& a, const Position& b) {
-      return (a - m_complex.domain().near(a, b)).squared_length();
+      return (a - m_complex.domain().nearest_image(a, b)).squared_length();
     };
     const double before = squared_distance(m_destinations.position_before(v),
                                            m_destinations.position_before(w)),

@@ -24,7 +24,7 @@ Exact_rational first_collision(const Complex& complex, const Destinations<Comple
   using Point = typename Complex::Point;
   static constexpr int d = Complex::dimension;
   const Point from = complex.position(v),
-              to = complex.domain().near(from, destinations.final_position(v));
+              to = complex.domain().nearest_image(from, destinations.final_position(v));
   Exact_rational first = 1;
   for (auto c : star) {
     if (complex.is_infinite(c))

@@ -39,7 +39,7 @@ void relocate(Proposed_motion<Complex>& motion, typename Proposed_motion<Complex
       const Vertex_handle w = c->vertex(j);
       if (w == v)
         continue;
-      const Position seen = complex.domain().near(start, motion.position(w));
+      const Position seen = complex.domain().nearest_image(start, motion.position(w));
       mean = mean + (seen - CGAL::ORIGIN) / double(Complex::dimension * star.size());
       if (w->is_interface()) {
         sum_of_motions = sum_of_motions + complex.displacement(w, motion.position(w));
@@ -53,8 +53,9 @@ void relocate(Proposed_motion<Complex>& motion, typename Proposed_motion<Complex
       return;
     const auto before = motion.point(i);
     const Position from = motion.position(v);
-    motion.set_point(i, complex.admissible_destination(
-                            v, from + fraction * (complex.domain().near(from, target) - from)));
+    motion.set_point(
+        i, complex.admissible_destination(
+               v, from + fraction * (complex.domain().nearest_image(from, target) - from)));
     const double after = motion.worst_quality(star, worst);
     if (after > worst)
       worst = after;

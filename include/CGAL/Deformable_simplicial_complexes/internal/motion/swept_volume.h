@@ -51,7 +51,7 @@ void add_swept_volumes(const Complex& complex,
       for (int k = 0; k < Complex::dimension; ++k) {
         const auto v = c->vertex(Complex::Space::facet_vertices[i][k]);
         from[k] = k == 0 ? complex.position(v) : complex.position_near(from[0], v);
-        to[k] = complex.domain().near(from[k], after(v));
+        to[k] = complex.domain().nearest_image(from[k], after(v));
       }
       const double volume = swept_volume<Complex>(from, to);
       add(c->subdomain_index(), volume);

@@ -20,10 +20,10 @@ template <class Complex> using Cell_corners = std::array<typename Complex::Point
 // to `near` are returned.
 template <class Complex>
 Cell_corners<Complex> cell_corners(const Complex& complex, typename Complex::Cell_handle c,
-                                   const typename Complex::Point& near) {
+                                   const typename Complex::Point& nearby) {
   Cell_corners<Complex> result;
   for (int i = 0; i < Complex::corners; ++i)
-    result[i] = complex.position_near(near, c->vertex(i));
+    result[i] = complex.position_near(nearby, c->vertex(i));
   return result;
 }
 

@@ -146,7 +146,7 @@ private:
 
   // Sets the displacements of moving and free vertices, and their targets.
   void find_displacements(const Flow& flow) {
-    static constexpr double far = 100; // in lengths of the longest displacement
+    static constexpr double distant = 100; // in lengths of the longest displacement
     static constexpr double part = 1e-6;
     const Index n = m_mesh.piece.vertex_bound();
     std::vector<Vector> flows(flow ? n : 0, Vector{}); // where the flow is known
@@ -168,7 +168,7 @@ private:
       for (std::size_t i = 0; i < vertices.size(); ++i) {
         for (int k = 0; k < d; ++k)
           flows[vertices[i]][k] = destinations[i][k] - positions[i][k];
-        is_known[vertices[i]] = length(flows[vertices[i]]) < far * m_longest;
+        is_known[vertices[i]] = length(flows[vertices[i]]) < distant * m_longest;
       }
     }
     // Free vertices at which the flow is unknown follow it by 0.

@@ -88,16 +88,17 @@ std::vector<std::size_t> Incompressible_fluid<Complex, Solver>::stamps_of_interf
 // images that are nearest to the points with the coordinates `near`, if this vector has the same
 // size.
 template <class Complex, class Solver>
-Eigen::VectorXd
-Incompressible_fluid<Complex, Solver>::coordinates_of_interface(const Eigen::VectorXd& near) const {
+Eigen::VectorXd Incompressible_fluid<Complex, Solver>::coordinates_of_interface(
+    const Eigen::VectorXd& nearby) const {
   const auto vertices = m_complex.interface_vertices();
   Eigen::VectorXd result(3 * Eigen::Index(vertices.size()));
-  const bool has_images = Mesh::is_periodic && near.size() == result.size();
+  const bool has_images = Mesh::is_periodic && nearby.size() == result.size();
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     const Eigen::Index row = 3 * Eigen::Index(v);
     const auto position = m_complex.position(vertices[v]);
     result.segment<3>(row) = internal::eigen_vector(
-        has_images ? m_complex.position_near(point(near.segment<3>(row)), vertices[v]) : position);
+        has_images ? m_complex.position_near(point(nearby.segment<3>(row)), vertices[v])
+                   : position);
   }
   return result;
 }

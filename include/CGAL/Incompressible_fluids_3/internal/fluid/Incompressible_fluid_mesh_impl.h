@@ -197,7 +197,7 @@ auto Incompressible_fluid<Complex, Solver>::move_interface(const Flow& flow,
   for (std::size_t k = 0; k < vertices.size(); ++k)
     if (const auto found = number.find(vertices[k]->time_stamp()); found != number.end())
       positions[found->second] =
-          mesh.near(positions[found->second], coordinates.segment<3>(3 * Eigen::Index(k)));
+          mesh.nearest_image(positions[found->second], coordinates.segment<3>(3 * Eigen::Index(k)));
   const auto inflow = inflow_velocities(mesh, m_sides, flow.positions, m_time);
   std::vector<char> returns(positions.size(), false); // to a wall
   for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v)

@@ -79,8 +79,8 @@ public:
     for (const auto& facet : m_snapshot.facets()) {
       Corners_3<std::size_t(Complex::dimension)> corners;
       for (std::size_t i = 0; i < corners.size(); ++i)
-        corners[i] =
-            eigen_vector(m_snapshot.domain.near(to[facet.vertices[0]], to[facet.vertices[i]]));
+        corners[i] = eigen_vector(
+            m_snapshot.domain.nearest_image(to[facet.vertices[0]], to[facet.vertices[i]]));
       const double area = area_vector(corners).norm() / Complex::dimension;
       for (std::size_t v : facet.vertices)
         areas[v] += area;

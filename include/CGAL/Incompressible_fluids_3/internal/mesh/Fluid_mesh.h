@@ -155,10 +155,10 @@ template <class Complex> struct Fluid_mesh
   }
 
   // Returns the image of q that is nearest to p. Except on a torus, this is q.
-  Eigen::Vector3d near(const Eigen::Vector3d& p, const Eigen::Vector3d& q) const {
+  Eigen::Vector3d nearest_image(const Eigen::Vector3d& p, const Eigen::Vector3d& q) const {
     if constexpr (is_periodic) {
       using Point = typename Complex::Point;
-      return eigen_vector(m_domain.near(from_eigen<Point>(p), from_eigen<Point>(q)));
+      return eigen_vector(m_domain.nearest_image(from_eigen<Point>(p), from_eigen<Point>(q)));
     } else
       return q;
   }
@@ -171,7 +171,7 @@ template <class Complex> struct Fluid_mesh
     Corners_3<n> result;
     result[0] = positions[vertices_of_simplex[0]];
     for (std::size_t i = 1; i < n; ++i)
-      result[i] = near(result[0], positions[vertices_of_simplex[i]]);
+      result[i] = nearest_image(result[0], positions[vertices_of_simplex[i]]);
     return result;
   }
 
@@ -333,7 +333,7 @@ private:
   // The liquids around a vertex.
   struct Around
   {
-    static constexpr int nothing = std::numeric_limits<int>::max();
+    static constexpr int nothing = (std::numeric_limits<int>::max)();
 
     int least = nothing, largest = nothing; // labels
     bool is_shared = false;                 // by more than two media

@@ -54,7 +54,7 @@ std::vector<double> volumes_of_gases(const Mesh& mesh, const std::vector<Gas_com
       for (std::size_t i = 0; i < middles.size(); ++i) {
         const auto v = facet.vertices[i];
         const Eigen::Vector3d middle = (from[v] + to[v]) / 2;
-        middles[i] = i == 0 ? middle : mesh.near(middles[0], middle);
+        middles[i] = i == 0 ? middle : mesh.nearest_image(middles[0], middle);
         displacement += (to[v] - from[v]) / Mesh::dimension;
       }
       const double swept = area_vector(middles).dot(displacement);

@@ -19,9 +19,10 @@ namespace CGAL::Deformable_simplicial_complexes::internal {
 // bound, the distance would change from `before` to `after`. Distances from -infinity to `near` are
 // mapped to distances from near / 2 to `near`, so vertices one behind another keep their order. A
 // vertex that was nearer does not come nearer.
-inline double kept_distance(double before, double after, double near) {
-  return after < near ? (std::min)(near / 2 * (1 + std::exp(2 * (after - near) / near)), before)
-                      : after;
+inline double kept_distance(double before, double after, double nearby) {
+  return after < nearby
+             ? (std::min)(nearby / 2 * (1 + std::exp(2 * (after - nearby) / nearby)), before)
+             : after;
 }
 
 // The velocities of vertices at which liquid enters through sides of the domain. The list is empty

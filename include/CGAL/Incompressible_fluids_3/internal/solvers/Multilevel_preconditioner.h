@@ -167,11 +167,11 @@ inline Eigen::SparseMatrix<double> matrix_of_aggregates(const Eigen::SparseMatri
 // `is_safe`, the sums of their absolute values. The result is then positive definite if the matrix
 // is. Both matrices are given by their lower triangles, with sorted entries.
 inline Eigen::SparseMatrix<double> near_part(const Eigen::SparseMatrix<double>& lower,
-                                             const Eigen::SparseMatrix<double>& near,
+                                             const Eigen::SparseMatrix<double>& nearby,
                                              bool is_safe) {
   using Entry = Eigen::SparseMatrix<double>::InnerIterator;
-  Eigen::SparseMatrix<double> result = near;
-  Eigen::VectorXd far = Eigen::VectorXd::Zero(lower.cols());
+  Eigen::SparseMatrix<double> result = nearby;
+  Eigen::VectorXd distant = Eigen::VectorXd::Zero(lower.cols());
   for (Eigen::Index j = 0; j < lower.cols(); ++j) {
     Entry to(result, j);
     for (Entry from(lower, j); from; ++from) {
@@ -182,14 +182,14 @@ inline Eigen::SparseMatrix<double> near_part(const Eigen::SparseMatrix<double>& 
         ++to;
       } else {
         const double value = is_safe ? std::abs(from.value()) : from.value();
-        far(from.row()) += value;
-        far(j) += value;
+        distant(from.row()) += value;
+        distant(j) += value;
       }
     }
     for (; to; ++to)
       to.valueRef() = 0;
   }
-  result.diagonal() += far.cwiseMax(0.);
+  result.diagonal() += distant.cwiseMax(0.);
   return result;
 }
 
@@ -212,13 +212,13 @@ public:
 
   // Computes the levels of a matrix. The near part has the pattern of the matrix `near`. Returns
   // whether all factorizations exist. Takes about linear time.
-  bool compute(const Matrix& matrix, const Matrix& near) {
-    const Matrix near_matrix = near_part(matrix, near, false);
+  bool compute(const Matrix& matrix, const Matrix& nearby) {
+    const Matrix near_matrix = near_part(matrix, nearby, false);
     m_aggregates = aggregates(near_matrix.selfadjointView<Eigen::Lower>());
     m_coarse_in.resize(m_aggregates.number);
     m_coarse_out.resize(m_aggregates.number);
     return (m_of_near_part.compute(near_matrix) ||
-            m_of_near_part.compute(near_part(matrix, near, true))) &&
+            m_of_near_part.compute(near_part(matrix, nearby, true))) &&
            compute_levels(matrix_of_aggregates(matrix, m_aggregates));
   }
 
@@ -245,9 +245,9 @@ private:
   bool compute_levels(Matrix lower) {
     // Of neighbors, see `strong_entries()`. With smaller values, aggregates are too large.
     static constexpr double strong = .25;
-    static constexpr Eigen::Index small = 200; // unknowns; a direct solution takes no time
+    static constexpr Eigen::Index small_system = 200; // unknowns; a direct solution takes no time
     m_levels.clear();
-    while (lower.cols() > small) {
+    while (lower.cols() > small_system) {
       Aggregates of_level = aggregates(strong_entries(lower, strong));
       if (of_level.number == lower.cols()) // no unknown is coupled to another one
         break;

@@ -37,7 +37,7 @@ public:
     for (Index i = 0; i < n; ++i) {
       std::array<Entry, block_rows> entries = entries_of(matrix, i);
       for (;;) {
-        static constexpr Index none = std::numeric_limits<Index>::max();
+        static constexpr Index none = (std::numeric_limits<Index>::max)();
         Index column = none; // the next one
         for (const Entry& k : entries)
           if (k)

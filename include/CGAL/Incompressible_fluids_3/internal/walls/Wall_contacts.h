@@ -165,7 +165,7 @@ public:
   // constrained until `revise()` releases it.
   void predict(const Vectors_3& expected, double begin, double end, double dt, bool walls_move) {
     // In edge lengths. Later predictions find walls that are farther away.
-    static constexpr double near = .5;
+    static constexpr double nearby = .5;
     const bool projects = walls_move && begin == end;
     const std::vector<Contact> before = std::move(m_contacts);
     m_contacts.clear();
@@ -194,7 +194,7 @@ public:
             double distance = projects && touches ? 0 : w.distance;
             if (projects)
               distance += normal.dot(displacement - dt * velocity);
-            if (distance > near * m_spacings[v] && !touches && !is_known)
+            if (distance > nearby * m_spacings[v] && !touches && !is_known)
               return;
             const Eigen::Vector3d direction =
                 touches ? direction_of(place, areas, middles[v], time_of_middle, normal) : normal;
@@ -417,7 +417,7 @@ public:
       result[c.solid].force -= reaction;
       Eigen::Vector3d position = positions[c.vertex];
       if (is_body(c.solid))
-        position = m_mesh.near(m_bodies[m_body_of_solid[c.solid]].place.center, position);
+        position = m_mesh.nearest_image(m_bodies[m_body_of_solid[c.solid]].place.center, position);
       result[c.solid].torque -= position.cross(reaction);
     });
     return result;
@@ -474,7 +474,7 @@ private:
 
   // Returns the vector from the center of a body to a point. On a torus, it is the shortest one.
   Eigen::Vector3d arm_of(const Body_place& place, const Eigen::Vector3d& p) const {
-    return m_mesh.near(place.center, p) - place.center;
+    return m_mesh.nearest_image(place.center, p) - place.center;
   }
 
   // Adds the constraint of a contact along a direction and, with no-slip, perpendicular to it.

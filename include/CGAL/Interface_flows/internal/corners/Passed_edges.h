@@ -52,8 +52,8 @@ public:
       if (m_is_removed[i] || m_is_removed[j])
         continue;
       const auto before = m_dsc.displacement(m_interface.vertices[i], m_interface.vertices[j]);
-      const auto after =
-          m_interface.domain.near(m_destinations[i], m_destinations[j]) - m_destinations[i];
+      const auto after = m_interface.domain.nearest_image(m_destinations[i], m_destinations[j]) -
+                         m_destinations[i];
       const double along = before * after, squared = before.squared_length();
       if (!is_passed(i, j, along, squared))
         continue;

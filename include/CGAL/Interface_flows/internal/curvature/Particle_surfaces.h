@@ -143,7 +143,7 @@ private:
     Facet facet;
     facet.radius = 0;
     for (int i = 0; i < d; ++i) {
-      facet.corners[i] = domain.near(positions[vertices[0]], positions[vertices[i]]);
+      facet.corners[i] = domain.nearest_image(positions[vertices[0]], positions[vertices[i]]);
       facet.radius = (std::max)(facet.radius,
                                 std::sqrt((facet.corners[i] - facet.corners[0]).squared_length()));
     }
@@ -155,7 +155,7 @@ private:
     Point result = p;
     double distance = std::numeric_limits<double>::infinity();
     for (const Facet& facet : m_facets) {
-      const Point first = domain.near(p, facet.corners[0]);
+      const Point first = domain.nearest_image(p, facet.corners[0]);
       if (std::sqrt((first - p).squared_length()) - facet.radius >= distance)
         continue;
       std::array<Point, d> corners;

@@ -70,7 +70,7 @@ private:
       for (std::size_t v : facets[f])
         facets_at[v].push_back(f);
     const auto image_near = [&](const Point& from, std::size_t v) {
-      const Point p = complex.domain().near(from, complex.position(vertices[v]));
+      const Point p = complex.domain().nearest_image(from, complex.position(vertices[v]));
       for (std::size_t image : images[v])
         if (points[image] == p)
           return image;

@@ -79,7 +79,7 @@ private:
                             const Function& function) {
     for (const auto& segment : interface_.segments) {
       const auto& p = positions[segment.vertices[0]];
-      const Vector edge = interface_.domain.near(p, positions[segment.vertices[1]]) - p;
+      const Vector edge = interface_.domain.nearest_image(p, positions[segment.vertices[1]]) - p;
       if (edge.squared_length() > 0)
         for (std::size_t v : segment.vertices)
           function(v, edge);
@@ -137,7 +137,7 @@ public:
       ++m_first[b];
       if (!normals.is_smooth[a] || !normals.is_smooth[b])
         return;
-      const auto edge = interface_.domain.near(positions[a], positions[b]) - positions[a];
+      const auto edge = interface_.domain.nearest_image(positions[a], positions[b]) - positions[a];
       const double bend =
           std::abs((normals.normals[b] - normals.normals[a]) * edge); // curvature * squared length
       if (!(bend > 0))
@@ -151,8 +151,9 @@ public:
       sum = m_first[v] += sum;
     m_neighbors.resize(m_first.back());
     for_each_edge_of(interface_.facets(), [&](std::size_t a, std::size_t b) {
-      const double distance = std::sqrt(
-          (interface_.domain.near(positions[a], positions[b]) - positions[a]).squared_length());
+      const double distance =
+          std::sqrt((interface_.domain.nearest_image(positions[a], positions[b]) - positions[a])
+                        .squared_length());
       m_neighbors[--m_first[a]] = {b, distance};
       m_neighbors[--m_first[b]] = {a, distance};
     });

@@ -95,10 +95,10 @@ public:
 
   // Returns whether p is inside. The search walks from the cloud point `near`. On the boundary of
   // cells, p is inside if all these cells are inside.
-  bool is_inside(const Point& p, std::size_t near) const {
+  bool is_inside(const Point& p, std::size_t nearby) const {
     typename Delaunay::Locate_type type;
     int i, j;
-    const Cell_handle c = m_delaunay.locate(p, type, i, j, m_vertices[near]);
+    const Cell_handle c = m_delaunay.locate(p, type, i, j, m_vertices[nearby]);
     if (type == Delaunay::VERTEX)
       return is_inside_around(c->vertex(i));
     if (type == Delaunay::FACET)

@@ -310,7 +310,7 @@ private:
   // compared with the median of this distance around it. The reach of a point is bounded by this
   // median.
   void drop_isolated() {
-    static constexpr double far = 3;       // in medians of the reaches around
+    static constexpr double distant = 3;   // in medians of the reaches around
     static constexpr unsigned around = 32; // more than the number of outliers in a cluster
     std::vector<char> is_kept(size());
     std::vector<double> medians(size());
@@ -321,7 +321,7 @@ private:
         reaches.push_back(m_reaches[k]);
       const auto middle = reaches.begin() + std::ptrdiff_t(reaches.size() / 2);
       std::nth_element(reaches.begin(), middle, reaches.end());
-      is_kept[i] = m_reaches[i] <= far * *middle;
+      is_kept[i] = m_reaches[i] <= distant * *middle;
       medians[i] = *middle;
     });
     for (std::size_t i = 0; i < size(); ++i)

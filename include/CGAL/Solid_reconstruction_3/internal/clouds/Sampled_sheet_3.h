@@ -49,11 +49,11 @@ private:
     m_cloud.for_each()(points.size(), [&](std::size_t i) {
       Progress_scope::check();
       neighbors[i] = m_cloud.nearest(points[i], around + 1); // including the point itself
-      std::vector<Point> near;
+      std::vector<Point> nearby;
       for (std::size_t k : neighbors[i])
-        near.push_back(points[k]);
-      planes[i] = fit_plane(near);
-      residuals[i] = fit_quadric(near, planes[i]).residual;
+        nearby.push_back(points[k]);
+      planes[i] = fit_plane(nearby);
+      residuals[i] = fit_quadric(nearby, planes[i]).residual;
     });
     m_noise = median_of(residuals);
     std::vector<char> is_kept(points.size());

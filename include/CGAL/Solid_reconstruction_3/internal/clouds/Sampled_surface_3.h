@@ -229,11 +229,11 @@ private:
                                              [&](std::size_t k) { return !is_on_other_side(k); });
       if (end - indices.begin() > least)
         indices.erase(end, indices.end());
-      std::vector<Point> near;
+      std::vector<Point> nearby;
       for (std::size_t k : indices)
-        near.push_back(points[k]);
-      planes[i] = fit_plane(near);
-      const Fitted_quadric_3 quadric = fit_quadric(near, planes[i]);
+        nearby.push_back(points[k]);
+      planes[i] = fit_plane(nearby);
+      const Fitted_quadric_3 quadric = fit_quadric(nearby, planes[i]);
       m_normals[i] = quadric.normal;
       m_residuals[i] = quadric.residual;
       m_curvatures[i] = quadric.curvature;

@@ -64,10 +64,10 @@ inline std::vector<char> surface_points(const Point_cloud_3& cloud) {
   std::vector<Fitted_plane_3> planes(cloud.size());
   cloud.for_each()(cloud.size(), [&](std::size_t i) {
     Progress_scope::check();
-    std::vector<Point_cloud_3::Point> near;
+    std::vector<Point_cloud_3::Point> nearby;
     for (std::size_t k : cloud.nearest(cloud.points()[i], neighbors + 1)) // and itself
-      near.push_back(cloud.points()[k]);
-    planes[i] = fit_plane(near);
+      nearby.push_back(cloud.points()[k]);
+    planes[i] = fit_plane(nearby);
   });
   const auto median = [&](const std::vector<std::size_t>& cluster, double Fitted_plane_3::*value) {
     std::vector<double> values;
@@ -106,15 +106,15 @@ inline bool is_off_planes(const Point_cloud_3& cloud, std::size_t i,
 inline bool is_boundary_point(const Point_cloud_3& cloud, std::size_t i) {
   static constexpr unsigned around = 16;            // neighbors: about two rings
   static constexpr double widest = 2 * CGAL_PI / 3; // sector between random neighbors
-  std::vector<Point_cloud_3::Point> near;
+  std::vector<Point_cloud_3::Point> nearby;
   for (std::size_t k : cloud.nearest(cloud.points()[i], around + 1)) // including the point itself
-    near.push_back(cloud.points()[k]);
-  const auto normal = fit_plane(near).normal;
-  const auto first = near[1] - near[0], u = first - (first * normal) * normal,
+    nearby.push_back(cloud.points()[k]);
+  const auto normal = fit_plane(nearby).normal;
+  const auto first = nearby[1] - nearby[0], u = first - (first * normal) * normal,
              v = cross_product(normal, u);
   std::vector<double> angles;
-  for (std::size_t k = 1; k < near.size(); ++k)
-    angles.push_back(std::atan2((near[k] - near[0]) * v, (near[k] - near[0]) * u));
+  for (std::size_t k = 1; k < nearby.size(); ++k)
+    angles.push_back(std::atan2((nearby[k] - nearby[0]) * v, (nearby[k] - nearby[0]) * u));
   std::sort(angles.begin(), angles.end());
   double sector = angles.front() + 2 * CGAL_PI - angles.back();
   for (std::size_t k = 1; k < angles.size(); ++k)
@@ -144,11 +144,11 @@ inline std::vector<Point_cloud_3::Point> smoothed_points(const Point_cloud_3& cl
   for (int i = 0; i < rounds; ++i) {
     cloud.for_each()(points.size(), [&](std::size_t k) {
       Progress_scope::check();
-      std::vector<Point_cloud_3::Point> near;
+      std::vector<Point_cloud_3::Point> nearby;
       for (std::size_t n : cloud.nearest(cloud.points()[k], neighbors_to_smooth(cloud, noise)))
         if (clusters[n] == clusters[k])
-          near.push_back(points[n]); // the point itself comes first
-      feet[k] = fit_quadric(near, fit_plane(near)).foot;
+          nearby.push_back(points[n]); // the point itself comes first
+      feet[k] = fit_quadric(nearby, fit_plane(nearby)).foot;
     });
     points.swap(feet);
   }

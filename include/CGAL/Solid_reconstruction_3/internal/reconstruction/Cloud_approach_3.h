@@ -199,9 +199,9 @@ private:
   static double free_step(const Sampled_surface_3& surface, const Point& middle,
                           const Vector& normal, double edge) {
     static constexpr double push = .35, part = .7; // in edges; in distances from points
-    static constexpr double near = 1;              // in spacings; nearer facets do not move
+    static constexpr double nearby = 1;            // in spacings; nearer facets do not move
     const double distance = surface.cloud().distance(middle);
-    if (distance < near * surface.cloud().spacing() || surface.is_inside(middle))
+    if (distance < nearby * surface.cloud().spacing() || surface.is_inside(middle))
       return 0;
     double result = (std::min)(push * edge, part * distance);
     for (int i = 0; i < halvings && surface.is_inside(middle - result * normal); ++i)

@@ -63,8 +63,8 @@ private:
 
   bool is_rough_around(const Point& p) const {
     static constexpr unsigned around = 8; // points within about a spacing and a half
-    const auto near = m_surface.cloud().nearest(p, around);
-    return std::any_of(near.begin(), near.end(),
+    const auto nearby = m_surface.cloud().nearest(p, around);
+    return std::any_of(nearby.begin(), nearby.end(),
                        [&](std::size_t i) { return m_surface.is_rough(i); });
   }
 

@@ -134,12 +134,13 @@ private:
   // points.
   void find_loose(const Sampled_surface_3& surface, const std::vector<Point>& positions) {
     static constexpr double few = .3, some = 3; // in weights of points
-    static constexpr double far = 1.4; // in spacings; the distance from points beyond a sharp edge
+    static constexpr double distant =
+        1.4; // in spacings; the distance from points beyond a sharp edge
     std::vector<char> is_loose;
     for (std::size_t v = 0; v < positions.size(); ++v) {
       Progress_scope::check();
-      m_is_far.push_back(m_weights[v] < some &&
-                         surface.cloud().distance(positions[v]) > far * surface.cloud().spacing());
+      m_is_far.push_back(m_weights[v] < some && surface.cloud().distance(positions[v]) >
+                                                    distant * surface.cloud().spacing());
       is_loose.push_back(m_is_far[v] != 0 || m_weights[v] < few);
     }
     for (const auto& f : m_facets)

@@ -102,14 +102,15 @@ private:
   static void triangulate(const std::vector<Cloud_kernel::Point_3>& points, double unit,
                           const std::vector<double>& radii, Delaunay& delaunay) {
     using Vertex = std::pair<Kernel::Point_3, std::size_t>;
-    static constexpr double small = 1e-4; // largest change, in radii
-    std::vector<Vertex> vertices;         // with their indices
+    static constexpr double small_change = 1e-4; // largest change, in radii
+    std::vector<Vertex> vertices;                // with their indices
     Random random(0);
     for (std::size_t v = 0; v < points.size(); ++v) {
       double p[3];
       for (int k = 0; k < 3; ++k)
         p[k] =
-            (points[v][k] - points[0][k] + small * radii[v] * random.uniform_real(-1., 1.)) / unit;
+            (points[v][k] - points[0][k] + small_change * radii[v] * random.uniform_real(-1., 1.)) /
+            unit;
       vertices.emplace_back(Kernel::Point_3(p[0], p[1], p[2]), v);
     }
     spatial_sort(vertices.begin(), vertices.end(),
