@@ -20,6 +20,8 @@
 #include <CGAL/Mesh_files/replace_file.h>
 #include <CGAL/Mesh_support/coordinates.h>
 
+#include <optional>
+
 namespace CGAL {
 namespace Deformable_simplicial_complexes::internal {
 

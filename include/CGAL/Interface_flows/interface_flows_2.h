@@ -10,9 +10,12 @@
 
 #include <CGAL/license/Interface_flows.h>
 
+#include <CGAL/Mesh_support/coordinates.h>
+
 #include <CGAL/Interface_flows/Normal_offset.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Kernel_traits.h>
 
 namespace CGAL::Deformable_simplicial_complexes {
 
@@ -41,6 +44,14 @@ public:
     const double angle = m_angular_velocity * dt;
     const Vector_2 r = p - m_center, across(-r.y(), r.x());
     return m_center + std::cos(angle) * r + std::sin(angle) * across;
+  }
+
+  /// The same for points of any kernel whose numbers are doubles.
+  template <class Point>
+  auto operator()(const Point& p, double t, double dt) const ->
+      typename Kernel_traits<Point>::Kernel::Point_2 {
+    return point_of<Point>(
+        coordinates_of<2>((*this)(point_of<Point_2>(coordinates_of<2>(p)), t, dt)));
   }
 
 private:

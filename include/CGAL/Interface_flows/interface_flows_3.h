@@ -10,8 +10,11 @@
 
 #include <CGAL/license/Interface_flows.h>
 
+#include <CGAL/Mesh_support/coordinates.h>
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Interface_flows/Normal_offset.h>
+#include <CGAL/Kernel_traits.h>
 
 namespace CGAL::Deformable_simplicial_complexes {
 
@@ -45,6 +48,14 @@ public:
     const Vector_3 r = p - m_center, along = (m_axis * r) * m_axis, across = r - along;
     return m_center + along + std::cos(angle) * across +
            std::sin(angle) * cross_product(m_axis, across);
+  }
+
+  /// The same for points of any kernel whose numbers are doubles.
+  template <class Point>
+  auto operator()(const Point& p, double t, double dt) const ->
+      typename Kernel_traits<Point>::Kernel::Point_3 {
+    return point_of<Point>(
+        coordinates_of<3>((*this)(point_of<Point_3>(coordinates_of<3>(p)), t, dt)));
   }
 
 private:

@@ -10,7 +10,10 @@
 
 #include <CGAL/license/Interface_flows.h>
 
+#include <CGAL/Mesh_support/coordinates.h>
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Kernel_traits.h>
 #include <CGAL/number_utils.h>
 
 #include <cmath>
@@ -44,6 +47,14 @@ public:
     const double sy = std::sin(CGAL_PI * p.y()), cy = std::cos(CGAL_PI * p.y());
     const double f = 2 * sx * sy * std::cos(CGAL_PI * t / m_period);
     return f * Vector_2(-sx * cy, cx * sy);
+  }
+
+  /// The same for points of any kernel whose numbers are doubles.
+  template <class Point>
+  auto operator()(const Point& p, double t) const ->
+      typename Kernel_traits<Point>::Kernel::Vector_2 {
+    return point_of<typename Kernel_traits<Point>::Kernel::Vector_2>(
+        coordinates_of<2>((*this)(point_of<Point_2>(coordinates_of<2>(p)), t)));
   }
 
 private:

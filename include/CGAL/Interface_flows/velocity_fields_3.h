@@ -10,6 +10,10 @@
 
 #include <CGAL/license/Interface_flows.h>
 
+#include <CGAL/Mesh_support/coordinates.h>
+
+#include <CGAL/Kernel_traits.h>
+
 #include <CGAL/Interface_flows/velocity_fields_2.h>
 
 #include <cstdint>
@@ -51,6 +55,14 @@ public:
     return f * Vector_3(2 * sx * cy * cz, -cx * sy * cz, -cx * cy * sz);
   }
 
+  /// The same for points of any kernel whose numbers are doubles.
+  template <class Point>
+  auto operator()(const Point& p, double t) const ->
+      typename Kernel_traits<Point>::Kernel::Vector_3 {
+    return point_of<typename Kernel_traits<Point>::Kernel::Vector_3>(
+        coordinates_of<3>((*this)(point_of<Point_3>(coordinates_of<3>(p)), t)));
+  }
+
 private:
   double m_period;
 };
@@ -79,6 +91,14 @@ public:
   Vector_3 operator()(const Point_3& p, double t) const {
     const auto in_plane = m_in_plane({p.x(), p.y()}, t);
     return {in_plane.x(), in_plane.y(), 0};
+  }
+
+  /// The same for points of any kernel whose numbers are doubles.
+  template <class Point>
+  auto operator()(const Point& p, double t) const ->
+      typename Kernel_traits<Point>::Kernel::Vector_3 {
+    return point_of<typename Kernel_traits<Point>::Kernel::Vector_3>(
+        coordinates_of<3>((*this)(point_of<Point_3>(coordinates_of<3>(p)), t)));
   }
 
 private:
@@ -132,6 +152,14 @@ public:
     for (const Wave& wave : m_waves)
       result = result + std::cos(wave.number * (p - ORIGIN) + wave.phase) * wave.velocity;
     return result;
+  }
+
+  /// The same for points of any kernel whose numbers are doubles.
+  template <class Point>
+  auto operator()(const Point& p, double t) const ->
+      typename Kernel_traits<Point>::Kernel::Vector_3 {
+    return point_of<typename Kernel_traits<Point>::Kernel::Vector_3>(
+        coordinates_of<3>((*this)(point_of<Point_3>(coordinates_of<3>(p)), t)));
   }
 
 private:

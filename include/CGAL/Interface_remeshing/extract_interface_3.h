@@ -20,6 +20,8 @@
 
 #include <boost/graph/properties.hpp>
 
+#include <boost/property_map/property_map.hpp>
+
 namespace CGAL::Deformable_simplicial_complexes {
 
 /*!

@@ -27,6 +27,8 @@
 
 #include <climits>
 
+#include <iostream>
+
 namespace dsc {
 namespace {
 

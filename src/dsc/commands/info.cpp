@@ -16,6 +16,8 @@
 #include "programs/interrupt.h"
 #include "programs/standard_streams.h"
 
+#include <iostream>
+
 namespace dsc {
 namespace {
 

@@ -18,6 +18,8 @@
 #include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
 #include <CGAL/Triangle_soup_repair/make_patches_3.h>
 
+#include <iostream>
+
 namespace dsc {
 namespace {
 

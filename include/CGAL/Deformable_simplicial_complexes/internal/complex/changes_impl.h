@@ -13,6 +13,11 @@
 #include <CGAL/Deformable_simplicial_complexes/Labeled_complex.h>
 #include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
+#include <CGAL/assertions.h>
+
+#include <new>
+#include <optional>
+
 #define CGAL_DSC_TEMPLATE template <class Derived, class Space, class Quality, class Domain>
 #define CGAL_DSC_CLASS Labeled_complex<Derived, Space, Quality, Domain>
 

@@ -21,6 +21,10 @@
 #include <CGAL/Mesh_support/coordinates.h>
 #include <CGAL/Mesh_support/internal/numbers/Extent.h>
 
+#include <CGAL/Origin.h>
+
+#include <iostream>
+
 #define CGAL_DSC_TEMPLATE template <class Derived, class Space, class Quality, class Domain>
 #define CGAL_DSC_CLASS Labeled_complex<Derived, Space, Quality, Domain>
 
