@@ -29,6 +29,7 @@
 #include <utility>
 #include <vector>
 
+namespace CGAL::Deformable_simplicial_complexes {}
 namespace CGAL::parameters {}
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
