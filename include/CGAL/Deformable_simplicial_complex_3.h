@@ -30,10 +30,10 @@ Everything that holds in any dimension is inherited from `Labeled_complex`. `Poi
 `Vector_3` are other names of its types `Point` and `Vector`.
 
 \tparam Traits_ model of `DeformableSimplicialComplexTraits_3`
-\tparam Tds_ a `Triangulation_data_structure_3` whose items are models of
-        `DeformableSimplicialComplexVertexBase_3` and `DeformableSimplicialComplexCellBase_3`
+\tparam Tds_ a `Triangulation_data_structure_3` with `Deformable_simplicial_complex_vertex_base_3` and
+        `Deformable_simplicial_complex_cell_base_3`, over any bases
 \tparam QualityMeasure_ model of `TetrahedronQualityMeasure_3`; the quality cached in cells
-\tparam Domain_ `Ball_domain`, or `Torus_domain<3>`
+\tparam Domain_ `Ball_domain`, `Torus_domain<3>` or, for a complex at rest, `Solid_domain`
 */
 template <class Traits_ = Exact_predicates_inexact_constructions_kernel, class Tds_ = Default,
           class QualityMeasure_ = Deformable_simplicial_complexes::Volume_length_ratio_3,

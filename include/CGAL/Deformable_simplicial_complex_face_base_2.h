@@ -24,8 +24,6 @@ complex.
 
 \tparam Traits a model of `DeformableSimplicialComplexTraits_2`
 \tparam Fb a face base class of 2D triangulations
-
-\cgalModels{DeformableSimplicialComplexFaceBase_2}
 */
 template <class Traits, class Fb = Triangulation_face_base_2<Traits>>
 class Deformable_simplicial_complex_face_base_2

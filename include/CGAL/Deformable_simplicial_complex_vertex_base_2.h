@@ -23,8 +23,6 @@ Vertex of a deformable simplicial complex in the plane.
 
 \tparam Traits a model of `DeformableSimplicialComplexTraits_2`
 \tparam Vb a vertex base class of 2D triangulations with points
-
-\cgalModels{DeformableSimplicialComplexVertexBase_2}
 */
 template <class Traits, class Vb = Triangulation_vertex_base_2<Traits>>
 class Deformable_simplicial_complex_vertex_base_2

@@ -113,7 +113,8 @@ TEST(Triangulations, a_wrong_one_is_refused_and_stays) {
   Complex dsc = make_complex(grid(3, small_meshes::cube));
   const auto before = dsc.state();
   Complex other = make_complex(grid(2, small_meshes::uniform));
-  const auto inner = *std::find_if(other.vertices().begin(), other.vertices().end(),
+  const auto vertices = other.vertices();
+  const auto inner = *std::find_if(vertices.begin(), vertices.end(),
                                    [&](auto v) { return !other.is_boundary(v); });
   Triangulation triangulation = other.release();
   const auto right = inner->point();

@@ -6,7 +6,7 @@ A function object that returns the quality of a tetrahedron. Mesh optimization r
 the worst tetrahedra. The function is called often, so its cost dominates mesh optimization.
 
 A model can have a member `gradient(p, q, r, s)` with the same arguments. It returns the derivative
-of the quality with respect to the position of p, an `Vector_3`. Without this member, the
+of the quality with respect to the position of p, a `Vector_3`. Without this member, the
 optimization uses finite differences.
 
 \cgalRefines{DefaultConstructible,CopyConstructible,Assignable}

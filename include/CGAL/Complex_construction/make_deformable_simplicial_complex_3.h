@@ -329,7 +329,7 @@ to the places where labels change. Linear in the number of tetrahedra.
 
 \param box the domain, of positive size
 \param edge approximate edge length, positive
-\param label_at `label_at(p)` returns the label at an `Point_3` in the box; or
+\param label_at `label_at(p)` returns the label at a `Point_3` in the box; or
        `label_at(points)` returns the labels at a vector of such points
 \param np the named parameters of `deform_interface()`, for `fit_interface()`
 

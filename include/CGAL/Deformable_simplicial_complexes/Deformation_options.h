@@ -186,9 +186,12 @@ namespace internal {
 // \param defaults the options, with the default values
 template <class ConcurrencyTag = Sequential_tag, class Complex, class NamedParameters,
           class Options, class Call>
-auto call_with_parameters(const Complex& complex, const NamedParameters& np, Options defaults,
+auto call_with_parameters(Complex& complex, const NamedParameters& np, Options defaults,
                           const Call& call) {
-  if constexpr (std::is_same<NamedParameters, Options>::value)
+  if constexpr (std::is_const<Complex>::value)
+    static_assert(!std::is_const<Complex>::value,
+                  "the function changes the complex, which is const");
+  else if constexpr (std::is_same<NamedParameters, Options>::value)
     return call(np);
   else if constexpr (!is_chain<NamedParameters>) {
     static_assert(is_chain<NamedParameters>, "the last argument is neither a chain of named "
@@ -204,10 +207,14 @@ auto call_with_parameters(const Complex& complex, const NamedParameters& np, Opt
     if constexpr (is_given<NamedParameters, visitor_t>) {
       auto given = parameter(np, visitor_t());
       auto& visitor = unwrap(given);
-      static_assert(std::is_base_of<Deformation_visitor<Complex>,
-                                    std::remove_reference_t<decltype(visitor)>>::value,
-                    "a visitor derives from Deformation_visitor<Complex>");
-      visit_option<visitor_t>(defaults, [&](const char*, auto& pointer) { pointer = &visitor; });
+      static constexpr bool is_visitor =
+          std::is_base_of<Deformation_visitor<Complex>,
+                          std::remove_reference_t<decltype(visitor)>>::value;
+      static_assert(is_visitor,
+                    "a visitor derives from Deformation_visitor<Complex>, and is passed "
+                    "by std::ref()");
+      if constexpr (is_visitor)
+        visit_option<visitor_t>(defaults, [&](const char*, auto& pointer) { pointer = &visitor; });
       return call(std::as_const(defaults));
     } else
       return call(std::as_const(defaults));

@@ -43,8 +43,8 @@ along.
 Each change of the mesh is a replacement of cells or the smoothing of a vertex. The functions for
 these two changes receive the geometry before and after the change. The other functions receive the
 purpose of the change. Data in the bases of simplices (`..._with_info`) have their default value in
-new vertices and cells; `after_replacement()` is the place to set them, from the values that
-`before_replacement()` reads.
+new vertices and cells, which is indeterminate for numbers; `after_replacement()` is the place to
+set them, from the values that `before_replacement()` reads.
 
 One thread at a time calls the functions. The order of the calls does not depend on the number of
 threads. No function may change the complex. If a function throws, the exception reaches the caller,
@@ -52,7 +52,8 @@ and the complex is valid. If a function throws before a change, the change does 
 several visitors, another visitor can then receive a call before the change without the call after
 the change.
 
-Pass a visitor by `std::ref()`, or a copy by value.
+Pass a visitor by `std::ref()`. A visitor that is passed by value is copied, and what it stores is
+lost.
 
 \tparam Complex a deformable simplicial complex
 */

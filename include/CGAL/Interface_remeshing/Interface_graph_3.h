@@ -150,6 +150,7 @@ Any number of threads may use a graph.
 */
 template <class Complex_> class Interface_graph_3
 {
+  static_assert(Complex_::dimension == 3, "Interface_graph_3: the complex is in space");
   static_assert(Complex_::Domain::has_outside,
                 "Interface_graph_3: vertices of a complex on a torus have several points; "
                 "use extract_interface()");

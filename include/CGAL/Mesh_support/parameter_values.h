@@ -151,19 +151,25 @@ void for_each_tag(const Named_function_parameters<T, Tag, Base>& np, const F& f)
 
 // Replaces an option by the value of a named parameter. Counts that are too large for `unsigned`
 // are replaced by the largest `unsigned`.
-template <class Given, class Value>
+template <class Tag, class Given, class Value>
 void replace_option(const char* name, const Given& given, Value& value) {
   if constexpr (std::is_same<Value, unsigned>::value) {
     static_assert(std::is_integral<Given>::value, "a count is an integer");
-    if constexpr (std::is_signed<Given>::value)
-      if (given < 0)
-        throw Error(std::string(name) + " is negative: use 0 or more");
-    value = static_cast<unsigned>(
-        (std::min<std::uintmax_t>)(given, (std::numeric_limits<unsigned>::max)()));
+    if constexpr (std::is_integral<Given>::value) {
+      if constexpr (std::is_signed<Given>::value)
+        if (given < 0)
+          throw Error(std::string(name) + " is negative: use 0 or more");
+      value = static_cast<unsigned>(
+          (std::min<std::uintmax_t>)(given, (std::numeric_limits<unsigned>::max)()));
+    }
   } else if constexpr (std::is_pointer<Value>::value)
     value = &given.get();
   else {
     static constexpr bool has_right_type = std::is_assignable<Value&, const Given&>::value;
+    static_assert(has_right_type || !std::is_same<Tag, internal_np::topology_control_t>::value,
+                  "TopologyControl: bool operator()(const Complex&, Cell_handle, int) const");
+    static_assert(has_right_type || !std::is_same<Tag, internal_np::sizing_field_t>::value,
+                  "a sizing field is a function of points: double operator()(Point) const");
     static_assert(has_right_type, "the value of a named parameter has the type of the member of "
                                   "the options with its name, or converts to it");
     if constexpr (has_right_type)
@@ -212,7 +218,7 @@ void read_parameters(const NamedParameters& np, Options& options) {
     using Tag = decltype(tag);
     if constexpr (!(std::is_same<Tag, Others>::value || ...))
       internal::visit_option<Tag>(options, [&](const char* name, auto& value) {
-        internal::replace_option(name, parameter(np, Tag()), value);
+        internal::replace_option<Tag>(name, parameter(np, Tag()), value);
       });
   });
 }

@@ -199,6 +199,11 @@ inline Boxed_soup_3 put_into_box(Joined_soup_3 soup, const Construction_options<
 // invalid index.
 template <class Tetrahedralizer>
 Tetrahedralization_3 fill_box(const Boxed_soup_3& boxed, const Tetrahedralizer& tetrahedralizer) {
+  static_assert(
+      std::is_invocable_r_v<Tetrahedralization_3, const Tetrahedralizer&,
+                            const std::vector<Coordinates_3>&,
+                            const std::vector<std::array<std::size_t, 3>>&>,
+      "ConstrainedTetrahedralizer_3: Tetrahedralization_3 operator()(points, triangles) const");
   const Progress_phase phase("filling the box with tetrahedra");
   Triangle_soup_3 all = boxed.soup;
   append(all, box_surface(boxed.box, boxed.subdivision));

@@ -32,7 +32,13 @@ std::vector<typename Complex::Label> labels_at(const Complex& complex, const Lab
   for (auto& p : points)
     p = complex.domain().canonical(p);
   Labels result;
-  if constexpr (std::is_invocable_v<const LabelAt&, typename Complex::Point>) {
+  using Label = typename Complex::Label;
+  using Point = typename Complex::Point;
+  static_assert(std::is_invocable_r_v<Label, const LabelAt&, Point> ||
+                    std::is_invocable_r_v<Labels, const LabelAt&, const std::vector<Point>&>,
+                "the function of labels: int operator()(Point) const, or "
+                "std::vector<int> operator()(const std::vector<Point>&) const");
+  if constexpr (std::is_invocable_r_v<Label, const LabelAt&, Point>) {
     for (const auto& p : points) {
       Progress_scope::check();
       result.push_back(label_at(p));
