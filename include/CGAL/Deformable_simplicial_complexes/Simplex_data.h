@@ -62,6 +62,7 @@ public:
 
   /// @}
 
+  /// \cond SKIP_IN_MANUAL
 protected:
   friend struct internal::Simplex_access;
 
@@ -76,6 +77,7 @@ protected:
   bool m_is_in_complex = false;
   std::int8_t m_dimension = -1;    // outside a complex: of the part that contains the vertex
   bool m_are_facets_known = false; // outside a complex
+  /// \endcond
 };
 
 /*!
@@ -91,11 +93,13 @@ public:
   /// cell, as bits.
   std::uint8_t failures() const { return m_failures; }
 
+  /// \cond SKIP_IN_MANUAL
 protected:
   friend struct internal::Simplex_access;
 
   std::uint8_t m_failures = 0;
   bool m_is_in_complex = false;
+  /// \endcond
 };
 
 /*!
@@ -139,6 +143,7 @@ public:
 
   /// @}
 
+  /// \cond SKIP_IN_MANUAL
 protected:
   friend struct internal::Simplex_access;
 
@@ -155,6 +160,7 @@ protected:
   Subdomain_index m_subdomain_index = 0;
   std::uint32_t m_id = 0;
   std::size_t m_time_stamp = std::size_t(-1);
+  /// \endcond
 };
 
 namespace internal {
