@@ -89,9 +89,10 @@ TEST(Triangulations, release_and_assign_keep_the_complex) {
   EXPECT_EQ(after.boundary_classes, before.boundary_classes);
 }
 
-// A flow, a remeshing by CGAL, and the flow again.
+// A flow, a remeshing by CGAL, and the flow again. The sphere is smooth: CGAL 6.2 fails at edges of
+// a cube, where normals vanish.
 TEST(Triangulations, remeshing_by_cgal_between_steps) {
-  Complex dsc = make_complex(grid(6, small_meshes::ball));
+  Complex dsc = mesh_helpers::sphere(8, .6);
   const auto step = [&] {
     return DSC::deform_interface(dsc, [&](auto v) {
       const auto p = dsc.position(v);
