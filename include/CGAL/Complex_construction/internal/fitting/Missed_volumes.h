@@ -32,18 +32,17 @@ std::vector<typename Complex::Label> labels_at(const Complex& complex, const Lab
   for (auto& p : points)
     p = complex.domain().canonical(p);
   Labels result;
-  using Label = typename Complex::Label;
   using Point = typename Complex::Point;
-  static_assert(std::is_invocable_r_v<Label, const LabelAt&, Point> ||
-                    std::is_invocable_r_v<Labels, const LabelAt&, const std::vector<Point>&>,
-                "the function of labels: int operator()(Point) const, or "
-                "std::vector<int> operator()(const std::vector<Point>&) const");
-  if constexpr (std::is_invocable_r_v<Label, const LabelAt&, Point>) {
+  if constexpr (std::is_invocable_v<const LabelAt&, Point>) {
+    static_assert(std::is_invocable_r_v<typename Complex::Label, const LabelAt&, Point>,
+                  "the function of labels: int operator()(Point) const");
     for (const auto& p : points) {
       Progress_scope::check();
       result.push_back(label_at(p));
     }
   } else if (!points.empty()) {
+    static_assert(std::is_invocable_r_v<Labels, const LabelAt&, const std::vector<Point>&>,
+                  "the function of labels takes a point or a vector of points");
     result = label_at(points);
     if (result.size() != points.size())
       throw Error("the number of labels differs from the number of points: give one label for each "
