@@ -35,7 +35,7 @@ import zlib
 LIMIT = 10  # seconds of processor time until a run counts as hanging
 MEMORY = 16 << 30  # bytes of address space, for the safety of the machine
 UNCLEAR = re.compile(
-    rb"std::|bad_alloc|Sanitizer|runtime error|[Aa]ssert|CGAL|0x[0-9a-f]{4}|unknown error|[\x00-\x08\x0b-\x1f\x7f]|basic_string|"
+    rb"std::|cannot execute|bad_alloc|Sanitizer|runtime error|[Aa]ssert|CGAL|0x[0-9a-f]{4}|unknown error|[\x00-\x08\x0b-\x1f\x7f]|basic_string|"
     rb"vector::|json\.exception|filesystem error"
 )
 HUGE = 10**12
