@@ -98,9 +98,9 @@ private:
     }
   };
 
-  bool has_same_label(Cell_handle c, Cell_handle d) const {
-    return m_complex.is_infinite(c) == m_complex.is_infinite(d) &&
-           c->subdomain_index() == d->subdomain_index();
+  bool has_same_label(Cell_handle a, Cell_handle b) const {
+    return m_complex.is_infinite(a) == m_complex.is_infinite(b) &&
+           a->subdomain_index() == b->subdomain_index();
   }
 
   bool is_wall(Cell_handle c, int i) const { return !has_same_label(c, c->neighbor(i)); }
