@@ -1,4 +1,5 @@
-// A ball grows. In the middle of the flow, tetrahedral_isotropic_remeshing() of CGAL makes its cells larger.
+// A ball grows. In the middle of the flow, tetrahedral_isotropic_remeshing() of CGAL makes its
+// cells larger.
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>

@@ -195,12 +195,7 @@ template <class ConcurrencyTag = Sequential_tag, class Complex, class Velocity,
 Deformation_report<Complex> advect_adaptively(Complex& dsc, const Velocity& velocity, double t,
                                               double dt,
                                               const NamedParameters& np = NamedParameters()) {
-  static constexpr bool is_velocity = internal::is_velocity<Complex, Velocity>();
-  static_assert(
-      is_velocity,
-      "the velocity models none of VelocityField, VelocityFieldOfPoints, InterfaceFlowMap, "
-      "InterfaceVelocity and InterfaceStep: compare its operator() with these concepts");
-  if constexpr (is_velocity)
+  if constexpr (internal::require_velocity<Complex, Velocity>())
     return internal::call_with_parameters<ConcurrencyTag>(
         dsc, np, Adaptive_advection_options<Complex>(internal::contracts_interface<Velocity>),
         [&](const auto& options) {

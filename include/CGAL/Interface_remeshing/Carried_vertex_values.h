@@ -103,11 +103,10 @@ public:
   /// Interpolates the value at the target, in time linear in the number of cells around the vertex.
   void before_smoothing(Vertex_handle v, const std::vector<Cell_handle>& star,
                         const Point& target) override {
-    const auto position = target;
     m_interpolated.clear();
     m_interpolated.emplace_back(0, m_gradient == Carried_gradient::mean
-                                       ? extrapolate(v, star, position)
-                                       : interpolate(star, position));
+                                       ? extrapolate(v, star, target)
+                                       : interpolate(star, target));
   }
   /// Stores the interpolated value.
   void after_smoothing(Vertex_handle v, const std::vector<Cell_handle>&) override {

@@ -93,11 +93,9 @@ public:
                                         leaving);
     m_trapped_cells.log().begin();
     for (std::size_t i = 0; i < vertices.size(); ++i) {
-      const Point admissible = m_complex.admissible_destination(vertices[i], destinations[i]);
-      auto position = admissible;
-      const bool is_stopped = box.clamp(position);
-      m_stopped_at_boundary += is_stopped;
-      m_destinations.add(vertices[i], is_stopped ? position : admissible);
+      Point destination = m_complex.admissible_destination(vertices[i], destinations[i]);
+      m_stopped_at_boundary += box.clamp(destination);
+      m_destinations.add(vertices[i], destination);
     }
     record_swept_volumes();
   }

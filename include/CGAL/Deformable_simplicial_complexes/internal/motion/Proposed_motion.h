@@ -53,7 +53,10 @@ public:
 
   // Returns the proposed position of a vertex of the list, or the current position of any other
   // vertex.
-  auto position(Vertex_handle v) const { return point_of(v); }
+  const Point& position(Vertex_handle v) const {
+    const Number i = number(v);
+    return i != Vertex_numbers::none ? m_points[i] : v->point();
+  }
 
   // Returns the cells that would not be positively oriented. Also stores the current measures and
   // the proposed qualities of all cells, so that each cell is visited once.
@@ -157,11 +160,11 @@ private:
   }
 
   double quality(Cell_handle c) const {
-    return m_complex.quality(c, [&](Vertex_handle v) { return position(v); });
+    return m_complex.quality(c, [&](Vertex_handle v) -> const Point& { return position(v); });
   }
 
   bool is_positive(Cell_handle c) const {
-    return m_complex.is_positive(c, [&](Vertex_handle v) -> const Point& { return point_of(v); });
+    return m_complex.is_positive(c, [&](Vertex_handle v) -> const Point& { return position(v); });
   }
 
   // Returns whether a vertex of the cell has a new point since the qualities were computed.
@@ -170,11 +173,6 @@ private:
       if (has(c->vertex(i)) && m_are_changed[number(c->vertex(i))])
         return true;
     return false;
-  }
-
-  const Point& point_of(Vertex_handle v) const {
-    const Number i = number(v);
-    return i != Vertex_numbers::none ? m_points[i] : v->point();
   }
 
   Complex& m_complex;

@@ -79,6 +79,15 @@ template <class Complex, class Velocity> constexpr bool is_velocity() {
                                const std::vector<Point>&, double, std::vector<Vector>&>;
 }
 
+// Returns the same, and does not compile if it is false.
+template <class Complex, class Velocity> constexpr bool require_velocity() {
+  static_assert(
+      is_velocity<Complex, Velocity>(),
+      "the velocity models none of VelocityField, VelocityFieldOfPoints, InterfaceFlowMap, "
+      "InterfaceVelocity and InterfaceStep: compare its operator() with these concepts");
+  return is_velocity<Complex, Velocity>();
+}
+
 // The type of the interface that a velocity needs: vertices only for fields and flow maps, vertices
 // and facets for the other forms.
 template <class Complex, class Velocity>
