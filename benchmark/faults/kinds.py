@@ -138,6 +138,7 @@ def failing_calls(trial, points):
             where = f"{call.name} {call.number} ({os.path.relpath(call.path, trial.folder)})"
             hit = outcome.injected
             if not hit or any(not trial.inside(c.path) for c in hit):
+                trial.bench.left_elsewhere()
                 continue  # another process of the run has other calls
             faults = []
             is_told = outcome.status == 0 or any(words in outcome.err for words in ("cannot read", "Input/output"))
@@ -158,6 +159,8 @@ def stopped_processes(trial, points):
     names = (*WRITES, "openat", "rename", "renameat", "fsync", "close", "mkdir", "unlink", "flock")
     calls = _places(trial, names)
     last = max((i for i, c in enumerate(calls) if c.name.startswith("rename")), default=-1)
+    released = (i for i, c in enumerate(calls) if c.name == "unlink" and c.path.endswith("/.dsc-lock"))
+    last = min(last, next(released, last))  # afterwards, the folder no longer belongs to the run
     for call in spread(calls, points):
         where = f"{call.name} {call.number} ({os.path.relpath(call.path, trial.folder)})"
         outcome = trial.run_once(log=trial.log, faults=[f"{call.name}:signal=SIGKILL:when={call.number}"])

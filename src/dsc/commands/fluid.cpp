@@ -259,11 +259,11 @@ template <int dimension> int Reported_run<dimension>::finish() {
     std::cerr << "dsc: interrupted after step " << step() << "; continue with dsc fluid --resume "
               << save("dsc_interrupted") << '\n';
   write_report();
-  if (m_folder)
-    m_folder->require(*m_run.complex);
   std::string range; // of the colors
   if (!interrupted() && !m_options.picture.path.empty())
     range = draw_fluid<dimension>(m_options.picture, *m_run.complex, *m_run.fluid);
+  if (m_folder)
+    m_folder->require(*m_run.complex);
   if (!m_options.quiet && !m_vanished.empty())
     std::printf("dsc: %s %s vanished\n", noun(m_vanished.size(), "label", "labels"),
                 listed(m_vanished).c_str());

@@ -88,14 +88,24 @@ public:
 private:
   [[noreturn]] void fail(const std::string& what) const { throw Input_error(m_path + " " + what); }
 
+  /// \throws Input_error if the file, not its content, cannot be read
+  void require_readable() const {
+    int code = Z_OK;
+    gzerror(m_file.get(), &code);
+    if (code == Z_ERRNO)
+      throw Input_error("cannot read " + m_path + " to its end; check the disk");
+  }
+
   /// Returns the next line, without its end; `nullopt` if there is none.
   std::optional<std::string> line() {
     std::string result;
     constexpr std::size_t longest = 4096; // a file that is not an image may have no line ends
     while (result.size() < longest) {
       const int c = gzgetc(m_file.get());
-      if (c < 0)
+      if (c < 0) {
+        require_readable();
         return std::nullopt;
+      }
       if (c == '\n')
         return result;
       result += static_cast<char>(c);
@@ -194,6 +204,7 @@ private:
       if ((result += static_cast<std::uint64_t>(n)) > most)
         fail("has more bytes than its header announces; is its header damaged?");
     }
+    require_readable();
     if (n < 0)
       fail("has damaged or truncated compressed data; copy the file again");
     return result;

@@ -77,7 +77,13 @@ std::string new_folder() {
       throw Input_error("cannot create a temporary folder in " + parent.string() + ": " +
                         std::strerror(errno));
     files.folder = name;
-    files.claim.emplace(name, Folder_kind::temporary);
+    try {
+      files.claim.emplace(name, Folder_kind::temporary);
+    } catch (const Input_error&) { // names a folder that the user does not know
+      throw Input_error("cannot create a file in the folder for temporary files, " +
+                        parent.string() +
+                        "; check that it has free space, and that the process may open more files");
+    }
     remove_abandoned_folders(parent);
   }
   const fs::path result = fs::path(files.folder) / std::to_string(files.number++);
@@ -283,10 +289,15 @@ std::string temporary_file(const std::string& name) {
 void remove_temporary_files() {
   Temporary_files& files = temporary_files();
   std::error_code error;
+  // If the process may open few files, one folder can be opened at a time, or one without the lock.
+  for (int round = 0; round < 2 && !files.folder.empty(); ++round) {
+    for (int i = 0; i < files.number; ++i)
+      fs::remove_all(fs::path(files.folder) / std::to_string(i), error);
+    files.claim.reset();
+  }
   if (!files.folder.empty())
-    fs::remove_all(files.folder, error);
+    fs::remove(files.folder, error);
   files.folder.clear();
-  files.claim.reset();
   files.translations.clear();
 }
 

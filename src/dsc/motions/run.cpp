@@ -395,10 +395,10 @@ int Run::finish() {
                        save_run(m_folder, "dsc_interrupted", *m_complex, m_position, metadata()),
                        m_options.steps - m_done);
   write_report();
-  if (m_folder)
-    m_folder->require(*m_complex);
   if (!stopped && !m_options.output.picture.empty())
     m_complex->write(m_options.output.picture);
+  if (m_folder)
+    m_folder->require(*m_complex);
   if (!m_options.output.quiet) {
     print_divided(m_divided_steps);
     print_boundary(m_stopped_at_boundary);
