@@ -32,6 +32,28 @@ function(dsc_share_compilation target)
   target_precompile_headers(${target} REUSE_FROM dsc_common_headers)
 endfunction()
 
+# Precompiles the headers of other libraries for a library, if compilation is shared. The options are those of
+# position-independent code. A target with other options has its own precompiled headers.
+function(dsc_precompile_external_headers target)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "OTHER_OPTIONS" "" "")
+  set(header "${PROJECT_SOURCE_DIR}/cmake/external_headers.h")
+  if(NOT DSC_SHARE_COMPILATION)
+    return()
+  endif()
+  if(arg_OTHER_OPTIONS)
+    target_precompile_headers(${target} PRIVATE "${header}")
+    return()
+  endif()
+  if(NOT TARGET dsc_external_headers)
+    file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/external_headers.cpp" CONTENT "")
+    add_library(dsc_external_headers OBJECT "${PROJECT_BINARY_DIR}/external_headers.cpp")
+    set_target_properties(dsc_external_headers PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    target_link_libraries(dsc_external_headers PRIVATE deformable_simplicial_complex)
+    target_precompile_headers(dsc_external_headers PRIVATE "${header}")
+  endif()
+  target_precompile_headers(${target} REUSE_FROM dsc_external_headers)
+endfunction()
+
 # Sets `result` to the .cpp files of the current folder and of its subfolders, except
 # `installed_package`. Without the TetGen adapter, leaves out the files that use it.
 function(dsc_glob_sources result)

@@ -94,11 +94,13 @@ std::string new_folder() {
   return result.string();
 }
 
-std::string content_of(const std::string& path) {
-  std::ifstream file(path);
-  std::string text((std::istreambuf_iterator<char>(file)), {});
-  if (!file)
-    throw Input_error("cannot read the answer of dsc-files; check that TMPDIR names a folder with "
+/// Returns the content of a temporary file about a file of the user.
+std::string content_of(const std::string& path, const std::string& file) {
+  std::ifstream stream(path);
+  std::string text((std::istreambuf_iterator<char>(stream)), {});
+  if (!stream)
+    throw Input_error("cannot read the answer of dsc-files for " + file +
+                      "; check that TMPDIR names a folder with "
                       "free space, and that the process may open more files");
   return text;
 }
@@ -163,12 +165,12 @@ std::string run_dsc_files(const std::string& path, std::vector<std::string> argu
                     messages = folder + "/messages";
   const int code = run_program_with(arguments, output, messages);
   if (code == 0)
-    return content_of(output);
+    return content_of(output, path);
   static constexpr int cannot_start = 127; // exit code of the loader
   if (code == cannot_start)
     throw Input_error("cannot start the program dsc-files for " + path +
                       "; check that it is whole and that there is enough memory");
-  std::string message = content_of(messages); // libraries may print lines before the last
+  std::string message = content_of(messages, path); // libraries may print lines before the last
   message.erase(message.find_last_not_of('\n') + 1);
   throw Input_error(path + ' ' +
                     (code < 0 || message.empty()
