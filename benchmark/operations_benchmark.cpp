@@ -11,13 +11,8 @@
 #include "measures.h"
 
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
-#include <CGAL/Deformable_simplicial_complexes/edge_removal_3.h>
-#include <CGAL/Deformable_simplicial_complexes/edge_split.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Harmonic_extension.h>
-#include <CGAL/Deformable_simplicial_complexes/multi_face_removal_3.h>
-#include <CGAL/Deformable_simplicial_complexes/relabeling.h>
-#include <CGAL/Deformable_simplicial_complexes/vertex_smoothing.h>
+#include <CGAL/Deformable_simplicial_complexes/mesh_operations.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 
 #include <benchmark/benchmark.h>

@@ -15,9 +15,8 @@
 #include "small_meshes.h"
 #include "time_limit.h"
 
+#include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
-#include <CGAL/Deformable_simplicial_complexes/topology_control.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Mesh_files/checkpoint.h>
 

@@ -10,7 +10,7 @@
 #include "time_limit.h"
 
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
-#include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 
 #include <CLI/CLI.hpp>

@@ -11,7 +11,7 @@
 #include "measures.h"
 
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/Component_event.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Tetgen_tetrahedralizer_3.h>
 #include <CGAL/number_utils.h>

@@ -64,14 +64,15 @@ MODULES = {
         "threads": "tables of a thread, checks of progress, times, sorting that can be stopped",
     },
     KERNEL: {
-        "bookkeeping": "numbers of items, measures of labels, failed operations, marks of a thread",
+        "bookkeeping": "numbers of items and vertices, measures of labels, failed operations, marks of a thread",
         "components": "connected components of labels",
         "complex": "storage, numbering, exact changes",
         "parts": "complexes of given cells whose union has any shape",
-        "traversal": "work lists, corners of cells, local lengths",
+        "traversal": "work lists, corners of cells, unions of stars, local lengths, finite elements",
         "operations": "triangulations of rings, optimal positions, qualities of triangles",
         "interface": "edges and fans of the interface, changes of its facets",
         "destinations": "destinations, contacts, bounds on the volumes that operations move",
+        "proposals": "mesh operations: proposals and their commits",
         "improvement": "mesh operations of each dimension, mesh improvement",
         "motion": "simultaneous motion, extension of the displacement, collisions, swept volumes",
         "topology": "links and their labels, relabeling, the log of topology events",
@@ -139,6 +140,7 @@ MODULES = {
 SEAM = {
     KERNEL: """
         destinations/Destinations destinations/Interface_tolerance bookkeeping/Failure_memory bookkeeping/Label_totals
+        bookkeeping/Vertex_numbers traversal/Linear_element traversal/star_union
         complex/apply_to_corners complex/assemble_triangulation
         complex/hilbert_order complex/sort_by_time_stamp improvement/Mesh_improver
         improvement/Mesh_operations interface/Changed_facets
@@ -162,25 +164,15 @@ SEAM = {
 PARTS = ("complex", "operations", "deformation")
 PART_OF_MODULE = {
     "bookkeeping": "complex", "components": "complex", "complex": "complex", "parts": "complex", "traversal": "complex",
-    "interface": "operations", "operations": "operations", "destinations": "operations", "improvement": "operations",
+    "interface": "operations", "operations": "operations", "destinations": "operations", "proposals": "operations", "improvement": "operations",
     "motion": "deformation", "topology": "deformation", "deformation": "deformation",
 }
 PUBLIC_OF_PART = {
     "complex": """
-        Ball_domain Boundary_class Cavity Component_event Deformable_simplicial_complex_2
-        Deformable_simplicial_complex_3 Deformable_simplicial_complex_cell_base_3
-        Deformable_simplicial_complex_face_base_2
-        Deformable_simplicial_complex_vertex_base_2
-        Deformable_simplicial_complex_vertex_base_3 Interface_snapshot Labeled_complex Linear_element State
-        Torus_domain Simplex_data Vertex_numbers exceptions quality_measures star_union Solid_domain""",
-    "operations": """
-        Deformation_visitor Improvement_report Interface_energy commit_proposal
-        degeneracy_removal edge_collapse edge_flip_2 edge_removal_3 edge_split
-        multi_face_removal_3 relabeling 
-        vertex_insertion vertex_smoothing """,
-    "deformation": """
-        Deformation_options Deformation_report deform_interface
-        neighbor_exchange_2 topology_control""",
+        Cavity Deformable_simplicial_complex_2 Deformable_simplicial_complex_3 Deformation_visitor Interface_snapshot
+        Labeled_complex domains quality_measures simplex_bases State""",
+    "operations": "Deformation_report Interface_energy mesh_operations",
+    "deformation": "Deformation_options deform_interface",
 }
 
 

@@ -1,7 +1,6 @@
 // Changes a mesh by single operations: an edge removal, a vertex insertion and an edge collapse.
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
-#include <CGAL/Deformable_simplicial_complexes/edge_removal_3.h>
+#include <CGAL/Deformable_simplicial_complexes/mesh_operations.h>
 
 #include <array>
 #include <cstdlib>

@@ -3,7 +3,7 @@
 // Usage: planar_foam [CELLS [EDGE [STEPS [FILE.svg]]]]
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Deformable_simplicial_complex_2.h>
-#include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Interface_flows/Mean_curvature_flow.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_remeshing/control_detail.h>

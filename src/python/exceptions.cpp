@@ -9,7 +9,8 @@
 #include "programs/errors.h"
 
 #include <CGAL/Complex_construction/Tetrahedralization_3.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Incompressible_fluids_3/fluid_errors.h>
 #include <CGAL/Mesh_files/File_error.h>
 #include <CGAL/Mesh_support/Error.h>

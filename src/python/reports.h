@@ -8,7 +8,6 @@
 #include "Space.h"
 
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
-#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 
 #include <pybind11/stl.h>
 

@@ -2,9 +2,7 @@
 #include "test.h"
 
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
-#include <CGAL/Deformable_simplicial_complexes/edge_removal_3.h>
-#include <CGAL/Deformable_simplicial_complexes/multi_face_removal_3.h>
-#include <CGAL/Deformable_simplicial_complexes/vertex_smoothing.h>
+#include <CGAL/Deformable_simplicial_complexes/mesh_operations.h>
 
 #include <new>
 

@@ -1,9 +1,9 @@
 #include "plane.h"
 #include "test.h"
 
+#include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
-#include <CGAL/Deformable_simplicial_complexes/edge_flip_2.h>
-#include <CGAL/Deformable_simplicial_complexes/topology_control.h>
+#include <CGAL/Deformable_simplicial_complexes/mesh_operations.h>
 
 #include <new>
 #include <type_traits>

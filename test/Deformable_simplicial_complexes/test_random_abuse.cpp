@@ -1,7 +1,7 @@
 #include "mesh_helpers.h"
 #include "test.h"
 
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Interface_remeshing/improve_mesh.h>
 
 // For any input, a deformation terminates, reports its changes and leaves a valid complex.

@@ -3,10 +3,7 @@
 #include "test.h"
 
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
-#include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
-#include <CGAL/Deformable_simplicial_complexes/edge_removal_3.h>
-#include <CGAL/Deformable_simplicial_complexes/multi_face_removal_3.h>
-#include <CGAL/Deformable_simplicial_complexes/vertex_smoothing.h>
+#include <CGAL/Deformable_simplicial_complexes/mesh_operations.h>
 #include <CGAL/Interface_flows/Mean_curvature_flow.h>
 #include <CGAL/Interface_flows/advect_interface.h>
 #include <CGAL/Interface_flows/face_offsetting_3.h>

@@ -4,7 +4,7 @@
 #include "operation_helpers.h"
 #include "test.h"
 
-#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Mesh_support/Error.h>
 
 // A mesh with an edge that is too short, for tests of functions that remove short edges.

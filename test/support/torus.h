@@ -4,7 +4,7 @@
 #include "test.h"
 
 #include <CGAL/Deformable_simplicial_complex_2.h>
-#include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
 
 namespace torus {
 

@@ -11,9 +11,8 @@
 #include <CGAL/license/Complex_construction.h>
 
 #include <CGAL/Complex_construction/internal/building/Solid_tetrahedra_3.h>
-#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/State.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/assemble_triangulation.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/hilbert_order.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/parts/assign_part.h>

@@ -13,7 +13,7 @@
 #include <CGAL/Complex_construction/fit_interface.h>
 #include <CGAL/Complex_construction/internal/building/grids.h>
 #include <CGAL/Complex_construction/internal/fitting/Missed_volumes.h>
-#include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Mesh_support/coordinates.h>
 #include <CGAL/Mesh_support/named_parameters.h>

@@ -19,7 +19,7 @@
 #include <CGAL/Complex_construction/internal/building/label_cells.h>
 #include <CGAL/Complex_construction/refine_thin_parts.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/internal/sets/equal_points.h>
 #include <CGAL/Mesh_support/named_parameters.h>

@@ -11,7 +11,7 @@
 #include <CGAL/license/Cut_loci_2.h>
 
 #include <CGAL/Cut_loci_2/Riemannian_metric_2.h>
-#include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Mesh_support/Error.h>
 

@@ -17,7 +17,7 @@
 #include <CGAL/Cut_loci_2/internal/geodesics/Geodesic_equations_2.h>
 #include <CGAL/Cut_loci_2/internal/geodesics/Geodesic_fan_2.h>
 #include <CGAL/Cut_loci_2/internal/geodesics/Geodesics_2.h>
-#include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 

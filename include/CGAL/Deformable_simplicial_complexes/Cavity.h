@@ -11,6 +11,7 @@
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Marks.h>
+#include <CGAL/Mesh_support/Error.h>
 
 #include <CGAL/enum.h>
 
@@ -18,6 +19,20 @@
 #include <limits>
 
 namespace CGAL::Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Exception thrown if a proposal is committed after the complex has changed, so that the proposal may
+be invalid. The complex is unchanged; make a new proposal.
+*/
+class Stale_proposal_error : public Error
+{
+public:
+  /// Constructs the error.
+  Stale_proposal_error()
+      : Error("the complex has changed since the proposal was made: make a new proposal") {}
+};
 
 /// \ingroup PkgDeformableSimplicialComplexesRef
 /// The kind of a proposed replacement, by its effect on the vertices.

@@ -10,12 +10,33 @@
 
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Vertex_numbers.h>
+#include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/For_each_index.h>
 
 #include <array>
 
 namespace CGAL::Deformable_simplicial_complexes {
+
+/*!
+\ingroup PkgDeformableSimplicialComplexesRef
+
+Exception thrown if destinations of interface vertices are invalid, such as points with coordinates
+that are not finite. No vertex has been moved then.
+*/
+class Invalid_destination_error : public Error
+{
+public:
+  /// Constructs the error; `vertices` is returned by `vertices()`.
+  Invalid_destination_error(const std::string& message, std::vector<std::size_t> vertices)
+      : Error(message), m_vertices(std::move(vertices)) {}
+
+  /// Returns the indices of the offending vertices, in the order of `interface_vertices()`.
+  const std::vector<std::size_t>& vertices() const { return m_vertices; }
+
+private:
+  std::vector<std::size_t> m_vertices;
+};
 
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef

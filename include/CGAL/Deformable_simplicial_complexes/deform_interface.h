@@ -16,7 +16,6 @@
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/deformation/Interface_deformer.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/local_edge_length.h>
-#include <CGAL/Deformable_simplicial_complexes/topology_control.h>
 #include <CGAL/Mesh_support/For_each_index.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Mesh_support/named_parameters.h>

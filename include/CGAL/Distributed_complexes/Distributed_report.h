@@ -12,7 +12,6 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
-#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 
 namespace CGAL::Deformable_simplicial_complexes {
 

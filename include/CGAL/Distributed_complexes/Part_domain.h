@@ -10,8 +10,7 @@
 
 #include <CGAL/license/Distributed_complexes.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Ball_domain.h>
-#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
 
 namespace CGAL::Deformable_simplicial_complexes {
 

@@ -11,7 +11,7 @@
 #include <CGAL/license/Interface_flows.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
-#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Distributed_complexes/Distributed_complex.h>
 #include <CGAL/Distributed_complexes/Distributed_report.h>
 #include <CGAL/Distributed_complexes/adapt_distributed_interface.h>

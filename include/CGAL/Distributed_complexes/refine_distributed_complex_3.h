@@ -10,7 +10,7 @@
 
 #include <CGAL/license/Distributed_complexes.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Distributed_complexes/Distributed_complex.h>
 #include <CGAL/Distributed_complexes/internal/ranks/Distributed_mesh.h>
 #include <CGAL/Distributed_complexes/internal/ranks/Piece.h>

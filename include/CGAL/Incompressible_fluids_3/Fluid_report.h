@@ -11,7 +11,6 @@
 #include <CGAL/license/Incompressible_fluids_3.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
-#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Incompressible_fluids_3/fluid_errors.h>
 
 namespace CGAL::Deformable_simplicial_complexes {

@@ -10,8 +10,8 @@
 
 #include <CGAL/license/Incompressible_fluids_3.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Linear_element.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Linear_element.h>
 #include <CGAL/Incompressible_fluids_3/Fluid_properties.h>
 #include <CGAL/Incompressible_fluids_3/Fluid_report.h>
 #include <CGAL/Incompressible_fluids_3/Fluid_state.h>

@@ -10,8 +10,8 @@
 
 #include <CGAL/license/Interface_flows.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Interface_flows/Integration_scheme.h>
 #include <CGAL/Interface_flows/internal/paths/interface_paths.h>
 #include <CGAL/Interface_remeshing/Vertex_quadric_3.h>

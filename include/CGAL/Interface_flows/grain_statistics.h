@@ -10,7 +10,7 @@
 
 #include <CGAL/license/Interface_flows.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Interface_remeshing/shared_measures.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 

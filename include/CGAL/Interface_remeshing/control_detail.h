@@ -11,7 +11,7 @@
 #include <CGAL/license/Interface_remeshing.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
-#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Interface_remeshing/Detail_options.h>
 #include <CGAL/Interface_remeshing/internal/remeshing/Detail_controller.h>
 #include <CGAL/Mesh_support/named_parameters.h>

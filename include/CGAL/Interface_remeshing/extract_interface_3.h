@@ -11,7 +11,7 @@
 #include <CGAL/license/Interface_remeshing.h>
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Interface_remeshing/internal/extraction/Extracted_facets.h>
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>

@@ -11,8 +11,8 @@
 #include <CGAL/license/Interface_remeshing.h>
 
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
-#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Interface_remeshing/Interface_improvement_options.h>
 #include <CGAL/Interface_remeshing/internal/remeshing/Interface_remesher.h>
 #include <CGAL/Mesh_support/Progress_scope.h>

@@ -12,7 +12,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_fan.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/triangle_quality.h>
-#include <CGAL/Deformable_simplicial_complexes/vertex_smoothing.h>
+#include <CGAL/Deformable_simplicial_complexes/mesh_operations.h>
 #include <CGAL/Interface_remeshing/Vertex_quadric_3.h>
 
 namespace CGAL::Deformable_simplicial_complexes {

@@ -10,7 +10,7 @@
 
 #include <CGAL/license/Interface_remeshing.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Interface_remeshing/extract_interface_3.h>
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/Progress_scope.h>

@@ -10,7 +10,7 @@
 
 #include <CGAL/license/Solid_reconstruction_3.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 
 #include <vector>
 

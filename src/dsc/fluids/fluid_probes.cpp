@@ -7,7 +7,7 @@
 #include "fluids/fluid_fields.h"
 #include "fluids/fluid_shapes.h"
 
-#include <CGAL/Deformable_simplicial_complexes/Linear_element.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Linear_element.h>
 
 namespace dsc {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "programs/errors.h"
 
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Mesh_files/Mesh_arrays.h>
 #include <CGAL/Mesh_files/Mesh_entities.h>
 #include <CGAL/Mesh_files/Unused_content.h>

@@ -8,7 +8,7 @@
 #include "input/labeled_tetrahedra.h"
 
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/Solid_domain.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
 
 namespace dsc {
 

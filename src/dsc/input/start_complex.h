@@ -12,7 +12,7 @@
 #include "programs/errors.h"
 
 #include <CGAL/Complex_construction/Tetrahedralization_3.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
 
 namespace dsc {

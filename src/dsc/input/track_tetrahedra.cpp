@@ -14,7 +14,7 @@
 
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Complex_construction/refine_thin_parts.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
 
 namespace dsc {

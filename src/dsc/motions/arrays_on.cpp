@@ -4,7 +4,7 @@
 
 #include "motions/arrays_on.h"
 
-#include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Vertex_numbers.h>
 #include <CGAL/Interface_remeshing/internal/values/overlap_measure.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 

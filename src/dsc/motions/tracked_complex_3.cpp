@@ -11,7 +11,7 @@
 #include "motions/tracked_whole_impl.h"
 #include "output/complex_output_3.h"
 
-#include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Vertex_numbers.h>
 #include <CGAL/Interface_remeshing/extract_interface_3.h>
 #include <CGAL/Interface_remeshing/subdivide_interface_3.h>
 #include <CGAL/Mesh_files/VTU_3.h>

@@ -7,8 +7,8 @@
 
 #include "programs/errors.h"
 
-#include <CGAL/Deformable_simplicial_complexes/Component_event.h>
-#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 
 #include <array>
 #include <optional>

@@ -2,7 +2,7 @@
 
 #include <CGAL/Complex_construction/assign_solid_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
-#include <CGAL/Deformable_simplicial_complexes/Solid_domain.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Interface_remeshing/improve_mesh.h>
 
 namespace test_solid {

@@ -1,8 +1,8 @@
 // Two cubes that approach each other merge, or stay apart if topology changes are forbidden.
 #include "small_meshes.h"
 
+#include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
-#include <CGAL/Deformable_simplicial_complexes/topology_control.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>

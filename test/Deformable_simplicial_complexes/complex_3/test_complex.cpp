@@ -1,7 +1,7 @@
 #include "mesh_helpers.h"
 #include "test.h"
 
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Interface_remeshing/improve_mesh.h>
 
 namespace test_complex {

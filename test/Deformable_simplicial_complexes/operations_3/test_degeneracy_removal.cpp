@@ -1,10 +1,7 @@
 #include "short_edge.h"
 #include "test.h"
 
-#include <CGAL/Deformable_simplicial_complexes/degeneracy_removal.h>
-#include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
-#include <CGAL/Deformable_simplicial_complexes/edge_removal_3.h>
-#include <CGAL/Deformable_simplicial_complexes/multi_face_removal_3.h>
+#include <CGAL/Deformable_simplicial_complexes/mesh_operations.h>
 #include <CGAL/Interface_remeshing/remove_degeneracies.h>
 
 // Removal of degenerate tetrahedra, facets and edges.

@@ -1,8 +1,8 @@
 #include "operation_helpers.h"
 #include "test.h"
 
-#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
-#include <CGAL/Deformable_simplicial_complexes/vertex_insertion.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
+#include <CGAL/Deformable_simplicial_complexes/mesh_operations.h>
 #include <CGAL/Origin.h>
 #include <CGAL/enum.h>
 

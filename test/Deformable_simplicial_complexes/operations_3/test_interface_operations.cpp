@@ -1,8 +1,7 @@
 #include "operation_helpers.h"
 #include "test.h"
 
-#include <CGAL/Deformable_simplicial_complexes/edge_removal_3.h>
-#include <CGAL/Deformable_simplicial_complexes/relabeling.h>
+#include <CGAL/Deformable_simplicial_complexes/mesh_operations.h>
 
 // Operations that change the interface: edge flips and relabeling.
 

@@ -1,7 +1,7 @@
 #include "operation_helpers.h"
 #include "test.h"
 
-#include <CGAL/Deformable_simplicial_complexes/multi_face_removal_3.h>
+#include <CGAL/Deformable_simplicial_complexes/mesh_operations.h>
 
 // Multi-face retriangulation compared with brute force.
 

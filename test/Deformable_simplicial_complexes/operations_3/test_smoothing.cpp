@@ -1,7 +1,7 @@
 #include "operation_helpers.h"
 #include "test.h"
 
-#include <CGAL/Deformable_simplicial_complexes/vertex_smoothing.h>
+#include <CGAL/Deformable_simplicial_complexes/mesh_operations.h>
 
 // Smart Laplacian and optimization-based smoothing of vertices.
 

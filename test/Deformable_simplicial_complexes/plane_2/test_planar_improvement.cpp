@@ -3,9 +3,7 @@
 #include "test.h"
 
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
-#include <CGAL/Deformable_simplicial_complexes/degeneracy_removal.h>
-#include <CGAL/Deformable_simplicial_complexes/edge_flip_2.h>
-#include <CGAL/Deformable_simplicial_complexes/vertex_insertion.h>
+#include <CGAL/Deformable_simplicial_complexes/mesh_operations.h>
 #include <CGAL/Interface_remeshing/control_detail.h>
 #include <CGAL/Interface_remeshing/improve_mesh.h>
 #include <CGAL/Interface_remeshing/remove_degeneracies.h>

@@ -2,10 +2,8 @@
 #include "mesh_helpers.h"
 #include "test.h"
 
-#include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
-#include <CGAL/Deformable_simplicial_complexes/edge_removal_3.h>
-#include <CGAL/Deformable_simplicial_complexes/relabeling.h>
-#include <CGAL/Deformable_simplicial_complexes/topology_control.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
+#include <CGAL/Deformable_simplicial_complexes/mesh_operations.h>
 #include <CGAL/Interface_remeshing/manifold_interface.h>
 
 // Boundaries of phases that are 2-manifolds, and deformations that preserve this property.

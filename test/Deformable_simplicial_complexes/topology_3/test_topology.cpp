@@ -2,8 +2,8 @@
 #include "mesh_helpers.h"
 #include "test.h"
 
-#include <CGAL/Deformable_simplicial_complexes/relabeling.h>
-#include <CGAL/Deformable_simplicial_complexes/topology_control.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
+#include <CGAL/Deformable_simplicial_complexes/mesh_operations.h>
 
 // Changes of the topology of labels and of their interface in deformations.
 

@@ -12,7 +12,7 @@
 
 #include <CGAL/Cut_loci_2/Sphere_like_surface_2.h>
 #include <CGAL/Cut_loci_2/cut_locus_2.h>
-#include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Mesh_files/SVG_2.h>
 #include <CGAL/Mesh_files/Svg_canvas.h>
 

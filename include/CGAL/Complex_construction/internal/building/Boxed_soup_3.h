@@ -14,7 +14,7 @@
 #include <CGAL/Complex_construction/internal/building/remove_points_on_triangles_3.h>
 #include <CGAL/Complex_construction/internal/thin_parts/Thickness.h>
 #include <CGAL/Complex_construction/refine_thin_parts.h>
-#include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Vertex_numbers.h>
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Mesh_support/coordinates.h>

@@ -9,8 +9,7 @@
 #define CGAL_COMPLEX_CONSTRUCTION_INTERNAL_BUILDING_REMOVE_POINTS_ON_TRIANGLES_3_H
 
 #include <CGAL/Complex_construction/Tetrahedralization_3.h>
-#include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
-#include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
+#include <CGAL/Deformable_simplicial_complexes/mesh_operations.h>
 
 #include <set>
 

@@ -10,7 +10,7 @@
 
 #include <CGAL/Cut_loci_2/Riemannian_metric_2.h>
 #include <CGAL/Cut_loci_2/Sphere_like_surface_2.h>
-#include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 

@@ -8,7 +8,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BOOKKEEPING_ITEM_NUMBERS_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BOOKKEEPING_ITEM_NUMBERS_H
 
-#include <CGAL/Deformable_simplicial_complexes/Simplex_data.h>
+#include <CGAL/Deformable_simplicial_complexes/simplex_bases.h>
 
 #include <algorithm>
 #include <vector>

@@ -8,8 +8,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_SPACE_2_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_SPACE_2_H
 
-#include <CGAL/Deformable_simplicial_complex_face_base_2.h>
-#include <CGAL/Deformable_simplicial_complex_vertex_base_2.h>
+#include <CGAL/Deformable_simplicial_complexes/simplex_bases.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/Hilbert_policy_tags.h>

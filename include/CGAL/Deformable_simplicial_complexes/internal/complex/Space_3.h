@@ -8,9 +8,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_SPACE_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_SPACE_3_H
 
-#include <CGAL/Deformable_simplicial_complex_cell_base_3.h>
-#include <CGAL/Deformable_simplicial_complex_vertex_base_3.h>
 #include <CGAL/Deformable_simplicial_complexes/quality_measures.h>
+#include <CGAL/Deformable_simplicial_complexes/simplex_bases.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <CGAL/Default.h>

@@ -10,8 +10,8 @@
 
 // Member functions of `Labeled_complex`: motion and changes of the mesh.
 
+#include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Labeled_complex.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 
 #include <CGAL/assertions.h>
 

@@ -11,9 +11,9 @@
 // Member functions of `Labeled_complex`: cells and states, from and to arrays; validity.
 
 #include <CGAL/Deformable_simplicial_complexes/Labeled_complex.h>
-#include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Item_numbers.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Vertex_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/assemble_triangulation.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/hilbert_order.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/sort_by_time_stamp.h>

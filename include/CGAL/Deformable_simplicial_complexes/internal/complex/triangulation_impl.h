@@ -11,7 +11,7 @@
 // Member functions of `Labeled_complex`: copies, and triangulations that are moved in and out.
 
 #include <CGAL/Deformable_simplicial_complexes/Labeled_complex.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/assemble_triangulation.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/hilbert_order.h>
 #include <CGAL/Mesh_support/coordinates.h>

@@ -10,11 +10,10 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
-#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
-#include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
-#include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Vertex_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/sort_by_time_stamp.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/deformation/Small_angle_remover_2.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/deformation/Small_angle_remover_3.h>
@@ -23,9 +22,10 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_operations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Rigid_components.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/triangle_quality.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/proposals/commit_proposal.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/proposals/neighbor_exchange_2.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
-#include <CGAL/Deformable_simplicial_complexes/neighbor_exchange_2.h>
-#include <CGAL/Deformable_simplicial_complexes/star_union.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
 #include <CGAL/Mesh_support/For_each_index.h>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {

@@ -9,15 +9,15 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DEFORMATION_SMALL_ANGLE_REMOVER_2_H
 
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
-#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
-#include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
-#include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
-#include <CGAL/Deformable_simplicial_complexes/edge_flip_2.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/destinations/Destinations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Rigid_components.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/proposals/commit_proposal.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/proposals/edge_collapse.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/proposals/edge_flip_2.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/proposals/vertex_insertion.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
-#include <CGAL/Deformable_simplicial_complexes/vertex_insertion.h>
 #include <CGAL/Mesh_support/For_each_index.h>
 
 #include <CGAL/determinant.h>

@@ -9,11 +9,8 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DEFORMATION_SMALL_ANGLE_REMOVER_3_H
 
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
-#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
-#include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
-#include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
-#include <CGAL/Deformable_simplicial_complexes/edge_removal_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Failure_memory.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/destinations/Destinations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/destinations/Interface_tolerance.h>
@@ -21,13 +18,16 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_fan.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Rigid_components.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Star_optimizer.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/proposals/commit_proposal.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/proposals/edge_collapse.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/proposals/edge_removal_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/proposals/multi_face_removal_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/proposals/vertex_insertion.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/proposals/vertex_smoothing.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/local_edge_length.h>
-#include <CGAL/Deformable_simplicial_complexes/multi_face_removal_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
 #include <CGAL/Deformable_simplicial_complexes/quality_measures.h>
-#include <CGAL/Deformable_simplicial_complexes/star_union.h>
-#include <CGAL/Deformable_simplicial_complexes/vertex_insertion.h>
-#include <CGAL/Deformable_simplicial_complexes/vertex_smoothing.h>
 #include <CGAL/Mesh_support/For_each_index.h>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {

@@ -10,7 +10,7 @@
 
 #include <CGAL/license/Deformable_simplicial_complexes.h>
 
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
+#include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Mesh_support/coordinates.h>
 
 #include <CGAL/assertions.h>

@@ -11,7 +11,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/destinations/Contacts.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/destinations/Destinations.h>
-#include <CGAL/Deformable_simplicial_complexes/star_union.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
 
 #include <boost/container/flat_map.hpp>
 

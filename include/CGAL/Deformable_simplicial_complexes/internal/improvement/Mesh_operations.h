@@ -9,12 +9,12 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_MESH_OPERATIONS_H
 
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
-#include <CGAL/Deformable_simplicial_complexes/degeneracy_removal.h>
-#include <CGAL/Deformable_simplicial_complexes/edge_flip_2.h>
-#include <CGAL/Deformable_simplicial_complexes/edge_removal_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Star_optimizer.h>
-#include <CGAL/Deformable_simplicial_complexes/multi_face_removal_3.h>
-#include <CGAL/Deformable_simplicial_complexes/vertex_smoothing.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/proposals/degeneracy_removal.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/proposals/edge_flip_2.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/proposals/edge_removal_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/proposals/multi_face_removal_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/proposals/vertex_smoothing.h>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 

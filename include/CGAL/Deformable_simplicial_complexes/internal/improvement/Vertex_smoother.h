@@ -8,10 +8,10 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_VERTEX_SMOOTHER_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_IMPROVEMENT_VERTEX_SMOOTHER_H
 
-#include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Vertex_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_operations.h>
-#include <CGAL/Deformable_simplicial_complexes/star_union.h>
-#include <CGAL/Deformable_simplicial_complexes/vertex_smoothing.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/proposals/vertex_smoothing.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
 #include <CGAL/Mesh_support/For_each_index.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 

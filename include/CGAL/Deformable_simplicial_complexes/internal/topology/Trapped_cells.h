@@ -14,10 +14,10 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/destinations/Contacts.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/destinations/Interface_tolerance.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Rigid_components.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/proposals/relabeling.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Manifold_relabeling.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Topology_log.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/local_edge_length.h>
-#include <CGAL/Deformable_simplicial_complexes/relabeling.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <unordered_set>

@@ -8,7 +8,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_LOCAL_EDGE_LENGTH_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_LOCAL_EDGE_LENGTH_H
 
-#include <CGAL/Deformable_simplicial_complexes/star_union.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
 #include <CGAL/Mesh_support/Error.h>
 
 namespace CGAL::Deformable_simplicial_complexes {

@@ -8,11 +8,11 @@
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_INTERNAL_MOTION_DISTRIBUTED_DEFORMER_H
 #define CGAL_DISTRIBUTED_COMPLEXES_INTERNAL_MOTION_DISTRIBUTED_DEFORMER_H
 
-#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Failure_memory.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Label_totals.h>
 #include <CGAL/Deformable_simplicial_complexes/quality_measures.h>

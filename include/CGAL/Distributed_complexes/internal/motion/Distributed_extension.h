@@ -8,8 +8,8 @@
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_INTERNAL_MOTION_DISTRIBUTED_EXTENSION_H
 #define CGAL_DISTRIBUTED_COMPLEXES_INTERNAL_MOTION_DISTRIBUTED_EXTENSION_H
 
-#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
-#include <CGAL/Deformable_simplicial_complexes/Linear_element.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Linear_element.h>
 #include <CGAL/Distributed_complexes/internal/ranks/Distributed_mesh.h>
 #include <CGAL/Distributed_complexes/internal/ranks/Exact_sums.h>
 #include <CGAL/Mesh_support/internal/numbers/Conjugate_gradients.h>

@@ -8,7 +8,7 @@
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_INTERNAL_PATCHES_DISTRIBUTED_ADAPTATION_H
 #define CGAL_DISTRIBUTED_COMPLEXES_INTERNAL_PATCHES_DISTRIBUTED_ADAPTATION_H
 
-#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Failure_memory.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>

@@ -8,7 +8,7 @@
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_INTERNAL_RANKS_CELL_ASSEMBLER_H
 #define CGAL_DISTRIBUTED_COMPLEXES_INTERNAL_RANKS_CELL_ASSEMBLER_H
 
-#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Label_totals.h>
 #include <CGAL/Distributed_complexes/Distributed_graph.h>
 #include <CGAL/Distributed_complexes/internal/ranks/Distributed_components.h>

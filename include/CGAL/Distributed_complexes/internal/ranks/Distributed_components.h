@@ -8,7 +8,7 @@
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_INTERNAL_RANKS_DISTRIBUTED_COMPONENTS_H
 #define CGAL_DISTRIBUTED_COMPLEXES_INTERNAL_RANKS_DISTRIBUTED_COMPONENTS_H
 
-#include <CGAL/Deformable_simplicial_complexes/Component_event.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Label_totals.h>
 #include <CGAL/Distributed_complexes/internal/ranks/Distributed_mesh.h>
 #include <CGAL/Distributed_complexes/internal/ranks/Piece.h>

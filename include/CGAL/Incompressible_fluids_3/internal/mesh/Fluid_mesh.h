@@ -8,9 +8,9 @@
 #ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_MESH_FLUID_MESH_H
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_MESH_FLUID_MESH_H
 
-#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
-#include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
-#include <CGAL/Deformable_simplicial_complexes/star_union.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Vertex_numbers.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
 #include <CGAL/Incompressible_fluids_3/Fluid_properties.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Slip_transform.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>

@@ -8,7 +8,7 @@
 #ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_MESH_FLUID_VECTORS_H
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_MESH_FLUID_VECTORS_H
 
-#include <CGAL/Deformable_simplicial_complexes/Linear_element.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Linear_element.h>
 
 #include <Eigen/Geometry>
 

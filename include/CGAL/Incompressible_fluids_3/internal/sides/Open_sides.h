@@ -8,7 +8,7 @@
 #ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SIDES_OPEN_SIDES_H
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_SIDES_OPEN_SIDES_H
 
-#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Incompressible_fluids_3/Side_behavior.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
 #include <CGAL/Mesh_support/Error.h>

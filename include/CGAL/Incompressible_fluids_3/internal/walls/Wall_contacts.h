@@ -8,7 +8,7 @@
 #ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_WALL_CONTACTS_H
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_INTERNAL_WALLS_WALL_CONTACTS_H
 
-#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Incompressible_fluids_3/Solids_3.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/Fluid_mesh.h>
 #include <CGAL/Incompressible_fluids_3/internal/sides/side_velocities.h>

@@ -10,13 +10,12 @@
 
 #include <CGAL/license/Interface_flows.h>
 
-#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
-#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
-#include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
-#include <CGAL/Deformable_simplicial_complexes/edge_split.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
+#include <CGAL/Deformable_simplicial_complexes/mesh_operations.h>
 #include <CGAL/Interface_remeshing/refine_cells.h>
 
 #include <CGAL/Origin.h>

@@ -8,9 +8,9 @@
 #ifndef CGAL_INTERFACE_FLOWS_INTERNAL_CURVATURE_PARTICLE_SURFACES_H
 #define CGAL_INTERFACE_FLOWS_INTERNAL_CURVATURE_PARTICLE_SURFACES_H
 
-#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Mesh_support/coordinates.h>
 
 #include <Eigen/Dense>

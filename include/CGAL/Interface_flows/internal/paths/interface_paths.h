@@ -9,7 +9,6 @@
 #define CGAL_INTERFACE_FLOWS_INTERNAL_PATHS_INTERFACE_PATHS_H
 
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
-#include <CGAL/Deformable_simplicial_complexes/exceptions.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/destinations/Destinations.h>
 #include <CGAL/Interface_flows/Integration_scheme.h>
 #include <CGAL/Mesh_support/Error.h>

@@ -8,7 +8,7 @@
 #ifndef CGAL_INTERFACE_REMESHING_INTERNAL_EXTRACTION_EXTRACTED_FACETS_H
 #define CGAL_INTERFACE_REMESHING_INTERNAL_EXTRACTION_EXTRACTED_FACETS_H
 
-#include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Vertex_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/sort_by_time_stamp.h>
 
 #include <array>

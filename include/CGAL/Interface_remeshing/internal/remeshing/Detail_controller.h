@@ -9,14 +9,12 @@
 #define CGAL_INTERFACE_REMESHING_INTERNAL_REMESHING_DETAIL_CONTROLLER_H
 
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
-#include <CGAL/Deformable_simplicial_complexes/Improvement_report.h>
-#include <CGAL/Deformable_simplicial_complexes/commit_proposal.h>
-#include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
-#include <CGAL/Deformable_simplicial_complexes/edge_split.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/destinations/Interface_tolerance.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/improvement/Mesh_operations.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Work_list.h>
+#include <CGAL/Deformable_simplicial_complexes/mesh_operations.h>
 #include <CGAL/Interface_remeshing/Detail_options.h>
 #include <CGAL/Interface_remeshing/Edge_unit.h>
 #include <CGAL/Interface_remeshing/internal/remeshing/Failed_collapses.h>

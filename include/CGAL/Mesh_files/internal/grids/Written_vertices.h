@@ -8,7 +8,7 @@
 #ifndef CGAL_MESH_FILES_INTERNAL_GRIDS_WRITTEN_VERTICES_H
 #define CGAL_MESH_FILES_INTERNAL_GRIDS_WRITTEN_VERTICES_H
 
-#include <CGAL/Deformable_simplicial_complexes/Vertex_numbers.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Vertex_numbers.h>
 
 #include <numeric>
 

@@ -12,7 +12,7 @@
 /// the compiled code and does not instantiate these templates again.
 /// \pre The program links with `Deformable_simplicial_complex::Compiled_tori`.
 
-#include <CGAL/Deformable_simplicial_complexes/Torus_domain.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Interface_flows/compiled_2.h>
 
 namespace CGAL::Deformable_simplicial_complexes {

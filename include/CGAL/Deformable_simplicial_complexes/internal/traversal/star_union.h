@@ -5,10 +5,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Author(s)     : The deformable simplicial complex authors
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_STAR_UNION_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_STAR_UNION_H
-
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_STAR_UNION_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_STAR_UNION_H
 
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Marks.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/sort_by_time_stamp.h>
@@ -16,13 +14,9 @@
 
 namespace CGAL::Deformable_simplicial_complexes {
 
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Returns the vertices of cells, each once, in the order in which they first occur. The infinite
-vertex is among them if one of the cells is infinite. Linear in the number of cells. Any number of
-threads can call the function at once.
-*/
+// Returns the vertices of cells, each once, in the order in which they first occur. The infinite
+// vertex is among them if one of the cells is infinite. Linear in the number of cells. Any number
+// of threads can call the function at once.
 template <class Complex>
 std::vector<typename Complex::Vertex_handle>
 vertices_of(const Complex& complex, const std::vector<typename Complex::Cell_handle>& cells) {
@@ -34,14 +28,10 @@ vertices_of(const Complex& complex, const std::vector<typename Complex::Cell_han
   return result;
 }
 
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Returns the finite cells that are incident to vertices, each once, in the order of the stars. Linear
-in the size of the stars. Any number of threads can call the function at once.
-
-\pre The vertices are finite.
-*/
+// Returns the finite cells that are incident to vertices, each once, in the order of the stars.
+// Linear in the size of the stars. Any number of threads can call the function at once.
+//
+// Precondition: The vertices are finite.
 template <class Complex>
 std::vector<typename Complex::Cell_handle>
 stars_of(const Complex& complex, const std::vector<typename Complex::Vertex_handle>& vertices) {
@@ -56,30 +46,22 @@ stars_of(const Complex& complex, const std::vector<typename Complex::Vertex_hand
   return result;
 }
 
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Returns whether a pass over all cells of a complex is estimated to take less time than the stars of
-a number of vertices.
-*/
+// Returns whether a pass over all cells of a complex is estimated to take less time than the stars
+// of a number of vertices.
 template <class Complex> bool are_many(const Complex& complex, std::size_t number_of_vertices) {
   static constexpr std::size_t many =
       8; // ratio of the costs of a star and of the cells of a vertex in a pass
   return number_of_vertices * many > complex.number_of_vertices();
 }
 
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Returns the finite cells that are incident to vertices and for which a condition holds, each once,
-in an unspecified order that does not depend on the number of threads. Uses `stars_of()` or one pass
-over all cells, whichever is estimated to be faster. Any number of threads can call the function at
-once.
-
-\param complex, vertices a complex, and finite vertices of it
-\param condition function object; `condition(c)` can be called by several threads
-\param for_each_index loop over indices, used for a pass over all cells
-*/
+// Returns the finite cells that are incident to vertices and for which a condition holds, each
+// once, in an unspecified order that does not depend on the number of threads. Uses `stars_of()` or
+// one pass over all cells, whichever is estimated to be faster. Any number of threads can call the
+// function at once.
+//
+// complex,: vertices a complex, and finite vertices of it
+// condition: function object; `condition(c)` can be called by several threads
+// for_each_index: loop over indices, used for a pass over all cells
 template <class Complex, class Condition>
 std::vector<typename Complex::Cell_handle>
 star_union_if(const Complex& complex, const std::vector<typename Complex::Vertex_handle>& vertices,
@@ -105,11 +87,7 @@ star_union_if(const Complex& complex, const std::vector<typename Complex::Vertex
                                  for_each_index);
 }
 
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Returns the finite cells that are incident to vertices; see `star_union_if()`.
-*/
+// Returns the finite cells that are incident to vertices; see `star_union_if()`.
 template <class Complex>
 std::vector<typename Complex::Cell_handle>
 star_union(const Complex& complex, const std::vector<typename Complex::Vertex_handle>& vertices,
@@ -118,15 +96,11 @@ star_union(const Complex& complex, const std::vector<typename Complex::Vertex_ha
       complex, vertices, [](typename Complex::Cell_handle) { return true; }, for_each_index);
 }
 
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Returns the finite cells that are incident to vertices, each once, by increasing time stamp. Sums in
-this order are deterministic. Takes the time of `star_union()` and of a radix sort of the cells. Any
-number of threads can call the function at once.
-
-\pre The vertices are finite.
-*/
+// Returns the finite cells that are incident to vertices, each once, by increasing time stamp. Sums
+// in this order are deterministic. Takes the time of `star_union()` and of a radix sort of the
+// cells. Any number of threads can call the function at once.
+//
+// Precondition: The vertices are finite.
 template <class Complex>
 std::vector<typename Complex::Cell_handle>
 sorted_star_union(const Complex& complex,
@@ -138,4 +112,4 @@ sorted_star_union(const Complex& complex,
 
 } // namespace CGAL::Deformable_simplicial_complexes
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_STAR_UNION_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_STAR_UNION_H

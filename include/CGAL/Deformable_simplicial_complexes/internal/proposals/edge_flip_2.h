@@ -5,10 +5,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Author(s)     : The deformable simplicial complex authors
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_EDGE_FLIP_2_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_EDGE_FLIP_2_H
-
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PROPOSALS_EDGE_FLIP_2_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PROPOSALS_EDGE_FLIP_2_H
 
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 
@@ -32,17 +30,6 @@ void plan_flip(Cell_handle cell, int i, Cell_handle heir, Cavity<Complex>& cavit
 
 } // namespace internal
 
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Proposes to flip an edge between two triangles of one label. They are replaced by the two triangles
-on both sides of the other diagonal of their quadrilateral. Constant time.
-
-\param complex the complex; it is not changed
-\param cell, i the edge opposite to the vertex i of a finite triangle
-\param cavity filled with the proposal if there is one
-\return whether both new triangles are positively oriented and the worst quality rises
-*/
 template <class Complex>
 bool propose_edge_flip(const Complex& complex, typename Complex::Cell_handle cell, int i,
                        Deformable_simplicial_complexes::Cavity<Complex>& cavity) {
@@ -55,4 +42,4 @@ bool propose_edge_flip(const Complex& complex, typename Complex::Cell_handle cel
 
 } // namespace CGAL::Deformable_simplicial_complexes
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_EDGE_FLIP_2_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PROPOSALS_EDGE_FLIP_2_H

@@ -5,10 +5,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Author(s)     : The deformable simplicial complex authors
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_VERTEX_SMOOTHING_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_VERTEX_SMOOTHING_H
-
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PROPOSALS_VERTEX_SMOOTHING_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PROPOSALS_VERTEX_SMOOTHING_H
 
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Marks.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Star_optimizer.h>
@@ -57,24 +55,6 @@ bool find_blocked_directions(const Complex& complex,
 
 namespace CGAL::Deformable_simplicial_complexes {
 
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Proposes to move a vertex to a local maximum of the worst quality of its star (optimization-based
-smoothing, section 3.2.1 of the paper, after \cgalCite{cgal:fjp-epams-95}). This is an order of
-magnitude more expensive than `propose_smart_laplacian()`. Linear in the star.
-
-\param complex the complex; it is not changed
-\param v a vertex that is not on the boundary of the domain. If the interface around it is flat, it
-       stays in the plane. If the facets around it have a line in common, such as a straight edge
-       between two planes or a straight triple line, it stays on the line. Other vertices of the
-       interface do not move.
-\param star the star of v
-\param target the proposed position
-\return whether there is a proposal; commit with `complex.set_point(v, star, target)`. The interface
-        moves by less than a ten-millionth of the displacement of the vertex, which is the tolerance
-        of flatness.
-*/
 template <class Complex>
 bool propose_optimal_position(const Complex& complex, typename Complex::Vertex_handle v,
                               const std::vector<typename Complex::Cell_handle>& star,
@@ -119,20 +99,6 @@ double star_quality(const Complex& complex, const Measure& measure,
 
 } // namespace internal
 
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Proposes to move a vertex towards the barycenter of its neighbors (smart Laplacian smoothing,
-section 3.2 of the paper). The vertex moves to the barycenter, or half of the displacement, if this
-raises the worst quality of its star. Linear in the star.
-
-\param complex the complex; it is not changed
-\param v a vertex that is not on the interface; a vertex on the boundary of the domain stays within
-       its sides
-\param star the star of v
-\param target the proposed position
-\return whether there is a proposal; commit with `complex.set_point(v, star, target)`
-*/
 template <class Complex>
 bool propose_smart_laplacian(const Complex& complex, typename Complex::Vertex_handle v,
                              const std::vector<typename Complex::Cell_handle>& star,
@@ -168,4 +134,4 @@ bool propose_smart_laplacian(const Complex& complex, typename Complex::Vertex_ha
 
 } // namespace CGAL::Deformable_simplicial_complexes
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_VERTEX_SMOOTHING_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PROPOSALS_VERTEX_SMOOTHING_H

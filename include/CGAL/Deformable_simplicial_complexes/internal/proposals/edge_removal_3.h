@@ -5,14 +5,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Author(s)     : The deformable simplicial complex authors
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_EDGE_REMOVAL_3_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_EDGE_REMOVAL_3_H
-
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PROPOSALS_EDGE_REMOVAL_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PROPOSALS_EDGE_REMOVAL_3_H
 
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Polygon_triangulation_3.h>
-#include <CGAL/Deformable_simplicial_complexes/relabeling.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/proposals/relabeling.h>
 
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {
@@ -70,21 +68,6 @@ private:
 
 } // namespace internal
 
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Proposes to remove an edge (section 3.2.1 of the paper). The ring of n cells around the edge is
-replaced by 2 (n - 2) tetrahedra, over and under a triangulation of the ring polygon. The
-triangulation maximizes the worst quality, by the dynamic program of \cgalCite{cgal:k-mtpd-80}. The
-3-2 flip and the 4-4 flip are the cases n = 3 and n = 4. Cubic in n.
-
-\param complex the complex; it is not changed
-\param cell, i, j the edge between the vertices i and j of the cell
-\param cavity filled with the proposal if there is one
-\return whether the ring is finite, of one label and of at most 52 cells, the worst quality rises,
-        and all new tetrahedra are positively oriented. The interface and the boundary of the domain
-        are unchanged.
-*/
 template <class Complex>
 bool propose_edge_removal(const Complex& complex, typename Complex::Cell_handle cell, int i, int j,
                           Cavity<Complex>& cavity) {
@@ -101,24 +84,6 @@ bool propose_edge_removal(const Complex& complex, typename Complex::Cell_handle 
   return ring.triangulate(0, ring.size() - 1, cavity.quality_before()) && cavity.is_positive();
 }
 
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Proposes to flip an edge of the interface (section 3.2.2 of the paper). The two facets that share
-the edge are replaced by the two facets that share the other diagonal of their quadrilateral. This
-is edge removal with the diagonal as a constraint. The interface moves by the tetrahedron of the
-four vertices; the caller must decide whether this is acceptable. Cubic in the number of cells
-around the edge.
-
-\param complex the complex; it is not changed
-\param cell, i, j the edge between the vertices i and j of the cell
-\param cavity filled with the proposal if there is one
-\param minimum_quality if all new tetrahedra are better than this, the worst quality need not rise
-\return whether the proposal is valid: the ring is finite and of at most 52 cells, and exactly two
-        facets of the interface meet in the edge. The worst quality rises or is above
-        `minimum_quality`, and all new tetrahedra are positively oriented. The topology of the
-        interface stays.
-*/
 template <class Complex>
 bool propose_interface_edge_flip(const Complex& complex, typename Complex::Cell_handle cell, int i,
                                  int j, Cavity<Complex>& cavity, double minimum_quality = 1) {
@@ -149,4 +114,4 @@ bool propose_interface_edge_flip(const Complex& complex, typename Complex::Cell_
 
 } // namespace CGAL::Deformable_simplicial_complexes
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_EDGE_REMOVAL_3_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PROPOSALS_EDGE_REMOVAL_3_H

@@ -5,10 +5,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Author(s)     : The deformable simplicial complex authors
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_MULTI_FACE_REMOVAL_3_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_MULTI_FACE_REMOVAL_3_H
-
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PROPOSALS_MULTI_FACE_REMOVAL_3_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PROPOSALS_MULTI_FACE_REMOVAL_3_H
 
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Polygon_triangulation_3.h>
@@ -168,21 +166,6 @@ private:
 
 } // namespace internal
 
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Proposes to remove a facet together with neighboring facets that are sandwiched between the same two
-vertices a and b (section 3.2.1 of the paper). If there are m facets, their 2m cells are replaced by
-m + 2 cells that share the new edge ab. The 2-3 flip is the case m = 1. A recursion
-\cgalCite{cgal:s-tdoat-02} finds the set of facets that raises the worst quality most. Linear in m.
-
-\param complex the complex; it is not changed
-\param cell, i the facet
-\param cavity filled with the proposal if there is one
-\return whether the two cells of the facet are finite and of one label, the worst quality rises, and
-        all new tetrahedra are positively oriented. The interface and the boundary of the domain are
-        unchanged.
-*/
 template <class Complex>
 bool propose_multi_face_removal(const Complex& complex, typename Complex::Cell_handle cell, int i,
                                 Cavity<Complex>& cavity) {
@@ -301,23 +284,6 @@ private:
 
 } // namespace internal
 
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Proposes to retriangulate the facets that are sandwiched between the same two vertices as a given
-facet. The set is the largest one that is connected through edges inside one label. Its m facets are
-replaced by the triangulation of its boundary loop that maximizes the worst quality, so that 2m
-cells become 2m others. The operation combines multi-face removal and removal of the new edge, and
-does not require that the mesh improves in between \cgalCite{cgal:mbae-tmium-09}. Cubic in m.
-
-\param complex the complex; it is not changed
-\param cell, i the facet
-\param cavity filled with the proposal if there is one
-\return whether the proposal is valid: the two cells of the facet are finite and of one label, and
-        the set is a disk without inner vertices with at most 50 facets. The worst quality rises,
-        and all new tetrahedra are positively oriented. The interface and the boundary of the domain
-        are unchanged.
-*/
 template <class Complex>
 bool propose_multi_face_retriangulation(const Complex& complex, typename Complex::Cell_handle cell,
                                         int i, Cavity<Complex>& cavity) {
@@ -330,4 +296,4 @@ bool propose_multi_face_retriangulation(const Complex& complex, typename Complex
 
 } // namespace CGAL::Deformable_simplicial_complexes
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_MULTI_FACE_REMOVAL_3_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PROPOSALS_MULTI_FACE_REMOVAL_3_H

@@ -5,10 +5,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Author(s)     : The deformable simplicial complex authors
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_RELABELING_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_RELABELING_H
-
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PROPOSALS_RELABELING_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PROPOSALS_RELABELING_H
 
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 
@@ -97,33 +95,6 @@ bool wets(const Complex& complex, typename Complex::Cell_handle cell, int facet,
 
 } // namespace internal
 
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Proposes another label for a nearly flat cell trapped between two parts of the interface
-("tetrahedron relabeling", section 3.2.1 of the paper). The topology of the interface may change.
-Linear in the star of a vertex.
-
-First rule: the largest facet of the cell lies on the interface, and the opposite vertex projects
-into the facet. This vertex is on the interface or on the boundary of the domain. The cell then
-joins the phase behind the facet. The facet may be smaller than the largest one by 2 % (in 2D, by 1
-%). The projection may be outside the facet by a hundredth of its height.
-
-The cell keeps its label if its phase wets the interface between the phase behind the facet and a
-phase at the opposite vertex: a thin layer that wets an interface stays.
-
-Second rule, for half the threshold: the cell joins the neighboring phase for which the energy of
-the interface decreases most, if there is one.
-
-\param complex the complex; it is not changed
-\param cell a finite cell
-\param threshold only cells of lower quality are considered; the paper uses 0.01
-\param label the proposed label
-\param energy the energy of the interface; energy densities have no effect. The default is the
-       measure.
-\return whether there is a proposal; commit it with `complex.relabel(cell, label)`
-\throws Error if a tension is out of its range
-*/
 template <class Complex>
 bool propose_relabeling(const Complex& complex, typename Complex::Cell_handle cell,
                         double threshold, typename Complex::Label& label,
@@ -256,26 +227,6 @@ bool keeps_topology(const Complex& complex, typename Complex::Cell_handle cell,
 
 } // namespace internal
 
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Returns whether giving a cell another label keeps the topology of the two labels, both for the union
-of their closed cells and for its interior. The topology of the interface then also stays. All Betti
-numbers stay the same; other labels are not affected. Linear in the stars of the vertices of the
-cell.
-
-Four sets change: the cell leaves the closed cells of its old label and joins those of the new
-label; it joins the closed complement of the old label and leaves that of the new label. A set keeps
-its homotopy type if the set without the cell meets the boundary of the cell in a contractible set.
-This is the criterion for simple points in digital topology, applied to simplices. At the boundary
-of the domain, the same must hold for the sets together with the outside.
-
-\param complex the complex; it is not changed
-\param cell a finite cell
-\param label the new label, different from that of the cell
-\return whether the topology stays. The result depends only on incidences. Changes that cancel each
-        other count as changes, such as one part that is cut off while another one joins.
-*/
 template <class Complex>
 bool relabeling_keeps_topology(const Complex& complex, typename Complex::Cell_handle cell,
                                typename Complex::Label label) {
@@ -283,19 +234,6 @@ bool relabeling_keeps_topology(const Complex& complex, typename Complex::Cell_ha
       complex, cell, label, [](typename Complex::Cell_handle c) { return c->subdomain_index(); });
 }
 
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Returns whether several cells can get another label one after the other, so that each step keeps the
-topology as defined above. Quadratic in the number of cells if the given order is valid, otherwise
-cubic.
-
-\param complex the complex; it is not changed
-\param cells finite cells, each once
-\param label the new label, different from those of the cells
-\return whether an order was found. The search is greedy, without backtracking, so that it misses an
-        order in rare cases; the result is then false although the topology would stay.
-*/
 template <class Complex>
 bool relabeling_keeps_topology(const Complex& complex,
                                std::vector<typename Complex::Cell_handle> cells,
@@ -317,4 +255,4 @@ bool relabeling_keeps_topology(const Complex& complex,
 
 } // namespace CGAL::Deformable_simplicial_complexes
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_RELABELING_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PROPOSALS_RELABELING_H

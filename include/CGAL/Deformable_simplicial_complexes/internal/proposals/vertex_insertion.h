@@ -5,12 +5,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Author(s)     : The deformable simplicial complex authors
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_VERTEX_INSERTION_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_VERTEX_INSERTION_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PROPOSALS_VERTEX_INSERTION_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PROPOSALS_VERTEX_INSERTION_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
-
-#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Star_optimizer.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/cell_corners.h>
@@ -188,30 +186,6 @@ bool fill_with_star(const Complex& complex, typename Complex::Cell_handle seed,
 
 } // namespace internal
 
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Proposes to insert a vertex: a set of cells around a cell of low quality is replaced by the star of
-a new vertex \cgalCite{cgal:ks-atmi-07}. The set contains the cell, and its boundary is visible
-from the barycenter of the cell. Among these sets, the one is chosen for which the worst quality of
-the star of the barycenter is highest. The new vertex then moves to a local maximum of this quality,
-as in `propose_optimal_position()`, and the best set for the new position is found. This is repeated
-while the quality rises.
-
-In 2D, a needle that flips and smoothing cannot remove gets a vertex at its barycenter (section 3.1
-of the paper), if this improves the mesh. The split into triangles with even smaller angles and the
-following flips are a single change.
-
-Constant time, since the number of cells is bounded; quadratic in their number.
-
-\param complex the complex; it is not changed
-\param cell the cell of low quality
-\param cavity filled with the proposal if there is one; its last vertex is the new one
-\return whether the worst quality rises and all new cells are positively oriented. The replaced
-        cells are finite and of one label. There are at most 64 of them, at most 6 steps from the
-        given cell. All other vertices keep some of their cells. The interface and the boundary of
-        the domain are unchanged.
-*/
 template <class Complex>
 bool propose_vertex_insertion(const Complex& complex, typename Complex::Cell_handle cell,
                               Deformable_simplicial_complexes::Cavity<Complex>& cavity) {
@@ -233,4 +207,4 @@ bool propose_vertex_insertion(const Complex& complex, typename Complex::Cell_han
 
 } // namespace CGAL::Deformable_simplicial_complexes
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_VERTEX_INSERTION_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PROPOSALS_VERTEX_INSERTION_H

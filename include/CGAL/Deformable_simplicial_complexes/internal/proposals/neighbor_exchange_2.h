@@ -5,12 +5,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Author(s)     : The deformable simplicial complex authors
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_NEIGHBOR_EXCHANGE_2_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_NEIGHBOR_EXCHANGE_2_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PROPOSALS_NEIGHBOR_EXCHANGE_2_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PROPOSALS_NEIGHBOR_EXCHANGE_2_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
-
-#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
@@ -251,27 +249,6 @@ private:
 
 } // namespace internal
 
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Proposes to exchange neighbors (T1 event). The phases on both sides of a short wall are separated,
-and the two phases at its ends become neighbors. The wall is one edge of the interface between two
-vertices where three phases meet. It is replaced by a wall perpendicular to it. A wall may also end
-at a side of a box. Then the phase at its other end reaches this side, and there is no new wall.
-Linear in the stars of the two vertices, but quadratic in the phases at the ends.
-
-\param complex the complex; it is not changed
-\param cell, i the edge opposite to the vertex i of a finite triangle
-\param longest largest length of walls to be considered, divided by the mean length of the four
-       other interface edges at the ends of the wall
-\param cavity filled with the proposal if there is one; the ends of the wall move. If the wall ends
-       at a side, a new vertex on this side replaces its inner end.
-\param energy the energy of the interface; energy densities have no effect. The default is the
-       length.
-\return the exchange, if it decreases the energy of the interface, all new triangles are positively
-        oriented, and `complex.keeps_quality()` holds
-\throws Error if a tension is out of its range
-*/
 template <class Complex>
 std::optional<Neighbor_exchange<Complex>>
 propose_neighbor_exchange(const Complex& complex, typename Complex::Cell_handle cell, int i,
@@ -291,4 +268,4 @@ propose_neighbor_exchange(const Complex& complex, typename Complex::Cell_handle 
 
 } // namespace CGAL::Deformable_simplicial_complexes
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_NEIGHBOR_EXCHANGE_2_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PROPOSALS_NEIGHBOR_EXCHANGE_2_H

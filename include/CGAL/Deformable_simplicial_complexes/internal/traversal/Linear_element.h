@@ -5,72 +5,66 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Author(s)     : The deformable simplicial complex authors
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_LINEAR_ELEMENT_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_LINEAR_ELEMENT_H
-
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_LINEAR_ELEMENT_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_LINEAR_ELEMENT_H
 
 #include <algorithm>
 #include <array>
 
 namespace CGAL::Deformable_simplicial_complexes {
 
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Linear finite element (P1) on a finite cell. A function is linear in the cell and given by its
-values at the corners. The basis function of a corner is 1 at this corner and 0 at the others. Its
-gradient is the inward normal of the opposite facet, as long as the measure of the facet, divided by
-`d` times the measure of the cell.
-
-The element stores normals and the measure, and does not refer to the complex. The time of each
-function is constant, and no function throws. `const` functions can be called by any number of
-threads.
-
-\tparam Complex a deformable simplicial complex
-*/
+// Linear finite element (P1) on a finite cell. A function is linear in the cell and given by its
+// values at the corners. The basis function of a corner is 1 at this corner and 0 at the others.
+// Its gradient is the inward normal of the opposite facet, as long as the measure of the facet,
+// divided by `d` times the measure of the cell.
+//
+// The element stores normals and the measure, and does not refer to the complex. The time of each
+// function is constant, and no function throws. `const` functions can be called by any number of
+// threads.
+//
+// Complex: a deformable simplicial complex
 template <class Complex> class Linear_element
 {
 public:
-  using Vector = typename Complex::Vector;     ///< a vector of the complex
-  static constexpr int d = Complex::dimension; ///< dimension, 2 or 3
+  using Vector = typename Complex::Vector;     // a vector of the complex
+  static constexpr int d = Complex::dimension; // dimension, 2 or 3
 
-  using Corners = std::array<typename Complex::Point, d + 1>; ///< corners of a cell
+  using Corners = std::array<typename Complex::Point, d + 1>; // corners of a cell
 
-  /// Constructs the element of a cell.
-  /// \param corners positions of the corners as seen from one of them: on a torus, images next to
-  ///        each other
+  // Constructs the element of a cell.
+  // corners: positions of the corners as seen from one of them: on a torus, images next to
+  //        each other
   explicit Linear_element(const Corners& corners) : m_frame(Complex::Space::frame(corners)) {}
 
-  /// Constructs the element of the cell `c` of a complex.
-  /// \pre `c` is finite.
+  // Constructs the element of the cell `c` of a complex.
+  // Precondition: `c` is finite.
   Linear_element(const Complex& complex, typename Complex::Cell_handle c)
       : Linear_element(corners_of(complex, c)) {}
 
-  /// Returns the signed measure, the area or the volume: positive for a positively oriented cell.
+  // Returns the signed measure, the area or the volume: positive for a positively oriented cell.
   double measure() const { return m_frame.parallelotope / factorial; }
 
-  /// Returns the gradient of the basis function of a corner, in 1 / length.
-  /// \pre The measure is not 0.
+  // Returns the gradient of the basis function of a corner, in 1 / length.
+  // Precondition: The measure is not 0.
   Vector gradient(int corner) const { return m_frame.normals[corner] / -m_frame.parallelotope; }
 
-  /// Returns the gradient of the measure with respect to the position of a corner. The cell can be
-  /// flat.
+  // Returns the gradient of the measure with respect to the position of a corner. The cell can be
+  // flat.
   Vector measure_gradient(int corner) const { return m_frame.normals[corner] / -factorial; }
 
-  /// Returns the entry of the stiffness matrix for two corners: the integral over the cell of the
-  /// scalar product of the gradients of their basis functions.
-  /// \pre The measure is not 0.
+  // Returns the entry of the stiffness matrix for two corners: the integral over the cell of the
+  // scalar product of the gradients of their basis functions.
+  // Precondition: The measure is not 0.
   double stiffness(int i, int j) const {
     return m_frame.normals[i] * m_frame.normals[j] / (factorial * m_frame.parallelotope);
   }
 
-  /// Returns the row of the stiffness matrix for a corner, with a conductivity that is the inverse
-  /// of the measure. Cells of all sizes then have the same weight in an extension of a
-  /// displacement: small cells, most of them at the interface, are deformed less, and large cells
-  /// more. For nearly flat cells, the measure is replaced by a small fraction of the measure of a
-  /// round cell, so the entries are bounded. All entries are 0 if the cell is inverted, or flat up
-  /// to rounding.
+  // Returns the row of the stiffness matrix for a corner, with a conductivity that is the inverse
+  // of the measure. Cells of all sizes then have the same weight in an extension of a
+  // displacement: small cells, most of them at the interface, are deformed less, and large cells
+  // more. For nearly flat cells, the measure is replaced by a small fraction of the measure of a
+  // round cell, so the entries are bounded. All entries are 0 if the cell is inverted, or flat up
+  // to rounding.
   std::array<double, d + 1> evened_stiffness(int corner) const {
     static constexpr double flattest = 5e-4, rounding = 1e-15; // of a round cell
     std::array<double, d + 1> result = {};
@@ -84,12 +78,12 @@ public:
     return result;
   }
 
-  /// Returns the integral of the basis function of a corner: the entry of the lumped mass matrix
-  /// for unit density.
+  // Returns the integral of the basis function of a corner: the entry of the lumped mass matrix
+  // for unit density.
   double lumped_mass() const { return measure() / (d + 1); }
 
-  /// Returns the integral of the divergence of a vector field over the cell. The cell can be flat.
-  /// \param values the vectors at the corners
+  // Returns the integral of the divergence of a vector field over the cell. The cell can be flat.
+  // values: the vectors at the corners
   double divergence(const std::array<Vector, d + 1>& values) const {
     double result = 0;
     for (int i = 0; i <= d; ++i)
@@ -122,4 +116,4 @@ private:
 
 } // namespace CGAL::Deformable_simplicial_complexes
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_LINEAR_ELEMENT_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_LINEAR_ELEMENT_H

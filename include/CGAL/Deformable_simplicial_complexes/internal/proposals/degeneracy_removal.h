@@ -5,35 +5,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Author(s)     : The deformable simplicial complex authors
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DEGENERACY_REMOVAL_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DEGENERACY_REMOVAL_H
-
-#include <CGAL/license/Deformable_simplicial_complexes.h>
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PROPOSALS_DEGENERACY_REMOVAL_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PROPOSALS_DEGENERACY_REMOVAL_H
 
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
-#include <CGAL/Deformable_simplicial_complexes/edge_collapse.h>
-#include <CGAL/Deformable_simplicial_complexes/edge_flip_2.h>
-#include <CGAL/Deformable_simplicial_complexes/edge_removal_3.h>
-#include <CGAL/Deformable_simplicial_complexes/multi_face_removal_3.h>
-#include <CGAL/Deformable_simplicial_complexes/relabeling.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/proposals/edge_collapse.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/proposals/edge_flip_2.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/proposals/edge_removal_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/proposals/multi_face_removal_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/proposals/relabeling.h>
 
 namespace CGAL::Deformable_simplicial_complexes {
 
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Proposes to flip the longest edge of a cap if the edge is on the interface. The interface is
-flipped, too: both new triangles get the label of the other side of the edge. The two edges at the
-tip of the cap, which must be on the interface, take the place of the flipped edge. Linear in the
-stars of the vertices. Section 3.1 of the paper.
-
-\param complex the complex; it is not changed
-\param cell, i the edge opposite to the vertex i, the tip, of a finite triangle
-\param cavity filled with the proposal if there is one
-\return whether the proposal is valid: the edge and the tip are on the interface, and the topology
-        stays. Both new triangles are positively oriented, and the worst quality rises. The
-        interface moves by the area of the cap.
-*/
 template <class Complex>
 bool propose_cap_flip(const Complex& complex, typename Complex::Cell_handle cell, int i,
                       Deformable_simplicial_complexes::Cavity<Complex>& cavity) {
@@ -46,24 +29,6 @@ bool propose_cap_flip(const Complex& complex, typename Complex::Cell_handle cell
   return cavity.quality_after() > cavity.quality_before() && cavity.is_positive();
 }
 
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Proposes to remove a triangle with a small angle. Of a *cap*, a triangle with an obtuse angle, the
-longest edge is flipped, with `propose_cap_flip()` if it is on the interface. If this is not
-possible, or if the triangle is a *needle*, the shortest edge is collapsed. Section 3.1 of the
-paper. The complexity is that of these functions.
-
-\param complex the complex; it is not changed
-\param cell a triangle
-\param cosine only triangles with an angle of larger cosine are considered. The paper uses 0.99 for
-       minus the cosine of the obtuse angle of a cap, and an angle of 0.01 &pi; for needles.
-\param minimum_quality lower bound of the quality of the new triangles of a collapse
-\param cavity filled with the proposal if there is one
-\return whether the triangle is finite, has a small angle, and there is a proposal. The topology of
-        the interface stays. The interface is unchanged, or moves by the triangles that are
-        replaced.
-*/
 template <class Complex>
 bool propose_degenerate_triangle_removal(const Complex& complex, typename Complex::Cell_handle cell,
                                          double cosine, double minimum_quality,
@@ -109,24 +74,6 @@ bool propose_removal_from_flat_cell(const Complex& complex, typename Complex::Ce
 
 } // namespace internal
 
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Proposes to remove a facet with a small angle. Of a *cap*, the longest edge is removed, or flipped
-if the facet is on the interface. Of a *needle*, the shortest edge is collapsed. A facet is a cap if
-its largest angle is above 120 degrees and its longest edge is 1.03 times as long as the second one.
-For facets with the smallest angle of the paper, the lengths alone decide, as in the paper. Section
-3.2.1 of the paper, degeneracy removal (b). The complexity is that of the functions below.
-
-\param complex the complex; it is not changed
-\param cell, i a finite facet
-\param cosine only facets with an angle of larger cosine are considered; the paper uses 0.999
-\param minimum_quality lower bound of the quality of the new tetrahedra of a collapse
-\param cavity filled with the proposal if there is one
-\return whether the facet has a small angle, and `propose_edge_removal()`,
-        `propose_interface_edge_flip()` or `propose_edge_collapse()` makes the proposal described
-        above. The interface is unchanged, or moves by the volume next to its nearly flat facets.
-*/
 template <class Complex>
 bool propose_degenerate_facet_removal(const Complex& complex, typename Complex::Cell_handle cell,
                                       int i, double cosine, double minimum_quality,
@@ -159,35 +106,6 @@ bool propose_degenerate_facet_removal(const Complex& complex, typename Complex::
              : propose_edge_removal(complex, cell, a, b, cavity);
 }
 
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Proposes to remove a nearly flat cell (section 3.2.1 of the paper, degeneracy removal (a)). The
-operation depends on the projection of the apex, which is the vertex opposite to the largest facet.
-If the cell were pressed flat, it would become
-
-- *three facets* around the apex if it projects into the largest facet, which is removed;
-- *two facets* if the apex projects to an edge of the largest facet, within a tenth of the height of
-  the facet; this edge is removed;
-- *four facets* if the apex projects beyond an edge: this edge and the opposite edge of the cell
-  cross. One of them is removed, the one whose removal gives the better worst quality;
-- *one facet* if the apex projects to a vertex, within a tenth of the height; the edge between the
-  apex and this vertex is collapsed.
-
-These are all cases, since the facet is the largest one. The complexity is that of the functions
-below.
-
-\param complex the complex; it is not changed
-\param cell the cell
-\param threshold only cells of lower quality are considered; the paper uses 0.005. It is also the
-       lower bound of the quality of the new tetrahedra of a collapse.
-\param cavity filled with the proposal if there is one
-\return whether the cell is finite and nearly flat, and `propose_multi_face_removal()`,
-        `propose_edge_removal()` or `propose_edge_collapse()` makes the proposal described above. If
-        two facets of the cell at the edge are on the interface, `propose_interface_edge_flip()`
-        makes the proposal. The topology of the interface stays. The interface is unchanged, or
-        moves by the cell. Cells whose removal changes more are left to `propose_relabeling()`.
-*/
 template <class Complex>
 bool propose_degenerate_tetrahedron_removal(const Complex& complex,
                                             typename Complex::Cell_handle cell, double threshold,
@@ -236,4 +154,4 @@ bool propose_degenerate_tetrahedron_removal(const Complex& complex,
 
 } // namespace CGAL::Deformable_simplicial_complexes
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DEGENERACY_REMOVAL_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PROPOSALS_DEGENERACY_REMOVAL_H

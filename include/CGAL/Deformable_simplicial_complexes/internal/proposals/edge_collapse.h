@@ -5,14 +5,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Author(s)     : The deformable simplicial complex authors
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_EDGE_COLLAPSE_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_EDGE_COLLAPSE_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PROPOSALS_EDGE_COLLAPSE_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PROPOSALS_EDGE_COLLAPSE_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
-
-#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
-#include <CGAL/Deformable_simplicial_complexes/Linear_element.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Linear_element.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Marks.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/cell_corners.h>
 
@@ -187,23 +185,6 @@ private:
 
 } // namespace internal
 
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Proposes to collapse an edge. The first vertex is removed; the second one stays in place. n log n in
-the size of the two stars.
-
-\param complex the complex; it is not changed
-\param cell, i, j the edge from the vertex i of the cell, which is removed, to the vertex j, which
-       stays
-\param minimum_quality lower bound of the quality of the new cells
-\param cavity filled with the proposal if there is one
-\return whether the collapse keeps the topology, is compatible with all lower-dimensional features,
-        and creates only positively oriented cells of sufficient quality. The topology of cells, of
-        the interface, and of the lines where labels meet is tested with exact link conditions.
-        Sides of the domain, sheets, and lines and points where labels meet stay in place or move
-        only along themselves.
-*/
 template <class Complex>
 bool propose_edge_collapse(const Complex& complex, typename Complex::Cell_handle cell, int i, int j,
                            double minimum_quality,
@@ -293,20 +274,6 @@ bool propose_collapse_either_way(const Complex& complex, typename Complex::Cell_
 
 } // namespace internal
 
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Proposes to collapse an edge that is too short, in one of the two directions. Section 3.2.1 of the
-paper, degeneracy removal (c). The complexity is that of `propose_edge_collapse()`.
-
-\param complex the complex; it is not changed
-\param cell, i, j the edge between the finite vertices i and j of the cell
-\param minimum_length only shorter edges are considered; the paper uses half the length of the
-       shortest edge of the input's interface
-\param minimum_quality lower bound of the quality of the new cells
-\param cavity filled with the proposal if there is one
-\return whether the edge is short and `propose_edge_collapse()` proposes its collapse
-*/
 template <class Complex>
 bool propose_degenerate_edge_removal(const Complex& complex, typename Complex::Cell_handle cell,
                                      int i, int j, double minimum_length, double minimum_quality,
@@ -319,4 +286,4 @@ bool propose_degenerate_edge_removal(const Complex& complex, typename Complex::C
 
 } // namespace CGAL::Deformable_simplicial_complexes
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_EDGE_COLLAPSE_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PROPOSALS_EDGE_COLLAPSE_H

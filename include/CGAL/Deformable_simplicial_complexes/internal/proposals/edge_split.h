@@ -5,31 +5,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Author(s)     : The deformable simplicial complex authors
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_EDGE_SPLIT_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_EDGE_SPLIT_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PROPOSALS_EDGE_SPLIT_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PROPOSALS_EDGE_SPLIT_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
-
-#include <CGAL/Deformable_simplicial_complexes/Boundary_class.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 
 namespace CGAL::Deformable_simplicial_complexes {
 
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Proposes to split an edge at a point. Each cell around the edge is divided into two, which keep its
-label. The new vertex is on the sides of the domain that contain the edge. Linear in the number of
-cells around the edge.
-
-\param complex the complex; it is not changed
-\param cell, i, j the edge between the finite vertices i and j of the cell
-\param point position of the new vertex. If it is not on the edge, the interface changes
-       accordingly.
-\param cavity filled with the proposal if there is one; its last vertex is the new one
-\return whether all new cells are positively oriented and `complex.keeps_quality()` holds
-\pre if the edge is on the boundary of the domain, the point is on the edge, up to rounding
-*/
 template <class Complex>
 bool propose_edge_split(const Complex& complex, typename Complex::Cell_handle cell, int i, int j,
                         const typename Complex::Point& point,
@@ -63,13 +46,6 @@ bool propose_edge_split(const Complex& complex, typename Complex::Cell_handle ce
   return cavity.is_admissible();
 }
 
-/*!
-\ingroup PkgDeformableSimplicialComplexesRef
-
-Proposes to split an edge at the fraction `ratio` of the vector from i to j, in (0, 1). The
-interface moves only by the rounding of the point. Otherwise the function is the same as the
-overload above.
-*/
 template <class Complex>
 bool propose_edge_split(const Complex& complex, typename Complex::Cell_handle cell, int i, int j,
                         double ratio, Deformable_simplicial_complexes::Cavity<Complex>& cavity) {
@@ -80,4 +56,4 @@ bool propose_edge_split(const Complex& complex, typename Complex::Cell_handle ce
 
 } // namespace CGAL::Deformable_simplicial_complexes
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_EDGE_SPLIT_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PROPOSALS_EDGE_SPLIT_H
