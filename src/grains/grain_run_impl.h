@@ -277,7 +277,6 @@ Grain_result grow_grains(const Grain_run& run, Grain_files& files, const Complex
     tell();
   }
   files.write(complex, state, orientations);
-  files.require();
   Grain_result result;
   for (const auto& grain : grain_statistics(complex))
     if (grain.label != particle_label)
@@ -349,6 +348,7 @@ Grain_result grow_grains(const Grain_run& run, const Make& make,
   if constexpr (d == 2)
     if (!run.picture.empty())
       CGAL::IO::write_SVG(run.picture, complex);
+  files.require();
   return result;
 }
 
