@@ -33,14 +33,17 @@ build_and_test() { # NAME OPTION...
     return 1
   fi
   ctest --test-dir "$work/$name" --output-on-failure --no-tests=error --parallel "$jobs" \
-    --tests-regex "^($(IFS='|'; echo "${programs[*]}"))\."
+    --tests-regex "^($(IFS='|'; echo "${programs[*]}"))(\.|$)"
 }
 
-# The programs with the tests of the kernel: one for each folder, and one for each other file.
+# The programs with the tests of the kernel: one for each folder and each other file, and those in the form of CGAL.
 programs=()
-for path in test/Deformable_simplicial_complexes/*; do
+for path in test/Deformable_simplicial_complexes/{*.cpp,*/}; do
   name=$(basename "$path" .cpp)
-  programs+=("test_${name#test_}")
+  [ "$name" = cgal ] || programs+=("test_${name#test_}")
+done
+for path in test/Deformable_simplicial_complexes/cgal/*.cpp; do
+  programs+=("cgal_$(basename "$path" .cpp)")
 done
 
 check_libc++() {

@@ -66,8 +66,12 @@ Linear in the number of cells.
 template <class Complex, class LabelAt, class NP = parameters::Default_named_parameters>
 Complex fill_torus(const Torus_domain<Complex::dimension>& domain, double edge,
                    const LabelAt& label_at, const NP& np = parameters::default_values()) {
-  return internal::fill_grid(Complex(domain), internal::torus_grid(domain.periods(), edge),
-                             label_at, np);
+  static_assert(
+      internal::labels_points<Complex, LabelAt>,
+      "the function of labels: int operator()(Point) const, or a function of a vector of points");
+  if constexpr (internal::labels_points<Complex, LabelAt>)
+    return internal::fill_grid(Complex(domain), internal::torus_grid(domain.periods(), edge),
+                               label_at, np);
 }
 
 } // namespace CGAL::Deformable_simplicial_complexes

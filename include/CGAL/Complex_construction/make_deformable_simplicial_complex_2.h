@@ -327,7 +327,11 @@ template <class Complex, class LabelAt,
 Complex make_deformable_simplicial_complex_2(const Bbox_2& box, double edge,
                                              const LabelAt& label_at,
                                              const NamedParameters& np = NamedParameters()) {
-  return internal::fill_grid(Complex(), internal::box_grid(box, edge), label_at, np);
+  static_assert(
+      internal::labels_points<Complex, LabelAt>,
+      "the function of labels: int operator()(Point) const, or a function of a vector of points");
+  if constexpr (internal::labels_points<Complex, LabelAt>)
+    return internal::fill_grid(Complex(), internal::box_grid(box, edge), label_at, np);
 }
 
 /*!

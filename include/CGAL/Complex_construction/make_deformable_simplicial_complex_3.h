@@ -97,11 +97,15 @@ Complex make_from_soups(const std::vector<Triangle_soup_3>& surfaces,
                         const std::vector<typename Complex::Label>& surface_labels,
                         const Tetrahedralizer& tetrahedralizer,
                         const Construction_options<3>& options) {
-  return make_resolved<Complex>(
-      put_into_box(check_surfaces(surfaces), options), tetrahedralizer, options,
-      [&](const Tetrahedralization_3& mesh, const Boxed_soup_3& boxed) {
-        return label_cells<3>(mesh.tetrahedra, boxed.walls(mesh), surface_labels);
-      });
+  static_assert(
+      is_tetrahedralizer<Tetrahedralizer>,
+      "ConstrainedTetrahedralizer_3: Tetrahedralization_3 operator()(points, triangles) const");
+  if constexpr (is_tetrahedralizer<Tetrahedralizer>)
+    return make_resolved<Complex>(
+        put_into_box(check_surfaces(surfaces), options), tetrahedralizer, options,
+        [&](const Tetrahedralization_3& mesh, const Boxed_soup_3& boxed) {
+          return label_cells<3>(mesh.tetrahedra, boxed.walls(mesh), surface_labels);
+        });
 }
 
 } // namespace internal
@@ -227,12 +231,16 @@ Complex make_deformable_simplicial_complex_3(
   for (const auto& patch : patches)
     sides.push_back({patch.label_behind, patch.label_in_front});
   const auto options = construction_options<3>(np);
-  return internal::make_resolved<Complex>(
-      internal::put_into_box(internal::check_patches(internal::soups_of(patches)), options),
-      tetrahedralizer, options,
-      [&](const Tetrahedralization_3& mesh, const internal::Boxed_soup_3& boxed) {
-        return internal::label_by_sides(mesh, boxed, sides);
-      });
+  static_assert(
+      internal::is_tetrahedralizer<Tetrahedralizer>,
+      "ConstrainedTetrahedralizer_3: Tetrahedralization_3 operator()(points, triangles) const");
+  if constexpr (internal::is_tetrahedralizer<Tetrahedralizer>)
+    return internal::make_resolved<Complex>(
+        internal::put_into_box(internal::check_patches(internal::soups_of(patches)), options),
+        tetrahedralizer, options,
+        [&](const Tetrahedralization_3& mesh, const internal::Boxed_soup_3& boxed) {
+          return internal::label_by_sides(mesh, boxed, sides);
+        });
 }
 
 /*!
@@ -341,7 +349,11 @@ template <class Complex, class LabelAt,
 Complex make_deformable_simplicial_complex_3(const Bbox_3& box, double edge,
                                              const LabelAt& label_at,
                                              const NamedParameters& np = NamedParameters()) {
-  return internal::fill_grid(Complex(), internal::box_grid(box, edge), label_at, np);
+  static_assert(
+      internal::labels_points<Complex, LabelAt>,
+      "the function of labels: int operator()(Point) const, or a function of a vector of points");
+  if constexpr (internal::labels_points<Complex, LabelAt>)
+    return internal::fill_grid(Complex(), internal::box_grid(box, edge), label_at, np);
 }
 
 /*!

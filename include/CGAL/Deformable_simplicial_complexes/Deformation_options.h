@@ -243,6 +243,12 @@ void read_parameters(const Complex& complex, const NamedParameters& np, Options&
 
 namespace internal {
 
+// Converts to any type, so that an error is followed by no others.
+struct Any_result
+{
+  template <class T> operator T() const;
+};
+
 // Calls a function with the options and the visitor that named parameters give, or with given
 // options.
 // \tparam ConcurrencyTag determines the default number of threads
@@ -252,10 +258,11 @@ template <class ConcurrencyTag = Sequential_tag, class Complex, class NamedParam
           class Options, class Call>
 auto call_with_parameters(Complex& complex, const NamedParameters& np, Options defaults,
                           const Call& call) {
-  if constexpr (std::is_const<Complex>::value)
+  if constexpr (std::is_const<Complex>::value) {
     static_assert(!std::is_const<Complex>::value,
                   "the function changes the complex, which is const");
-  else if constexpr (std::is_same<NamedParameters, Options>::value)
+    return Any_result();
+  } else if constexpr (std::is_same<NamedParameters, Options>::value)
     return call(np);
   else if constexpr (!is_chain<NamedParameters>) {
     static_assert(is_chain<NamedParameters>, "the last argument is neither a chain of named "
@@ -264,6 +271,8 @@ auto call_with_parameters(Complex& complex, const NamedParameters& np, Options d
   } else {
     using internal_np::visitor_t;
     Named_parameter_check<decltype(find_untaken<Options>(np)), Options>();
+    Named_parameter_type_check<decltype(find_mistyped<Options, visitor_t, internal_np::flow_t>(np)),
+                               Options>();
     visit_option<internal_np::number_of_threads_t>(defaults, [](const char*, unsigned& number) {
       number = default_number_of_threads<ConcurrencyTag>();
     });

@@ -118,6 +118,59 @@ template <class Untaken_parameter, class Options> struct Named_parameter_check
                 "takes are members of its options");
 };
 
+// Returns the option with the name of a named parameter.
+template <class Tag, class Options> auto& option_of(Options& options) {
+  if constexpr (has_option<Tag, Options>)
+    return Named_option<Tag>::member(options);
+  else
+    return option_of<Tag>(base_options(options));
+}
+
+// Whether an option can get a value. It gets the address of a value if it is a pointer.
+template <class Option, class Value>
+inline constexpr bool takes_value = std::is_pointer<Option>::value ||
+                                    (std::is_same<Option, unsigned>::value
+                                         ? std::is_integral<Value>::value
+                                         : std::is_assignable<Option&, const Value&>::value);
+
+// Returns whether the option with the name of a named parameter can get its value. Is true if
+// there is no such option.
+template <class Tag, class Options, class NamedParameters> constexpr bool takes_parameter() {
+  if constexpr (is_option<Tag, Options>())
+    return takes_value<
+        std::decay_t<decltype(option_of<Tag>(std::declval<Options&>()))>,
+        std::decay_t<decltype(parameter(std::declval<const NamedParameters&>(), Tag()))>>;
+  else
+    return true;
+}
+
+// Returns the tag of a named parameter whose value is not of the type of its option, except
+// `Others`; nothing if there is none.
+template <class Options, class... Others, class T, class Tag, class Base>
+auto find_mistyped(const Named_function_parameters<T, Tag, Base>& np) {
+  if constexpr (!(std::is_same<Tag, Others>::value || ...) &&
+                !takes_parameter<Tag, Options, Named_function_parameters<T, Tag, Base>>())
+    return Tag();
+  else if constexpr (!std::is_same<Base, CGAL::internal_np::No_property>::value)
+    return find_mistyped<Options, Others...>(static_cast<const Base&>(np));
+}
+
+// Does not compile if the value of a named parameter is not of the type of its option.
+template <class Mistyped_parameter, class Options> struct Named_parameter_type_check
+{
+  static constexpr bool is_control =
+      std::is_same<Mistyped_parameter, internal_np::topology_control_t>::value;
+  static constexpr bool is_field =
+      std::is_same<Mistyped_parameter, internal_np::sizing_field_t>::value;
+  static_assert(!is_control,
+                "TopologyControl: bool operator()(const Complex&, Cell_handle, int) const");
+  static_assert(!is_field,
+                "a sizing field is a function of points: double operator()(Point) const");
+  static_assert(std::is_void<Mistyped_parameter>::value || is_control || is_field,
+                "the value of a named parameter has the type of the member of the options with its "
+                "name, or converts to it");
+};
+
 // Whether a type is that of a chain of named parameters.
 template <class NamedParameters, class = void> inline constexpr bool is_chain = false;
 template <class NamedParameters>
@@ -151,30 +204,20 @@ void for_each_tag(const Named_function_parameters<T, Tag, Base>& np, const F& f)
 
 // Replaces an option by the value of a named parameter. Counts that are too large for `unsigned`
 // are replaced by the largest `unsigned`.
-template <class Tag, class Given, class Value>
-void replace_option(const char* name, const Given& given, Value& value) {
-  if constexpr (std::is_same<Value, unsigned>::value) {
-    static_assert(std::is_integral<Given>::value, "a count is an integer");
-    if constexpr (std::is_integral<Given>::value) {
-      if constexpr (std::is_signed<Given>::value)
-        if (given < 0)
-          throw Error(std::string(name) + " is negative: use 0 or more");
-      value = static_cast<unsigned>(
-          (std::min<std::uintmax_t>)(given, (std::numeric_limits<unsigned>::max)()));
-    }
+template <class Given, class Value>
+void replace_option([[maybe_unused]] const char* name, const Given& given, Value& value) {
+  if constexpr (!takes_value<Value, Given>)
+    return; // `Named_parameter_type_check` does not compile
+  else if constexpr (std::is_same<Value, unsigned>::value) {
+    if constexpr (std::is_signed<Given>::value)
+      if (given < 0)
+        throw Error(std::string(name) + " is negative: use 0 or more");
+    value = static_cast<unsigned>(
+        (std::min<std::uintmax_t>)(given, (std::numeric_limits<unsigned>::max)()));
   } else if constexpr (std::is_pointer<Value>::value)
     value = &given.get();
-  else {
-    static constexpr bool has_right_type = std::is_assignable<Value&, const Given&>::value;
-    static_assert(has_right_type || !std::is_same<Tag, internal_np::topology_control_t>::value,
-                  "TopologyControl: bool operator()(const Complex&, Cell_handle, int) const");
-    static_assert(has_right_type || !std::is_same<Tag, internal_np::sizing_field_t>::value,
-                  "a sizing field is a function of points: double operator()(Point) const");
-    static_assert(has_right_type, "the value of a named parameter has the type of the member of "
-                                  "the options with its name, or converts to it");
-    if constexpr (has_right_type)
-      value = given;
-  }
+  else
+    value = given;
 }
 
 } // namespace internal
@@ -214,11 +257,13 @@ template <class... Others, class NamedParameters, class Options>
 void read_parameters(const NamedParameters& np, Options& options) {
   using Untaken_parameter = decltype(internal::find_untaken<Options, Others...>(np));
   internal::Named_parameter_check<Untaken_parameter, Options>();
+  using Mistyped_parameter = decltype(internal::find_mistyped<Options, Others...>(np));
+  internal::Named_parameter_type_check<Mistyped_parameter, Options>();
   internal::for_each_tag(np, [&](auto tag) {
     using Tag = decltype(tag);
     if constexpr (!(std::is_same<Tag, Others>::value || ...))
       internal::visit_option<Tag>(options, [&](const char* name, auto& value) {
-        internal::replace_option<Tag>(name, parameter(np, Tag()), value);
+        internal::replace_option(name, parameter(np, Tag()), value);
       });
   });
 }

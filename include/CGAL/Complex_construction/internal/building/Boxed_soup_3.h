@@ -193,17 +193,19 @@ inline Boxed_soup_3 put_into_box(Joined_soup_3 soup, const Construction_options<
   return result;
 }
 
+// Whether a type is a model of ConstrainedTetrahedralizer_3.
+template <class Tetrahedralizer>
+inline constexpr bool is_tetrahedralizer =
+    std::is_invocable_r_v<Tetrahedralization_3, const Tetrahedralizer&,
+                          const std::vector<Coordinates_3>&,
+                          const std::vector<std::array<std::size_t, 3>>&>;
+
 // Fills the box with tetrahedra. The points of the soup come first. The members `facets` and
 // `triangles_of_facets` of the result are those of the soup, also if no triangle was divided.
 // Throws `Tetrahedralization_error` if the tetrahedralizer moves points of the soup or returns an
 // invalid index.
 template <class Tetrahedralizer>
 Tetrahedralization_3 fill_box(const Boxed_soup_3& boxed, const Tetrahedralizer& tetrahedralizer) {
-  static_assert(
-      std::is_invocable_r_v<Tetrahedralization_3, const Tetrahedralizer&,
-                            const std::vector<Coordinates_3>&,
-                            const std::vector<std::array<std::size_t, 3>>&>,
-      "ConstrainedTetrahedralizer_3: Tetrahedralization_3 operator()(points, triangles) const");
   const Progress_phase phase("filling the box with tetrahedra");
   Triangle_soup_3 all = boxed.soup;
   append(all, box_surface(boxed.box, boxed.subdivision));

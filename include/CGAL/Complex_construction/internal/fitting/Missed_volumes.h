@@ -23,26 +23,32 @@
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
+template <class Complex, class LabelAt>
+inline constexpr bool labels_each_point =
+    std::is_invocable_r_v<typename Complex::Label, const LabelAt&, typename Complex::Point>;
+
+// Whether a function gives labels of points: of one point, or else of a vector of points. A generic
+// function of a point need not compile for a vector.
+template <class Complex, class LabelAt>
+inline constexpr bool labels_points =
+    std::disjunction_v<std::bool_constant<labels_each_point<Complex, LabelAt>>,
+                       std::is_invocable_r<std::vector<typename Complex::Label>, const LabelAt&,
+                                           const std::vector<typename Complex::Point>&>>;
+
 // Returns the labels at points, given by a function of a point or of a vector of points. On a
 // torus, the function is called with points of the box.
 template <class Complex, class LabelAt>
 std::vector<typename Complex::Label> labels_at(const Complex& complex, const LabelAt& label_at,
                                                std::vector<typename Complex::Point> points) {
-  using Labels = std::vector<typename Complex::Label>;
   for (auto& p : points)
     p = complex.domain().canonical(p);
-  Labels result;
-  using Point = typename Complex::Point;
-  if constexpr (std::is_invocable_v<const LabelAt&, Point>) {
-    static_assert(std::is_invocable_r_v<typename Complex::Label, const LabelAt&, Point>,
-                  "the function of labels: int operator()(Point) const");
+  std::vector<typename Complex::Label> result;
+  if constexpr (labels_each_point<Complex, LabelAt>) {
     for (const auto& p : points) {
       Progress_scope::check();
       result.push_back(label_at(p));
     }
   } else if (!points.empty()) {
-    static_assert(std::is_invocable_r_v<Labels, const LabelAt&, const std::vector<Point>&>,
-                  "the function of labels takes a point or a vector of points");
     result = label_at(points);
     if (result.size() != points.size())
       throw Error("the number of labels differs from the number of points: give one label for each "
