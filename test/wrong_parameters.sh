@@ -1,12 +1,16 @@
 #!/usr/bin/env bash
 # Checks that named parameters that a function does not take do not compile, and that the message
-# names the parameter and the options of the function. Also checks chains without the extension of CGAL's
+# names the parameter and the options of the function; that arguments that are no models of their concept do not
+# compile, and that the message names the concept, with no other error after it. Also checks chains without the extension of CGAL's
 # list of named parameters, which FLAGS do not contain.
 # Usage: test/wrong_parameters.sh COMPILER FLAGS...
 set -euo pipefail
 extension=$(dirname "$0")/../src/named_parameters
 source=$(cat <<'EOF'
 #include <CGAL/Deformable_simplicial_complexes/compiled_2.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <string>
 
 namespace DSC = CGAL::Deformable_simplicial_complexes;
 namespace parameters = CGAL::parameters;
@@ -21,13 +25,32 @@ void wrong(Complex& complex, const std::vector<std::array<std::size_t, 3>>& tria
                                                      parameters::enclosing_box(CGAL::Bbox_2()));
   DSC::control_detail(complex, DSC::Deformation_options<Complex>());
 }
+
+void no_models(Complex& complex) {
+  const auto stay = [&](Complex::Vertex_handle v) { return v->point(); };
+  DSC::deform_interface(std::as_const(complex), stay);
+  DSC::deform_interface(complex, [](Complex::Vertex_handle) {});
+  DSC::deform_interface(complex, stay, parameters::topology_control([](const Complex&, int) { return true; }));
+  DSC::deform_interface(complex, stay, parameters::quality_threshold("high"));
+  DSC::control_detail(complex, parameters::sizing_field([](Complex::Vertex_handle) { return 1.; }));
+  DSC::make_deformable_simplicial_complex_2<Complex>(CGAL::Bbox_2(0, 0, 1, 1), .1,
+                                                     [](Complex::Point_2) { return std::string(); });
+}
+constexpr auto size = sizeof(CGAL::Deformable_simplicial_complex_2<CGAL::Simple_cartesian<double>>);
 EOF
 )
 names='Named_parameter_check<.*verbosity_level_t, .*Deformation_options<
 Named_parameter_check<.*collapse_length_t, .*Deformation_options<
 Named_parameter_check<.*flow_t, .*Mesh_improvement_options<
 Named_parameter_check<.*enclosing_box_t, .*Construction_options<2>
-the last argument is neither a chain of named parameters nor the options of this function'
+the last argument is neither a chain of named parameters nor the options of this function
+the function changes the complex, which is const
+the destination is a function of vertices
+TopologyControl: bool operator()
+the value of a named parameter has the type of the member
+a sizing field is a function of points
+the function of labels: int operator()
+DeformableSimplicialComplexTraits_2: predicates are exact'
 if messages=$("$@" "-I$extension" -fsyntax-only -x c++ - <<<"$source" 2>&1); then
   echo "wrong parameters compile"
   exit 1
@@ -37,7 +60,7 @@ while IFS= read -r name; do
     { printf 'no message contains %s:\n%s\n' "$name" "$messages"; exit 1; }
 done <<<"$names"
 errors=$(grep --count ' error: ' <<<"$messages")
-[ "$errors" = 5 ] || { printf '%s errors instead of 5:\n%s\n' "$errors" "$messages"; exit 1; }
+[ "$errors" = 12 ] || { printf '%s errors instead of 12:\n%s\n' "$errors" "$messages"; exit 1; }
 
 "$@" -Wall -Wextra -Wpedantic -Werror -fsyntax-only -x c++ - <<'EOF'
 #include <CGAL/Mesh_support/parameter_values.h>
@@ -49,4 +72,4 @@ static_assert(has<CGAL::internal_np::quality_threshold_t> && has<CGAL::internal_
 static_assert(has<CGAL::internal_np::minimum_angle_t> && has<CGAL::internal_np::visitor_t>);
 static_assert(!has<CGAL::internal_np::flow_t>);
 EOF
-echo "5 wrong parameters do not compile"
+echo "12 wrong calls do not compile"

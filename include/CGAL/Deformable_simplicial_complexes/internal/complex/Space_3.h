@@ -43,6 +43,9 @@ public:
   static_assert(std::is_same_v<typename Traits::FT, double>,
                 "DeformableSimplicialComplexTraits_3: FT is double, as in "
                 "Exact_predicates_inexact_constructions_kernel");
+  static_assert(!rounds_predicates<Traits>,
+                "DeformableSimplicialComplexTraits_3: predicates are exact, as in "
+                "Exact_predicates_inexact_constructions_kernel");
   static_assert(std::is_base_of_v<Vertex_data, typename Triangulation_data_structure::Vertex> &&
                     std::is_base_of_v<Cell_data, typename Triangulation_data_structure::Cell>,
                 "the bases are Deformable_simplicial_complex_vertex_base_3<Traits, Vb> and "
