@@ -35,10 +35,11 @@ public:
     read_header();
   }
 
-  /// Checks the header and the number of bytes.
+  /// Returns the image, and prints what it does not use of the header.
   /// \throws Input_error if the header is wrong, or the number of bytes differs from the header
-  void check(std::size_t most_channels) {
-    std::uint64_t announced = bytes_of_voxel();
+  CGAL::Image_3 read(std::size_t most_channels) {
+    const Word word = take_word();
+    std::uint64_t announced = word.bytes;
     std::array<std::uint64_t, 3> sizes;
     for (std::size_t axis = 0; axis < 3; ++axis)
       announced *= sizes[axis] = dimension(std::array{"XDIM", "YDIM", "ZDIM"}[axis]);
@@ -54,9 +55,10 @@ public:
     announced *= *number_of_channels;
     static constexpr double largest_ratio = 1e4; // of sides of voxels; meshes are too large then
     double least = std::numeric_limits<double>::infinity(), largest = 0;
+    std::array<double, 3> sides;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const std::string key = std::array{"VX", "VY", "VZ"}[axis];
-      const double side = number(key, "1");
+      const double side = sides[axis] = number<double>(key, "1");
       if (!(side > 0))
         fail("has an invalid voxel size: " + key + " is not positive; correct the header");
       if (sizes[axis] > 1) {
@@ -66,26 +68,49 @@ public:
     }
     if (largest > largest_ratio * least)
       fail("has voxels that are more than 10000 times as long as wide; correct the header");
-    for (const char* key : {"TX", "TY", "TZ"})
-      number(key, "0");
+    std::array<float, 3> translation;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      translation[axis] = number<float>(std::array{"TX", "TY", "TZ"}[axis], "0");
     for (const char* key : {"RX", "RY", "RZ"})
-      if (number(key, "0") != 0)
+      if (number<float>(key, "0") != 0)
         fail("has a rotation (" + std::string(key) + "), which is not supported; remove it");
     if (std::string why = internal::why_too_large(double(announced), m_bytes_of_file); !why.empty())
       fail(why);
-    const std::uint64_t size = count_bytes(announced + most_bytes_behind);
+    CGAL::Image_3 result(_createImage(sizes[0], sizes[1], sizes[2], *number_of_channels, sides[0],
+                                      sides[1], sides[2], word.bytes, word.kind, word.sign));
+    _image* const image = result.image();
+    if (image == nullptr || image->data == nullptr)
+      throw std::bad_alloc();
+    image->tx = translation[0];
+    image->ty = translation[1];
+    image->tz = translation[2];
+    auto* const data = static_cast<char*>(image->data);
+    const std::uint64_t size = read_bytes(data, announced);
     if (size < announced)
       fail("lacks " + std::to_string(announced - size) + " of the " + std::to_string(announced) +
            " bytes that its header announces; is it truncated?");
     Unused_content unused;
     for (const auto& [key, value] : m_values)
       unused.add("header line " + internal::in_quotes(key));
-    unused.add(noun(size - announced, "byte after the last voxel", "bytes after the last voxel"),
-               size - announced);
+    const std::uint64_t behind = count_bytes(most_bytes_behind);
+    unused.add(noun(behind, "byte after the last voxel", "bytes after the last voxel"), behind);
     print_unused(m_path, unused);
+    if (word.order != _getEndianness())
+      for (char* voxel = data; voxel != data + announced; voxel += word.bytes)
+        std::reverse(voxel, voxel + word.bytes);
+    return result;
   }
 
 private:
+  /// How the file stores a value.
+  struct Word
+  {
+    std::size_t bytes;
+    WORD_KIND kind;
+    SIGN sign;
+    ENDIANNESS order;
+  };
+
   [[noreturn]] void fail(const std::string& what) const { throw Input_error(m_path + " " + what); }
 
   /// \throws Input_error if the file, not its content, cannot be read
@@ -153,13 +178,14 @@ private:
     return *value;
   }
 
-  double number(const std::string& key, const std::string& otherwise) {
+  /// \tparam Number the type that CGAL stores
+  template <class Number> Number number(const std::string& key, const std::string& otherwise) {
     const std::string text = take(key).value_or(otherwise);
-    const std::optional<float> value = internal::number_of_word<float>(text); // as CGAL stores it
+    const std::optional<Number> value = internal::number_of_word<Number>(text);
     if (!value || !std::isfinite(*value))
       fail("has " + key + '=' + internal::in_quotes(text) + " in its header, which " +
-           internal::why_no_number<float>(text));
-    return double{*value};
+           internal::why_no_number<Number>(text));
+    return *value;
   }
 
   std::uint64_t dimension(const std::string& key) {
@@ -172,7 +198,7 @@ private:
     return *value;
   }
 
-  std::uint64_t bytes_of_voxel() {
+  Word take_word() {
     const std::string type = need("TYPE"), size = need("PIXSIZE"), order = need("CPU");
     const auto begins_with = [](const std::string& text, const std::string& begin) {
       return text.compare(0, begin.size(), begin) == 0;
@@ -185,28 +211,41 @@ private:
       fail("has the unknown byte order CPU=" + internal::in_quotes(order) + "; write decm or sun");
     const std::array<std::uint64_t, 3> sizes = is_real ? std::array<std::uint64_t, 3>{32, 64, 64}
                                                        : std::array<std::uint64_t, 3>{8, 16, 32};
+    const bool is_big = order == "sun" || order == "sgi";
     for (const std::uint64_t bits : sizes)
       if (begins_with(size, std::to_string(bits) + " bits"))
-        return bits / 8;
+        return {bits / 8, is_real ? WK_FLOAT : WK_FIXED,
+                begins_with(type, "unsigned") ? SGN_UNSIGNED : SGN_SIGNED,
+                is_big ? END_BIG : END_LITTLE};
     fail("has the unsupported voxel size " + internal::in_quotes(size) + "; write " +
          (is_real ? "32 bits or 64 bits" : "8 bits, 16 bits or 32 bits"));
   }
 
   static constexpr std::uint64_t most_bytes_behind = 1 << 26; // the last voxel
 
-  /// Counts the bytes behind the header.
+  /// Reads bytes. Returns their number, which is less than `most` at the end of the file.
+  std::uint64_t read_bytes(char* data, std::uint64_t most) {
+    static constexpr std::uint64_t part = 1 << 20;
+    std::uint64_t result = 0;
+    for (int n = 1; n > 0 && result < most;
+         result += static_cast<std::uint64_t>((std::max)(n, 0))) {
+      DSC::Progress_scope::check();
+      n = gzread(m_file.get(), data + result,
+                 static_cast<unsigned>((std::min)(most - result, part)));
+      require_readable();
+      if (n < 0)
+        fail("has damaged or truncated compressed data; copy the file again");
+    }
+    return result;
+  }
+
+  /// Counts the bytes until the end of the file.
   std::uint64_t count_bytes(std::uint64_t most) {
     std::vector<char> buffer(1 << 20);
     std::uint64_t result = 0;
-    int n = 0;
-    while ((n = gzread(m_file.get(), buffer.data(), static_cast<unsigned>(buffer.size()))) > 0) {
-      DSC::Progress_scope::check();
-      if ((result += static_cast<std::uint64_t>(n)) > most)
+    while (const std::uint64_t n = read_bytes(buffer.data(), buffer.size()))
+      if ((result += n) > most)
         fail("has more bytes than its header announces; is its header damaged?");
-    }
-    require_readable();
-    if (n < 0)
-      fail("has damaged or truncated compressed data; copy the file again");
     return result;
   }
 
@@ -219,17 +258,7 @@ private:
 } // namespace
 
 CGAL::Image_3 read_inr(const std::string& path, std::size_t most_channels) {
-  Inr_file(path).check(most_channels); // and prints its unused contents
-  CGAL::Image_3 image;
-  if (!image.read(path))
-    throw Input_error("cannot read '" + path + "' as a voxel image; check its format");
-  return image;
-}
-
-DSC::Sampling_grid<3> grid_of(const CGAL::Image_3& image) {
-  return {{image.xdim(), image.ydim(), image.zdim()},
-          {image.vx(), image.vy(), image.vz()},
-          {image.tx(), image.ty(), image.tz()}};
+  return Inr_file(path).read(most_channels);
 }
 
 } // namespace dsc
