@@ -3,7 +3,8 @@
 \cgalConcept
 
 The geometric traits of `CGAL::Deformable_simplicial_complex_2`: points of the plane whose coordinates have the type `double`, and the
-exact orientation of a triangle. Every \cgal kernel with exact predicates whose `FT` is `double` is a model. All measures, such as
+exact orientation of a triangle. Every \cgal kernel with exact predicates whose `FT` is `double` is a model; a kernel of \cgal
+whose predicates round does not compile. All measures, such as
 areas and qualities, are computed with `double` arithmetic.
 
 \cgalRefines{DefaultConstructible,CopyConstructible,Assignable}
