@@ -224,6 +224,20 @@ TEST_F(Readers, tell_why_images_of_voxels_cannot_be_read) {
     expect_cause(rotate, "a.inr", bytes, cause);
 }
 
+TEST_F(Readers, take_images_of_voxels_in_both_byte_orders) {
+  const std::string size = "XDIM=3\nYDIM=1\nZDIM=1\n", // VDIM is 1 unless it is given
+      type = "TYPE=unsigned fixed\nPIXSIZE=16 bits\n";
+  for (const auto& [order, voxels] : std::vector<std::pair<std::string, std::string>>{
+           {"decm", {'\2', '\1', '\7', '\0', '\7', '\0'}},
+           {"sun", {'\1', '\2', '\0', '\7', '\0', '\7'}}}) {
+    write("a.inr", inr(size + type + "CPU=" + order + "\n", 0) + voxels);
+    const Outcome outcome = run("info a.inr");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_PRED2(contains, outcome.out, "label 7: 2 voxels\nlabel 258: 1 voxel");
+  }
+}
+
 TEST_F(Readers, take_points_as_other_programs_write_them) {
   // Points of a box, so that there is a reconstruction; only the messages are tested.
   expect_cause("reconstruct -o b.off", "a.xyz", "5\n0 0 0\n1 0 0\n", "announces 5 points, but 2");
