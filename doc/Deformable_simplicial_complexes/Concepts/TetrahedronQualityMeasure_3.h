@@ -3,7 +3,9 @@
 \cgalConcept
 
 A function object that returns the quality of a tetrahedron. Mesh optimization raises the quality of
-the worst tetrahedra. The function is called often, so its cost dominates mesh optimization.
+the worst tetrahedra. The function is called often, so its cost dominates mesh optimization. Functions that make a complex
+default-construct the measure; to give it a state, construct an empty complex with it, and use
+`CGAL::Deformable_simplicial_complexes::Labeled_complex::assign()`.
 
 A model can have a member `gradient(p, q, r, s)` with the same arguments. It returns the derivative
 of the quality with respect to the position of p, a `Vector_3`. Without this member, the

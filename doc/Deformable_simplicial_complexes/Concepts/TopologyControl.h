@@ -8,7 +8,8 @@ A function object that permits or rejects changes of the topology of the interfa
 `CGAL::Deformable_simplicial_complexes::relabeling_keeps_topology()`. If it throws, the exception reaches the caller, and
 the complex is valid.
 
-The concept is the same in the plane and in space. `Complex` is the type of the complex. The operator can be a template.
+The concept is the same in the plane and in space. `Complex` is the type of the complex. The operator can be a template, and
+can be `const`.
 
 \cgalRefines{CopyConstructible}
 

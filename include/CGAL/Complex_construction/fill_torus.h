@@ -58,7 +58,7 @@ Linear in the number of cells.
 \tparam Complex a complex with the domain `Torus_domain`
 \param domain the torus
 \param edge approximate edge length, positive; there are at least three edges in each direction
-\param label_at `label_at(p)` returns the label at an `Point` in the box of the torus; or
+\param label_at `label_at(p)` returns the label at a `Point` in the box of the torus; or
        `label_at(points)` returns the labels at a vector of such points
 \param np named parameters or `Deformation_options` of `deform_interface()`, for `fit_interface()`
 \throws Error if `edge` is not positive, or is less than a millionth of a period

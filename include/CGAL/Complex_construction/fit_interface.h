@@ -107,7 +107,7 @@ times in space, 50 times in the plane, in each of at most five more.
 \tparam ConcurrencyTag gives the default of `number_of_threads`: 1, or all threads if it is
         `Parallel_tag`
 \param dsc the complex
-\param label_at `label_at(p)` returns the label at an `Point` of the domain; or
+\param label_at `label_at(p)` returns the label at a `Point` of the domain; or
        `label_at(points)` returns the labels at a vector of them
 \param np the named parameters of `deform_interface()`
 \return the report of the last deformation

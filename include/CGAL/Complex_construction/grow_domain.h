@@ -170,7 +170,8 @@ are improved together with the new ones. The vertices of the interface, the norm
 `dsc.mean_interface_edge()` and `dsc.minimum_interface_edge()` are bitwise unchanged. The volumes of
 all labels except 0 are unchanged up to rounding. n log n in the number of cells.
 
-\param dsc the complex. Handles are invalidated; component events not taken yet are lost.
+\param dsc the complex. Handles are invalidated. Component events not taken yet and data of the user
+       in the bases are lost.
 \param factor factor by which the sides of the box are multiplied, larger than 1
 \throws Error if the factor is not finite or not larger than 1, the domain is not a box, or the new
         box is too large for a complex; the complex is then unchanged

@@ -81,10 +81,10 @@ deformation. The functions of this class do nothing. Mark the functions of a der
 `override`, so that misspelled names and wrong arguments do not compile.
 
 The following functions call visitors: `deform_interface()`, `advect_interface()`,
-`restore_volumes()`, `improve_mesh()`, `improve_interface()`, `control_detail()` and
-`remove_degeneracies()`. Only the first three functions relabel cells, change the topology, or work
-in passes. The motion of a deformation calls no function, since vertices and cells carry their data
-along.
+`advect_adaptively()`, `fit_interface()`, `restore_volumes()`, `improve_mesh()`,
+`improve_interface()`, `control_detail()`, `refine_cells()` and `remove_degeneracies()`. Only the
+first five functions relabel cells, change the topology, or work in passes. The motion of a
+deformation calls no function, since vertices and cells carry their data along.
 
 Each change of the mesh is a replacement of cells or the smoothing of a vertex. The functions for
 these two changes receive the geometry before and after the change. The other functions receive the

@@ -172,7 +172,8 @@ public:
   /// in the number of cells.
   State state() const;
 
-  /// Replaces the complex by the complex that `state()` described.
+  /// Replaces the complex by the complex that `state()` described. A state contains no data of the
+  /// user, so the new simplices have none.
   /// \throws Invalid_cells_error if the state does not describe a valid complex; this complex is
   ///         then unchanged
   void restore(const State& state);
