@@ -261,4 +261,10 @@ CGAL::Image_3 read_inr(const std::string& path, std::size_t most_channels) {
   return Inr_file(path).read(most_channels);
 }
 
+DSC::Sampling_grid<3> grid_of(const CGAL::Image_3& image) {
+  return {{image.xdim(), image.ydim(), image.zdim()},
+          {image.vx(), image.vy(), image.vz()},
+          {image.tx(), image.ty(), image.tz()}};
+}
+
 } // namespace dsc
