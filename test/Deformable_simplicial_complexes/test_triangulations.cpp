@@ -60,8 +60,9 @@ TEST(Triangulations, release_numbers_the_patches) {
   std::map<int, std::size_t> dimensions;
   for (auto v : triangulation.finite_vertex_handles()) {
     ++dimensions[v->in_dimension()];
-    if (v->in_dimension() == 3)
+    if (v->in_dimension() == 3) {
       EXPECT_EQ(v->index(), v->cell()->subdomain_index());
+    }
   }
   EXPECT_EQ(dimensions[1] + dimensions[2], before.interface_vertices().size());
   EXPECT_GT(dimensions[1], 0u);
