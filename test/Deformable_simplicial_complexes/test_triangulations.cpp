@@ -10,6 +10,7 @@
 
 #include <limits>
 #include <map>
+#include <set>
 #include <sstream>
 #include <string>
 
@@ -104,6 +105,11 @@ TEST(Triangulations, remeshing_by_cgal_between_steps) {
   Triangulation triangulation = dsc.release();
   CGAL::tetrahedral_isotropic_remeshing(triangulation, .3);
   EXPECT_TRUE(triangulation.is_valid());
+  // Containers of CGAL compare handles by time stamps.
+  std::set<std::size_t> stamps;
+  for (auto c : triangulation.all_cell_handles())
+    stamps.insert(c->time_stamp());
+  EXPECT_EQ(stamps.size(), triangulation.number_of_cells());
   dsc.assign(std::move(triangulation));
   EXPECT_TRUE(dsc.is_valid(true));
   EXPECT_EQ(dsc.euler_characteristic(1), 2);

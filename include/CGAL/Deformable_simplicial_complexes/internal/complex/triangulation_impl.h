@@ -196,9 +196,19 @@ void CGAL_DSC_CLASS::leave_simplices() {
   std::sort(patches.begin(), patches.end());
   patches.erase(std::unique(patches.begin(), patches.end()), patches.end());
 
+  // The containers of CGAL count fewer creations than a complex does, and would give the same time
+  // stamps again.
+  const std::vector<Vertex_handle> vertices = this->vertices();
+  const std::vector<Cell_handle> cells = all_cells();
+  m_triangulation.infinite_vertex()->set_time_stamp(0);
+  for (size_type i = 0; i < vertices.size(); ++i)
+    vertices[i]->set_time_stamp(i + 1);
+  for (size_type i = 0; i < cells.size(); ++i)
+    cells[i]->set_time_stamp(i);
+
   for (Vertex_handle v : m_triangulation.all_vertex_handles())
     internal::Simplex_access::leave(*v);
-  for (Cell_handle c : Space::all_cells(m_triangulation)) {
+  for (Cell_handle c : cells) {
     std::array<int, 4> numbers = {0, 0, 0, 0};
     for (int i = 0; i < corners; ++i)
       if (const Patch patch = patch_of(c, i); patch.first != patch.second)
