@@ -50,7 +50,7 @@ TopologyControl: bool operator()
 the value of a named parameter has the type of the member
 a sizing field is a function of points
 the function of labels: int operator()
-DeformableSimplicialComplexTraits_2: predicates are exact'
+DeformableSimplicialComplexTraits_2: FT is double, predicates are exact'
 if messages=$("$@" "-I$extension" -fsyntax-only -x c++ - <<<"$source" 2>&1); then
   echo "wrong parameters compile"
   exit 1

@@ -39,11 +39,8 @@ public:
   using Cell_handle = typename Triangulation::Face_handle;
   using Point = typename Traits::Point_2;
   using Vector = typename Traits::Vector_2;
-  static_assert(std::is_same_v<typename Traits::FT, double>,
-                "DeformableSimplicialComplexTraits_2: FT is double, as in "
-                "Exact_predicates_inexact_constructions_kernel");
-  static_assert(!rounds_predicates<Traits>,
-                "DeformableSimplicialComplexTraits_2: predicates are exact, as in "
+  static_assert(std::is_same_v<typename Traits::FT, double> && !rounds_predicates<Traits>,
+                "DeformableSimplicialComplexTraits_2: FT is double, predicates are exact, as in "
                 "Exact_predicates_inexact_constructions_kernel");
   static_assert(std::is_base_of_v<Vertex_data, typename Triangulation_data_structure::Vertex> &&
                     std::is_base_of_v<Cell_data, typename Triangulation_data_structure::Face>,
