@@ -1,5 +1,5 @@
-// Two balls grow until one touches the other. The complex has types of the user: a kernel, data in the
-// vertices, a measure of quality, and a control of the topology.
+// Two balls grow until one touches the other. The complex has types of the user: a kernel, data in
+// the vertices, a measure of quality, and a control of the topology.
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complex_3.h>
@@ -29,8 +29,8 @@ using Vertex_base = CGAL::Deformable_simplicial_complex_vertex_base_3<
 using Cell_base = CGAL::Deformable_simplicial_complex_cell_base_3<Kernel>;
 using Tds = CGAL::Triangulation_data_structure_3<Vertex_base, Cell_base>;
 
-// The quality of a cell: a power of the volume by the sum of the squared edge lengths, 1 if the cell is
-// regular. A model of TetrahedronQualityMeasure_3.
+// The quality of a cell: a power of the volume by the sum of the squared edge lengths, 1 if the
+// cell is regular. A model of TetrahedronQualityMeasure_3.
 struct Mean_ratio
 {
   double operator()(const Point& p, const Point& q, const Point& r, const Point& s) const {

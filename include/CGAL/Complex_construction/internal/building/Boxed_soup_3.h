@@ -206,6 +206,9 @@ inline constexpr bool is_tetrahedralizer =
 // invalid index.
 template <class Tetrahedralizer>
 Tetrahedralization_3 fill_box(const Boxed_soup_3& boxed, const Tetrahedralizer& tetrahedralizer) {
+  static_assert(
+      is_tetrahedralizer<Tetrahedralizer>,
+      "ConstrainedTetrahedralizer_3: Tetrahedralization_3 operator()(points, triangles) const");
   const Progress_phase phase("filling the box with tetrahedra");
   Triangle_soup_3 all = boxed.soup;
   append(all, box_surface(boxed.box, boxed.subdivision));

@@ -40,6 +40,9 @@ inline constexpr bool labels_points =
 template <class Complex, class LabelAt>
 std::vector<typename Complex::Label> labels_at(const Complex& complex, const LabelAt& label_at,
                                                std::vector<typename Complex::Point> points) {
+  static_assert(labels_points<Complex, LabelAt>,
+                "the function of labels: int operator()(Point) const, or a function of a vector of "
+                "points");
   for (auto& p : points)
     p = complex.domain().canonical(p);
   std::vector<typename Complex::Label> result;

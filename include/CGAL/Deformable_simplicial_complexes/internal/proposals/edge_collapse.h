@@ -8,10 +8,10 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PROPOSALS_EDGE_COLLAPSE_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PROPOSALS_EDGE_COLLAPSE_H
 
-#include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Linear_element.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Marks.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/traversal/Linear_element.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/cell_corners.h>
 
 #include <cmath>

@@ -8,10 +8,10 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PROPOSALS_NEIGHBOR_EXCHANGE_2_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PROPOSALS_NEIGHBOR_EXCHANGE_2_H
 
-#include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
 
 namespace CGAL::Deformable_simplicial_complexes {
 namespace internal {

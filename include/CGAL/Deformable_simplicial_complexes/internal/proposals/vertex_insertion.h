@@ -8,8 +8,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PROPOSALS_VERTEX_INSERTION_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_PROPOSALS_VERTEX_INSERTION_H
 
-#include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
+#include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/Star_optimizer.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/cell_corners.h>
 
