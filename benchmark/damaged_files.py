@@ -20,7 +20,6 @@ import os
 import pathlib
 import random
 import re
-import resource
 import shutil
 import signal
 import struct
@@ -371,13 +370,9 @@ def measure(command, folder, is_repeated=False):
 
     A run that got hardly any processor time until it was stopped is repeated once.
     """
-
-    def begin():
-        resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-        resource.setrlimit(resource.RLIMIT_CPU, (LIMIT, LIMIT))
-
+    limits = ["prlimit", f"--as={MEMORY}", f"--cpu={LIMIT}", "--"]  # faster than a function in a copy of this process
     with open(folder / "out", "wb") as out, open(folder / "err", "wb") as err:
-        child = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=out, stderr=err, cwd=folder, start_new_session=True, preexec_fn=begin)
+        child = subprocess.Popen(limits + command, stdin=subprocess.DEVNULL, stdout=out, stderr=err, cwd=folder, start_new_session=True)
         begun = time.monotonic()
         is_hanging = threading.Timer(LIMIT * 2, lambda: os.killpg(child.pid, signal.SIGKILL))
         is_hanging.start()

@@ -96,13 +96,13 @@ public:
   /// \throws Usage_error, Input_error
   void check_places();
 
-  /// Builds or reads the complex, and writes the initial state.
+  /// Builds or reads the complex.
   void begin();
 
-  /// Does the steps until the end or an interrupt.
+  /// Writes the initial state, does the steps until the end or an interrupt, and writes the result.
   void do_steps();
 
-  /// Writes and prints the result. Returns the exit code.
+  /// Prints the result; after an interrupt, writes it. Returns the exit code.
   int finish();
 
 private:
@@ -122,6 +122,7 @@ private:
   Json m_steps = Json::array();
   Repetitions m_repetitions;
   std::vector<std::string> m_vanished; // labels
+  std::string m_range;                 // of the colors of the picture
   unsigned m_first = 0, m_done = 0;    // numbers of steps
 };
 
@@ -163,7 +164,6 @@ template <int dimension> void Reported_run<dimension>::begin() {
     m_folder->keep_until(fluid.time());
   m_first = unsigned(fluid.state().steps);
   m_steps.push_back(step_json<Complex>(fluid, m_run.scene, m_first, std::nullopt));
-  write_files();
 }
 
 template <int dimension> void Reported_run<dimension>::write_files() {
@@ -234,6 +234,7 @@ template <int dimension> void Reported_run<dimension>::do_steps() {
   const Fluid<Complex>& fluid = *m_run.fluid;
   const double start_time = fluid.time();
   try {
+    write_files();
     const Interruptible scope(true);
     while (!is_over()) {
       advance();
@@ -242,33 +243,36 @@ template <int dimension> void Reported_run<dimension>::do_steps() {
         write_files();
     }
     progress.clear();
-    if (!interrupted())
+    if (!interrupted()) {
       write_files();
+      write_report();
+      if (!m_options.picture.path.empty())
+        m_range = draw_fluid<dimension>(m_options.picture, *m_run.complex, *m_run.fluid);
+      if (m_folder)
+        m_folder->require(*m_run.complex);
+    }
   } catch (const DSC::Interrupted_error&) {
     progress.clear();
   } catch (const std::exception& error) {
     progress.clear();
     all_processes_fail(); // they wait while the first one writes
     throw std::runtime_error(message_after_saving(
-        error, step(), [&] { return save("dsc_failed"); }, [&] { write_report(); }));
+        error, step(), [&] { return m_folder || m_done > 0 ? save("dsc_failed") : std::string(); },
+        [&] { write_report(); }));
   }
 }
 
 template <int dimension> int Reported_run<dimension>::finish() {
-  if (interrupted())
+  if (interrupted()) {
     std::cerr << "dsc: interrupted after step " << step() << "; continue with dsc fluid --resume "
               << save("dsc_interrupted") << '\n';
-  write_report();
-  std::string range; // of the colors
-  if (!interrupted() && !m_options.picture.path.empty())
-    range = draw_fluid<dimension>(m_options.picture, *m_run.complex, *m_run.fluid);
-  if (m_folder)
-    m_folder->require(*m_run.complex);
+    write_report();
+  }
   if (!m_options.quiet && !m_vanished.empty())
     std::printf("dsc: %s %s vanished\n", noun(m_vanished.size(), "label", "labels"),
                 listed(m_vanished).c_str());
   if (!m_options.quiet)
-    print_summary(m_run, m_done, m_repetitions, range, seconds_since(m_begin));
+    print_summary(m_run, m_done, m_repetitions, m_range, seconds_since(m_begin));
   return interrupted() ? exit_code_of_interrupt : 0;
 }
 

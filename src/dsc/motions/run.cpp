@@ -222,13 +222,13 @@ public:
   /// \throws Usage_error, Input_error
   void check_places();
 
-  /// Builds or reads the complex, and writes the initial state.
+  /// Builds or reads the complex.
   void start();
 
-  /// Does the steps until the end or an interrupt.
+  /// Writes the initial state, does the steps until the end or an interrupt, and writes the result.
   void do_steps();
 
-  /// Writes and prints the result. Returns the exit code.
+  /// Prints the result; after an interrupt, writes it. Returns the exit code.
   int finish();
 
 private:
@@ -310,7 +310,6 @@ void Run::start() {
                      m_complex->label_names);
     m_report->add(m_position, Step_outcome(), m_complex->statistics());
   }
-  write_files(true);
 }
 
 // The most precious files come first, because the disk may be full.
@@ -350,6 +349,7 @@ void Run::do_steps() {
   Progress_line progress(m_options.steps, m_options.output.quiet);
   progress.show(m_done);
   try {
+    write_files(true);
     const Interruptible steps(true);
     agree_on_interrupts();
     while (m_done < m_options.steps && !interrupted()) {
@@ -358,8 +358,14 @@ void Run::do_steps() {
       agree_on_interrupts();
     }
     progress.clear();
-    if (!interrupted())
+    if (!interrupted()) {
       write_files(true);
+      write_report();
+      if (!m_options.output.picture.empty())
+        m_complex->write(m_options.output.picture);
+      if (m_folder)
+        m_folder->require(*m_complex);
+    }
   } catch (const DSC::Interrupted_error&) {
     m_complex->go_back();
     progress.clear();
@@ -390,15 +396,12 @@ void Run::write_report() {
 
 int Run::finish() {
   const bool stopped = interrupted();
-  if (stopped)
+  if (stopped) {
     print_interruption(m_position,
                        save_run(m_folder, "dsc_interrupted", *m_complex, m_position, metadata()),
                        m_options.steps - m_done);
-  write_report();
-  if (!stopped && !m_options.output.picture.empty())
-    m_complex->write(m_options.output.picture);
-  if (m_folder)
-    m_folder->require(*m_complex);
+    write_report();
+  }
   if (!m_options.output.quiet) {
     print_divided(m_divided_steps);
     print_boundary(m_stopped_at_boundary);

@@ -136,7 +136,8 @@ std::string message_after_saving(const std::exception& error, unsigned step,
       message += "; the state after step " + std::to_string(step) + " is in " + checkpoint;
     write_report();
   } catch (const std::exception& second) {
-    message += "; " + error_message(second);
+    if (const std::string text = error_message(second); message.find(text) == std::string::npos)
+      message += "; " + text;
   }
   return message;
 }
