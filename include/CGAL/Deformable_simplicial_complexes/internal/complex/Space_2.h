@@ -11,6 +11,7 @@
 #include <CGAL/Deformable_simplicial_complexes/simplex_bases.h>
 
 #include <CGAL/Default.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Hilbert_policy_tags.h>
 #include <CGAL/Hilbert_sort_2.h>
 #include <CGAL/Spatial_sort_traits_adapter_2.h>
@@ -31,21 +32,12 @@ public:
   static constexpr int dimension = 2;
 
   using Geom_traits = Traits;
-  using Triangulation_data_structure = typename Default::Get<
-      Tds, Triangulation_data_structure_2<Deformable_simplicial_complex_vertex_base_2<Traits>,
-                                          Deformable_simplicial_complex_face_base_2<Traits>>>::type;
-  using Triangulation = Triangulation_2<Traits, Triangulation_data_structure>;
+  using Triangulation_data_structure = Tds;
+  using Triangulation = Triangulation_2<Traits, Tds>;
   using Vertex_handle = typename Triangulation::Vertex_handle;
   using Cell_handle = typename Triangulation::Face_handle;
   using Point = typename Traits::Point_2;
   using Vector = typename Traits::Vector_2;
-  static_assert(std::is_same_v<typename Traits::FT, double> && !rounds_predicates<Traits>,
-                "DeformableSimplicialComplexTraits_2: FT is double, predicates are exact, as in "
-                "Exact_predicates_inexact_constructions_kernel");
-  static_assert(std::is_base_of_v<Vertex_data, typename Triangulation_data_structure::Vertex> &&
-                    std::is_base_of_v<Cell_data, typename Triangulation_data_structure::Face>,
-                "the bases are Deformable_simplicial_complex_vertex_base_2<Traits, Vb> and "
-                "Deformable_simplicial_complex_face_base_2<Traits, Fb>, over any Vb and Fb");
   template <class Kernel, class Map>
   using Hilbert_sorter =
       Hilbert_sort_2<Spatial_sort_traits_adapter_2<Kernel, Map>, Hilbert_sort_median_policy>;
@@ -126,6 +118,42 @@ public:
   // Returns whether a closed, connected 1-manifold with these numbers of vertices and facets is a
   // circle, which is always true.
   static bool is_sphere(std::size_t vertices, std::size_t facets) { return vertices == facets; }
+};
+
+template <class Traits> constexpr bool is_kernel_2() {
+  static_assert(is_kernel<Traits>,
+                "DeformableSimplicialComplexTraits_2: FT is double, predicates are exact, as in "
+                "Exact_predicates_inexact_constructions_kernel");
+  return is_kernel<Traits>;
+}
+template <class Tds, class Point> constexpr bool has_bases_2() {
+  static_assert(has_bases<Tds, Point>,
+                "the bases are Deformable_simplicial_complex_vertex_base_2<Traits, Vb> and "
+                "Deformable_simplicial_complex_face_base_2<Traits, Fb>, over any Vb and Fb");
+  return has_bases<Tds, Point>;
+}
+template <class Traits>
+using Default_data_structure_2 =
+    Triangulation_data_structure_2<Deformable_simplicial_complex_vertex_base_2<Traits>,
+                                   Deformable_simplicial_complex_face_base_2<Traits>>;
+
+// The space of the arguments of a complex. Wrong arguments are replaced by defaults, so that no
+// other messages follow.
+template <class Traits, class Tds, bool = is_kernel_2<Traits>(),
+          bool = std::is_same_v<Tds, Default>>
+struct Space_of_2
+{
+  using type = Space_2<Exact_predicates_inexact_constructions_kernel,
+                       Default_data_structure_2<Exact_predicates_inexact_constructions_kernel>>;
+};
+template <class Traits, class Tds> struct Space_of_2<Traits, Tds, true, true>
+{
+  using type = Space_2<Traits, Default_data_structure_2<Traits>>;
+};
+template <class Traits, class Tds> struct Space_of_2<Traits, Tds, true, false>
+{
+  using type = Space_2<Traits, std::conditional_t<has_bases_2<Tds, typename Traits::Point_2>(), Tds,
+                                                  Default_data_structure_2<Traits>>>;
 };
 
 } // namespace CGAL::Deformable_simplicial_complexes::internal

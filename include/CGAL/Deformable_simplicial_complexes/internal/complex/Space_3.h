@@ -13,6 +13,7 @@
 #include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <CGAL/Default.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Hilbert_policy_tags.h>
 #include <CGAL/Hilbert_sort_3.h>
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
@@ -32,21 +33,12 @@ public:
   static constexpr int dimension = 3;
 
   using Geom_traits = Traits;
-  using Triangulation_data_structure = typename Default::Get<
-      Tds, Triangulation_data_structure_3<Deformable_simplicial_complex_vertex_base_3<Traits>,
-                                          Deformable_simplicial_complex_cell_base_3<Traits>>>::type;
-  using Triangulation = Triangulation_3<Traits, Triangulation_data_structure>;
+  using Triangulation_data_structure = Tds;
+  using Triangulation = Triangulation_3<Traits, Tds>;
   using Vertex_handle = typename Triangulation::Vertex_handle;
   using Cell_handle = typename Triangulation::Cell_handle;
   using Point = typename Traits::Point_3;
   using Vector = typename Traits::Vector_3;
-  static_assert(std::is_same_v<typename Traits::FT, double> && !rounds_predicates<Traits>,
-                "DeformableSimplicialComplexTraits_3: FT is double, predicates are exact, as in "
-                "Exact_predicates_inexact_constructions_kernel");
-  static_assert(std::is_base_of_v<Vertex_data, typename Triangulation_data_structure::Vertex> &&
-                    std::is_base_of_v<Cell_data, typename Triangulation_data_structure::Cell>,
-                "the bases are Deformable_simplicial_complex_vertex_base_3<Traits, Vb> and "
-                "Deformable_simplicial_complex_cell_base_3<Traits, Cb>, over any Vb and Cb");
   template <class Kernel, class Map>
   using Hilbert_sorter =
       Hilbert_sort_3<Spatial_sort_traits_adapter_3<Kernel, Map>, Hilbert_sort_median_policy>;
@@ -156,6 +148,42 @@ public:
   static bool is_sphere(std::size_t vertices, std::size_t facets) {
     return 2 * vertices == facets + 4;
   }
+};
+
+template <class Traits> constexpr bool is_kernel_3() {
+  static_assert(is_kernel<Traits>,
+                "DeformableSimplicialComplexTraits_3: FT is double, predicates are exact, as in "
+                "Exact_predicates_inexact_constructions_kernel");
+  return is_kernel<Traits>;
+}
+template <class Tds, class Point> constexpr bool has_bases_3() {
+  static_assert(has_bases<Tds, Point>,
+                "the bases are Deformable_simplicial_complex_vertex_base_3<Traits, Vb> and "
+                "Deformable_simplicial_complex_cell_base_3<Traits, Cb>, over any Vb and Cb");
+  return has_bases<Tds, Point>;
+}
+template <class Traits>
+using Default_data_structure_3 =
+    Triangulation_data_structure_3<Deformable_simplicial_complex_vertex_base_3<Traits>,
+                                   Deformable_simplicial_complex_cell_base_3<Traits>>;
+
+// The space of the arguments of a complex. Wrong arguments are replaced by defaults, so that no
+// other messages follow.
+template <class Traits, class Tds, bool = is_kernel_3<Traits>(),
+          bool = std::is_same_v<Tds, Default>>
+struct Space_of_3
+{
+  using type = Space_3<Exact_predicates_inexact_constructions_kernel,
+                       Default_data_structure_3<Exact_predicates_inexact_constructions_kernel>>;
+};
+template <class Traits, class Tds> struct Space_of_3<Traits, Tds, true, true>
+{
+  using type = Space_3<Traits, Default_data_structure_3<Traits>>;
+};
+template <class Traits, class Tds> struct Space_of_3<Traits, Tds, true, false>
+{
+  using type = Space_3<Traits, std::conditional_t<has_bases_3<Tds, typename Traits::Point_3>(), Tds,
+                                                  Default_data_structure_3<Traits>>>;
 };
 
 } // namespace CGAL::Deformable_simplicial_complexes::internal
