@@ -60,8 +60,8 @@ TopologyControl: bool operator()
 the value of a named parameter has the type of the member
 a sizing field is a function of points
 the function of labels: int operator()
-DeformableSimplicialComplexTraits_2: FT is double, predicates are exact
-the bases are Deformable_simplicial_complex_vertex_base_2<Traits, Vb>
+DeformableSimplicialComplexTraits_2 or 3: FT is double, predicates are exact
+the bases are Deformable_simplicial_complex_vertex_base_3<Traits, Vb>
 SimplicialDomain: Ball_domain, Solid_domain or Torus_domain'
 if messages=$("$@" "-I$extension" -fsyntax-only -x c++ - <<<"$source" 2>&1); then
   echo "wrong parameters compile"

@@ -12,6 +12,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Labeled_complex.h>
 #include <CGAL/Deformable_simplicial_complexes/domains.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/arguments/complex_arguments.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Space_2.h>
 #include <CGAL/Deformable_simplicial_complexes/quality_measures.h>
 
@@ -40,13 +41,13 @@ template <class Traits_ = Exact_predicates_inexact_constructions_kernel, class T
 class Deformable_simplicial_complex_2
     : public Deformable_simplicial_complexes::Labeled_complex<
           Deformable_simplicial_complex_2<Traits_, Tds_, Domain_>,
-          typename Deformable_simplicial_complexes::internal::Space_of_2<Traits_, Tds_>::type,
+          Deformable_simplicial_complexes::internal::Space_of_2<Traits_, Tds_>,
           Deformable_simplicial_complexes::Area_length_ratio_2,
           Deformable_simplicial_complexes::internal::Domain_of<Domain_>>
 {
   using Base = Deformable_simplicial_complexes::Labeled_complex<
       Deformable_simplicial_complex_2,
-      typename Deformable_simplicial_complexes::internal::Space_of_2<Traits_, Tds_>::type,
+      Deformable_simplicial_complexes::internal::Space_of_2<Traits_, Tds_>,
       Deformable_simplicial_complexes::Area_length_ratio_2,
       Deformable_simplicial_complexes::internal::Domain_of<Domain_>>;
 

@@ -12,6 +12,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Labeled_complex.h>
 #include <CGAL/Deformable_simplicial_complexes/domains.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/arguments/complex_arguments.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Space_3.h>
 #include <CGAL/Deformable_simplicial_complexes/quality_measures.h>
 
@@ -41,13 +42,13 @@ template <class Traits_ = Exact_predicates_inexact_constructions_kernel, class T
 class Deformable_simplicial_complex_3
     : public Deformable_simplicial_complexes::Labeled_complex<
           Deformable_simplicial_complex_3<Traits_, Tds_, QualityMeasure_, Domain_>,
-          typename Deformable_simplicial_complexes::internal::Space_of_3<Traits_, Tds_>::type,
-          QualityMeasure_, Deformable_simplicial_complexes::internal::Domain_of<Domain_>>
+          Deformable_simplicial_complexes::internal::Space_of_3<Traits_, Tds_>, QualityMeasure_,
+          Deformable_simplicial_complexes::internal::Domain_of<Domain_>>
 {
   using Base = Deformable_simplicial_complexes::Labeled_complex<
       Deformable_simplicial_complex_3,
-      typename Deformable_simplicial_complexes::internal::Space_of_3<Traits_, Tds_>::type,
-      QualityMeasure_, Deformable_simplicial_complexes::internal::Domain_of<Domain_>>;
+      Deformable_simplicial_complexes::internal::Space_of_3<Traits_, Tds_>, QualityMeasure_,
+      Deformable_simplicial_complexes::internal::Domain_of<Domain_>>;
 
   static_assert(
       std::is_invocable_r_v<double, const QualityMeasure_&, typename Base::Point,

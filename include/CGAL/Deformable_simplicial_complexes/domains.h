@@ -424,21 +424,6 @@ Orientation Torus_domain<d>::orientation(const Complex& complex, const Corner& c
   return internal::apply_to_corners<d + 1>(complex.orientation(), [&](int i) { return points[i]; });
 }
 
-namespace internal {
-
-// The domain of the arguments of a complex. A wrong argument is replaced, so that no other messages
-// follow.
-template <class Domain, class = void> inline constexpr bool is_domain = false;
-template <class Domain>
-inline constexpr bool is_domain<Domain, std::void_t<decltype(Domain::has_outside)>> = true;
-template <class Domain> constexpr bool require_domain() {
-  static_assert(is_domain<Domain>, "SimplicialDomain: Ball_domain, Solid_domain or Torus_domain");
-  return is_domain<Domain>;
-}
-template <class Domain>
-using Domain_of = std::conditional_t<require_domain<Domain>(), Domain, Ball_domain>;
-
-} // namespace internal
 } // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DOMAINS_H

@@ -19,25 +19,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 
 namespace CGAL::Deformable_simplicial_complexes {
 
 namespace internal {
 struct Simplex_access;
-
-// Whether the predicates of a kernel are rounded, as kernels of CGAL tell.
-template <class Kernel, class = void> inline constexpr bool rounds_predicates = false;
-template <class Kernel>
-inline constexpr bool
-    rounds_predicates<Kernel, std::void_t<typename Kernel::Has_filtered_predicates_tag>> =
-        !Kernel::Has_filtered_predicates_tag::value;
-
-// Whether a type is a kernel of numbers of type double with exact predicates.
-template <class Kernel, class = void> inline constexpr bool is_kernel = false;
-template <class Kernel>
-inline constexpr bool is_kernel<Kernel, std::void_t<typename Kernel::FT>> =
-    std::is_same_v<typename Kernel::FT, double> && !rounds_predicates<Kernel>;
 } // namespace internal
 
 /*!
@@ -245,14 +231,6 @@ struct Simplex_access
     c->m_cache.noted_quality = quality;
   }
 };
-
-// Whether a type is a triangulation data structure with such simplices and points of a type.
-template <class Tds, class Point, class = void> inline constexpr bool has_bases = false;
-template <class Tds, class Point>
-inline constexpr bool has_bases<Tds, Point, std::void_t<typename Tds::Vertex::Point>> =
-    std::is_same_v<typename Tds::Vertex::Point, Point>&&
-        std::is_base_of_v<Vertex_data, typename Tds::Vertex>&& std::is_base_of_v<
-            Cell_data, std::decay_t<decltype(*std::declval<const typename Tds::Vertex&>().cell())>>;
 
 } // namespace internal
 } // namespace CGAL::Deformable_simplicial_complexes

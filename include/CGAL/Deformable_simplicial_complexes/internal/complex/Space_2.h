@@ -8,7 +8,7 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_SPACE_2_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_SPACE_2_H
 
-#include <CGAL/Deformable_simplicial_complexes/simplex_bases.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/arguments/complex_arguments.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -120,41 +120,18 @@ public:
   static bool is_sphere(std::size_t vertices, std::size_t facets) { return vertices == facets; }
 };
 
-template <class Traits> constexpr bool is_kernel_2() {
-  static_assert(is_kernel<Traits>,
-                "DeformableSimplicialComplexTraits_2: FT is double, predicates are exact, as in "
-                "Exact_predicates_inexact_constructions_kernel");
-  return is_kernel<Traits>;
-}
-template <class Tds, class Point> constexpr bool has_bases_2() {
-  static_assert(has_bases<Tds, Point>,
-                "the bases are Deformable_simplicial_complex_vertex_base_2<Traits, Vb> and "
-                "Deformable_simplicial_complex_face_base_2<Traits, Fb>, over any Vb and Fb");
-  return has_bases<Tds, Point>;
-}
-template <class Traits>
-using Default_data_structure_2 =
-    Triangulation_data_structure_2<Deformable_simplicial_complex_vertex_base_2<Traits>,
-                                   Deformable_simplicial_complex_face_base_2<Traits>>;
-
-// The space of the arguments of a complex. Wrong arguments are replaced by defaults, so that no
-// other messages follow.
-template <class Traits, class Tds, bool = is_kernel_2<Traits>(),
-          bool = std::is_same_v<Tds, Default>>
-struct Space_of_2
-{
-  using type = Space_2<Exact_predicates_inexact_constructions_kernel,
-                       Default_data_structure_2<Exact_predicates_inexact_constructions_kernel>>;
-};
-template <class Traits, class Tds> struct Space_of_2<Traits, Tds, true, true>
-{
-  using type = Space_2<Traits, Default_data_structure_2<Traits>>;
-};
-template <class Traits, class Tds> struct Space_of_2<Traits, Tds, true, false>
-{
-  using type = Space_2<Traits, std::conditional_t<has_bases_2<Tds, typename Traits::Point_2>(), Tds,
-                                                  Default_data_structure_2<Traits>>>;
-};
+// The space of the arguments of a complex.
+template <class Traits, class Tds,
+          class Kernel = std::conditional_t<require_kernel<Traits>(), Traits,
+                                            Exact_predicates_inexact_constructions_kernel>,
+          class Default_tds =
+              Triangulation_data_structure_2<Deformable_simplicial_complex_vertex_base_2<Kernel>,
+                                             Deformable_simplicial_complex_face_base_2<Kernel>>,
+          class Given_tds = typename Default::Get<
+              std::conditional_t<is_kernel<Traits>, Tds, Default>, Default_tds>::type>
+using Space_of_2 =
+    Space_2<Kernel, std::conditional_t<require_bases<Given_tds, typename Kernel::Point_2>(),
+                                       Given_tds, Default_tds>>;
 
 } // namespace CGAL::Deformable_simplicial_complexes::internal
 

@@ -8,8 +8,8 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_SPACE_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_SPACE_3_H
 
+#include <CGAL/Deformable_simplicial_complexes/internal/arguments/complex_arguments.h>
 #include <CGAL/Deformable_simplicial_complexes/quality_measures.h>
-#include <CGAL/Deformable_simplicial_complexes/simplex_bases.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <CGAL/Default.h>
@@ -150,41 +150,18 @@ public:
   }
 };
 
-template <class Traits> constexpr bool is_kernel_3() {
-  static_assert(is_kernel<Traits>,
-                "DeformableSimplicialComplexTraits_3: FT is double, predicates are exact, as in "
-                "Exact_predicates_inexact_constructions_kernel");
-  return is_kernel<Traits>;
-}
-template <class Tds, class Point> constexpr bool has_bases_3() {
-  static_assert(has_bases<Tds, Point>,
-                "the bases are Deformable_simplicial_complex_vertex_base_3<Traits, Vb> and "
-                "Deformable_simplicial_complex_cell_base_3<Traits, Cb>, over any Vb and Cb");
-  return has_bases<Tds, Point>;
-}
-template <class Traits>
-using Default_data_structure_3 =
-    Triangulation_data_structure_3<Deformable_simplicial_complex_vertex_base_3<Traits>,
-                                   Deformable_simplicial_complex_cell_base_3<Traits>>;
-
-// The space of the arguments of a complex. Wrong arguments are replaced by defaults, so that no
-// other messages follow.
-template <class Traits, class Tds, bool = is_kernel_3<Traits>(),
-          bool = std::is_same_v<Tds, Default>>
-struct Space_of_3
-{
-  using type = Space_3<Exact_predicates_inexact_constructions_kernel,
-                       Default_data_structure_3<Exact_predicates_inexact_constructions_kernel>>;
-};
-template <class Traits, class Tds> struct Space_of_3<Traits, Tds, true, true>
-{
-  using type = Space_3<Traits, Default_data_structure_3<Traits>>;
-};
-template <class Traits, class Tds> struct Space_of_3<Traits, Tds, true, false>
-{
-  using type = Space_3<Traits, std::conditional_t<has_bases_3<Tds, typename Traits::Point_3>(), Tds,
-                                                  Default_data_structure_3<Traits>>>;
-};
+// The space of the arguments of a complex.
+template <class Traits, class Tds,
+          class Kernel = std::conditional_t<require_kernel<Traits>(), Traits,
+                                            Exact_predicates_inexact_constructions_kernel>,
+          class Default_tds =
+              Triangulation_data_structure_3<Deformable_simplicial_complex_vertex_base_3<Kernel>,
+                                             Deformable_simplicial_complex_cell_base_3<Kernel>>,
+          class Given_tds = typename Default::Get<
+              std::conditional_t<is_kernel<Traits>, Tds, Default>, Default_tds>::type>
+using Space_of_3 =
+    Space_3<Kernel, std::conditional_t<require_bases<Given_tds, typename Kernel::Point_3>(),
+                                       Given_tds, Default_tds>>;
 
 } // namespace CGAL::Deformable_simplicial_complexes::internal
 
