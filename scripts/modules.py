@@ -64,6 +64,7 @@ MODULES = {
         "threads": "tables of a thread, checks of progress, times, sorting that can be stopped",
     },
     KERNEL: {
+        "arguments": "checks of the template arguments of a complex",
         "bookkeeping": "numbers of items and vertices, measures of labels, failed operations, marks of a thread",
         "components": "connected components of labels",
         "complex": "storage, numbering, exact changes",
@@ -142,7 +143,7 @@ SEAM = {
         destinations/Destinations destinations/Interface_tolerance bookkeeping/Failure_memory bookkeeping/Label_totals
         bookkeeping/Vertex_numbers traversal/Linear_element traversal/star_union
         complex/apply_to_corners complex/assemble_triangulation
-        complex/hilbert_order complex/sort_by_time_stamp improvement/Mesh_improver
+        complex/hilbert_order bookkeeping/sort_by_time_stamp improvement/Mesh_improver
         improvement/Mesh_operations interface/Changed_facets
         interface/Interface_fan motion/Harmonic_extension operations/triangle_quality parts/assign_part
         topology/Manifold_relabeling
@@ -163,7 +164,7 @@ SEAM = {
 # The parts of the kernel in order, with their modules and public headers
 PARTS = ("complex", "operations", "deformation")
 PART_OF_MODULE = {
-    "bookkeeping": "complex", "components": "complex", "complex": "complex", "parts": "complex", "traversal": "complex",
+    "arguments": "complex", "bookkeeping": "complex", "components": "complex", "complex": "complex", "parts": "complex", "traversal": "complex",
     "interface": "operations", "operations": "operations", "destinations": "operations", "proposals": "operations", "improvement": "operations",
     "motion": "deformation", "topology": "deformation", "deformation": "deformation",
 }

@@ -8,6 +8,7 @@ set -euo pipefail
 extension=$(dirname "$0")/../src/named_parameters
 source=$(cat <<'EOF'
 #include <CGAL/Deformable_simplicial_complexes/compiled_2.h>
+#include <CGAL/Cartesian.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <string>
@@ -36,7 +37,16 @@ void no_models(Complex& complex) {
   DSC::make_deformable_simplicial_complex_2<Complex>(CGAL::Bbox_2(0, 0, 1, 1), .1,
                                                      [](Complex::Point_2) { return std::string(); });
 }
-constexpr auto size = sizeof(CGAL::Deformable_simplicial_complex_2<CGAL::Simple_cartesian<double>>);
+// No other errors follow from a wrong argument of a complex.
+template <class... Arguments> void wrong_argument(CGAL::Deformable_simplicial_complex_2<Arguments...> complex) {
+  DSC::deform_interface(complex, [&](typename decltype(complex)::Vertex_handle v) { return complex.position(v); });
+}
+using Kernel = Complex::Geom_traits;
+template void wrong_argument(CGAL::Deformable_simplicial_complex_2<CGAL::Simple_cartesian<double>>);
+template void wrong_argument(CGAL::Deformable_simplicial_complex_2<CGAL::Cartesian<float>>);
+template void wrong_argument(CGAL::Deformable_simplicial_complex_2<Kernel, CGAL::Triangulation_data_structure_2<>>);
+template void wrong_argument(CGAL::Deformable_simplicial_complex_2<Kernel, DSC::Area_length_ratio_2>);
+template void wrong_argument(CGAL::Deformable_simplicial_complex_2<Kernel, CGAL::Default, DSC::Area_length_ratio_2>);
 EOF
 )
 names='Named_parameter_check<.*verbosity_level_t, .*Deformation_options<
@@ -50,7 +60,9 @@ TopologyControl: bool operator()
 the value of a named parameter has the type of the member
 a sizing field is a function of points
 the function of labels: int operator()
-DeformableSimplicialComplexTraits_2: FT is double, predicates are exact'
+DeformableSimplicialComplexTraits_2 or 3: FT is double, predicates are exact
+the bases are Deformable_simplicial_complex_vertex_base_3<Traits, Vb>
+SimplicialDomain: Ball_domain, Solid_domain or Torus_domain'
 if messages=$("$@" "-I$extension" -fsyntax-only -x c++ - <<<"$source" 2>&1); then
   echo "wrong parameters compile"
   exit 1
@@ -60,7 +72,7 @@ while IFS= read -r name; do
     { printf 'no message contains %s:\n%s\n' "$name" "$messages"; exit 1; }
 done <<<"$names"
 errors=$(grep --count ' error: ' <<<"$messages")
-[ "$errors" = 12 ] || { printf '%s errors instead of 12:\n%s\n' "$errors" "$messages"; exit 1; }
+[ "$errors" = 16 ] || { printf '%s errors instead of 16:\n%s\n' "$errors" "$messages"; exit 1; }
 
 "$@" -Wall -Wextra -Wpedantic -Werror -fsyntax-only -x c++ - <<'EOF'
 #include <CGAL/Mesh_support/parameter_values.h>
@@ -72,4 +84,4 @@ static_assert(has<CGAL::internal_np::quality_threshold_t> && has<CGAL::internal_
 static_assert(has<CGAL::internal_np::minimum_angle_t> && has<CGAL::internal_np::visitor_t>);
 static_assert(!has<CGAL::internal_np::flow_t>);
 EOF
-echo "12 wrong calls do not compile"
+echo "16 wrong calls do not compile"

@@ -12,6 +12,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Labeled_complex.h>
 #include <CGAL/Deformable_simplicial_complexes/domains.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/arguments/complex_arguments.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Space_2.h>
 #include <CGAL/Deformable_simplicial_complexes/quality_measures.h>
 
@@ -40,13 +41,15 @@ template <class Traits_ = Exact_predicates_inexact_constructions_kernel, class T
 class Deformable_simplicial_complex_2
     : public Deformable_simplicial_complexes::Labeled_complex<
           Deformable_simplicial_complex_2<Traits_, Tds_, Domain_>,
-          Deformable_simplicial_complexes::internal::Space_2<Traits_, Tds_>,
-          Deformable_simplicial_complexes::Area_length_ratio_2, Domain_>
+          Deformable_simplicial_complexes::internal::Space_of_2<Traits_, Tds_>,
+          Deformable_simplicial_complexes::Area_length_ratio_2,
+          Deformable_simplicial_complexes::internal::Domain_of<Domain_>>
 {
   using Base = Deformable_simplicial_complexes::Labeled_complex<
       Deformable_simplicial_complex_2,
-      Deformable_simplicial_complexes::internal::Space_2<Traits_, Tds_>,
-      Deformable_simplicial_complexes::Area_length_ratio_2, Domain_>;
+      Deformable_simplicial_complexes::internal::Space_of_2<Traits_, Tds_>,
+      Deformable_simplicial_complexes::Area_length_ratio_2,
+      Deformable_simplicial_complexes::internal::Domain_of<Domain_>>;
 
 public:
   using typename Base::Label;
@@ -57,11 +60,12 @@ public:
   using Vector_2 = typename Base::Vector;
 
   /// Constructs an empty complex.
-  explicit Deformable_simplicial_complex_2(const Traits_& traits = Traits_(),
-                                           const Domain_& domain = Domain_())
+  explicit Deformable_simplicial_complex_2(
+      const Traits_& traits = Traits_(),
+      const typename Base::Domain& domain = typename Base::Domain())
       : Base(traits, Deformable_simplicial_complexes::Area_length_ratio_2(), domain) {}
   /// Constructs an empty complex in a domain.
-  explicit Deformable_simplicial_complex_2(const Domain_& domain)
+  explicit Deformable_simplicial_complex_2(const typename Base::Domain& domain)
       : Deformable_simplicial_complex_2(Traits_(), domain) {}
 
   /// Returns the area of the label, in the coordinates of the complex. Constant time.

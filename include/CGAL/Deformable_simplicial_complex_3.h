@@ -12,6 +12,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Labeled_complex.h>
 #include <CGAL/Deformable_simplicial_complexes/domains.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/arguments/complex_arguments.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Space_3.h>
 #include <CGAL/Deformable_simplicial_complexes/quality_measures.h>
 
@@ -41,12 +42,13 @@ template <class Traits_ = Exact_predicates_inexact_constructions_kernel, class T
 class Deformable_simplicial_complex_3
     : public Deformable_simplicial_complexes::Labeled_complex<
           Deformable_simplicial_complex_3<Traits_, Tds_, QualityMeasure_, Domain_>,
-          Deformable_simplicial_complexes::internal::Space_3<Traits_, Tds_>, QualityMeasure_,
-          Domain_>
+          Deformable_simplicial_complexes::internal::Space_of_3<Traits_, Tds_>, QualityMeasure_,
+          Deformable_simplicial_complexes::internal::Domain_of<Domain_>>
 {
   using Base = Deformable_simplicial_complexes::Labeled_complex<
       Deformable_simplicial_complex_3,
-      Deformable_simplicial_complexes::internal::Space_3<Traits_, Tds_>, QualityMeasure_, Domain_>;
+      Deformable_simplicial_complexes::internal::Space_of_3<Traits_, Tds_>, QualityMeasure_,
+      Deformable_simplicial_complexes::internal::Domain_of<Domain_>>;
 
   static_assert(
       std::is_invocable_r_v<double, const QualityMeasure_&, typename Base::Point,
@@ -72,12 +74,12 @@ public:
   using Edge = typename Base::Triangulation::Edge;
 
   /// Constructs an empty complex.
-  explicit Deformable_simplicial_complex_3(const Geom_traits& traits = Geom_traits(),
-                                           const Quality_measure& quality = Quality_measure(),
-                                           const Domain_& domain = Domain_())
+  explicit Deformable_simplicial_complex_3(
+      const Geom_traits& traits = Geom_traits(), const Quality_measure& quality = Quality_measure(),
+      const typename Base::Domain& domain = typename Base::Domain())
       : Base(traits, quality, domain) {}
   /// Constructs an empty complex in a domain.
-  explicit Deformable_simplicial_complex_3(const Domain_& domain)
+  explicit Deformable_simplicial_complex_3(const typename Base::Domain& domain)
       : Deformable_simplicial_complex_3(Geom_traits(), Quality_measure(), domain) {}
 
   /// Returns whether a facet of the interface contains the edge. Linear in the number of cells

@@ -55,6 +55,7 @@ std::vector<std::uint64_t> header_numbers(const std::string& text,
 }
 
 void require_complete_meta_image(const std::string& path) {
+  static constexpr std::size_t longest = 255; // bytes of a name or value; VTK crashes at more
   std::ifstream file(path, std::ios::binary);
   std::map<std::string, std::string> header;
   // ElementDataFile is the last line.
@@ -68,6 +69,9 @@ void require_complete_meta_image(const std::string& path) {
     std::string value = line.substr(mark + 1);
     value.erase(0, value.find_first_not_of(" \t"));
     value.erase(value.find_last_not_of(" \t\r") + 1);
+    if (std::max(mark, line.size() - mark) > longest)
+      throw Failure("has a line in its header that is too long for VTK; shorten it to " +
+                    std::to_string(longest) + " characters");
     header[name] = value;
   }
   std::uint64_t bytes = bytes_of(header["ElementType"]);
@@ -89,8 +93,13 @@ void require_complete_meta_image(const std::string& path) {
     throw Failure("has no ElementDataFile in its header; is it truncated?");
   const bool is_local = data == "LOCAL";
   const std::uint64_t begin = is_local ? std::uint64_t(file.tellg()) : 0;
-  if (fs::file_size(is_local ? fs::path(path) : fs::path(path).parent_path() / data) <
-      begin + bytes)
+  std::error_code error;
+  const std::uint64_t size =
+      fs::file_size(is_local ? fs::path(path) : fs::path(path).parent_path() / data, error);
+  if (error)
+    throw Failure("has its data in the file " + in_quotes(data) +
+                  ", which cannot be opened; copy it into the same folder");
+  if (size < begin + bytes)
     fail();
 }
 

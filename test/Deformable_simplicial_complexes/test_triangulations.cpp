@@ -1,10 +1,14 @@
 #include "mesh_helpers.h"
 #include "test.h"
 
+#include <CGAL/Complex_construction/grow_domain.h>
+#include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Interface_remeshing/improve_mesh.h>
 
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Triangulation_cell_base_with_info_3.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 #include <CGAL/tetrahedral_remeshing.h>
 
@@ -141,39 +145,95 @@ TEST(Triangulations, a_wrong_one_is_refused_and_stays) {
 
 // Copies and sorted complexes have the data that users put into vertices and cells; operations keep
 // them where vertices and cells stay.
-TEST(Triangulations, data_of_users) {
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  using Vb = CGAL::Deformable_simplicial_complex_vertex_base_3<
-      Kernel, CGAL::Triangulation_vertex_base_with_info_3<std::string, Kernel>>;
-  using Cb = CGAL::Deformable_simplicial_complex_cell_base_3<
-      Kernel, CGAL::Triangulation_cell_base_with_info_3<std::string, Kernel>>;
-  using Marked =
-      CGAL::Deformable_simplicial_complex_3<Kernel, CGAL::Triangulation_data_structure_3<Vb, Cb>>;
-  const auto mesh = grid(4, small_meshes::ball);
-  Marked dsc;
-  dsc.assign(mesh.points, mesh.tetrahedra, mesh.labels);
-  mesh_helpers::jitter(dsc, .3, 1);
-  const auto name = [](const auto& p) {
-    std::ostringstream text;
-    text << p;
-    return text.str();
-  };
-  const auto middle = [](auto c) {
-    return CGAL::centroid(c->vertex(0)->point(), c->vertex(1)->point(), c->vertex(2)->point(),
-                          c->vertex(3)->point());
-  };
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Marked_3 = CGAL::Deformable_simplicial_complex_3<
+    Kernel, CGAL::Triangulation_data_structure_3<
+                CGAL::Deformable_simplicial_complex_vertex_base_3<
+                    Kernel, CGAL::Triangulation_vertex_base_with_info_3<std::string, Kernel>>,
+                CGAL::Deformable_simplicial_complex_cell_base_3<
+                    Kernel, CGAL::Triangulation_cell_base_with_info_3<std::string, Kernel>>>>;
+// The bases in the other order.
+using Marked_2 = CGAL::Deformable_simplicial_complex_2<
+    Kernel, CGAL::Triangulation_data_structure_2<
+                CGAL::Triangulation_vertex_base_with_info_2<
+                    std::string, Kernel, CGAL::Deformable_simplicial_complex_vertex_base_2<Kernel>>,
+                CGAL::Triangulation_face_base_with_info_2<
+                    std::string, Kernel, CGAL::Deformable_simplicial_complex_face_base_2<Kernel>>>>;
+
+template <class Point> std::string name(const Point& p) {
+  std::ostringstream text;
+  text << p;
+  return text.str();
+}
+// The name of a simplex by the names of its vertices.
+template <class Complex> std::string name_of(typename Complex::Cell_handle c) {
+  std::set<std::string> names;
+  for (int i = 0; i <= Complex::dimension; ++i)
+    names.insert(name(c->vertex(i)->point()));
+  std::string result;
+  for (const std::string& part : names)
+    result += part + ';';
+  return result;
+}
+template <class Complex> void give_names(Complex& dsc) {
   for (auto v : dsc.vertices())
     v->info() = name(v->point());
   for (auto c : dsc.cells())
-    c->info() = name(middle(c));
-  const auto expect_names = [&](const Marked& complex) {
+    c->info() = name_of<Complex>(c);
+}
+
+// The vertices of the interface stay where they are, and some cells beside it are not improved.
+template <class Complex> void expect_data_in_grown_domain(Complex& dsc) {
+  give_names(dsc);
+  std::set<std::string> names = {""};
+  for (auto c : dsc.cells())
+    names.insert(c->info());
+  const std::size_t vertices = dsc.number_of_vertices();
+  DSC::grow_domain(dsc);
+  ASSERT_TRUE(dsc.is_valid(true));
+  EXPECT_GT(dsc.number_of_vertices(), vertices);
+  for (auto v : dsc.interface_vertices())
+    EXPECT_EQ(v->info(), name(v->point()));
+  std::size_t old = 0, made = 0;
+  for (auto c : dsc.cells()) {
+    const auto known = names.find(name_of<Complex>(c));
+    EXPECT_EQ(names.count(c->info()), 1u);
+    old += known != names.end() && c->info() == *known;
+    made += c->info().empty();
+  }
+  EXPECT_GT(old, 0u);
+  EXPECT_GT(made, 0u);
+}
+
+} // namespace
+
+TEST(Triangulations, data_of_users_stay_in_a_grown_domain) {
+  const auto mesh = grid(6, small_meshes::ball);
+  Marked_3 in_space;
+  in_space.assign(mesh.points, mesh.tetrahedra, mesh.labels);
+  expect_data_in_grown_domain(in_space);
+  auto in_plane = DSC::make_deformable_simplicial_complex_2<Marked_2>(
+      CGAL::Bbox_2(0, 0, 4, 4), .5,
+      [](const auto& p) { return std::hypot(p.x() - 2, p.y() - 2) < 1.2 ? 1 : 0; });
+  expect_data_in_grown_domain(in_plane);
+}
+
+TEST(Triangulations, data_of_users) {
+  const auto mesh = grid(4, small_meshes::ball);
+  Marked_3 dsc;
+  dsc.assign(mesh.points, mesh.tetrahedra, mesh.labels);
+  mesh_helpers::jitter(dsc, .3, 1);
+  give_names(dsc);
+  const auto expect_names = [&](const Marked_3& complex) {
     EXPECT_TRUE(complex.is_valid(true));
     for (auto v : complex.vertices())
       EXPECT_EQ(v->info(), name(v->point()));
     for (auto c : complex.cells())
-      EXPECT_EQ(c->info(), name(middle(c)));
+      EXPECT_EQ(c->info(), name_of<Marked_3>(c));
   };
-  const Marked copy = dsc;
+  const Marked_3 copy = dsc;
   expect_names(copy);
   EXPECT_TRUE(copy.state() == dsc.state());
   dsc.sort_storage();

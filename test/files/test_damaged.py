@@ -83,6 +83,8 @@ BOMBS = {
     "size.nrrd": (edited(damaged.nrrd(), (b" 4 4\n", b" 4 x\n")), "positive integers"),
     "dimension.mha": (edited(damaged.mha(), (b"NDims = 3", b"NDims = 2147483647")), "another number of sizes"),
     "colon.mha": (edited(damaged.mha(), (b"ElementDataFile =", b"ElementDataFile : x =")), "without '='"),
+    "long.mha": (damaged.mha(extra="Comment = " + 256 * "x" + "\n"), "too long for VTK"),
+    "key.mhd": (edited(damaged.mha(data="no.raw"), (b"ElementDataFile =", b"ElementDataFile x =")), "cannot be opened"),
     "picture.png": (damaged.png(colors=2).replace(b"IEND", b"IEXD"), "damaged PNG picture"),
     "corner.vtp": (edited(damaged.vtp(), (b"ascii\">0 2 1", b"ascii\">0 2 999")), "unknown vertex"),
     "offsets.vtp": (edited(damaged.vtp(), (b"3 6 9 12", b"3 9 6 12")), "is it damaged?"),

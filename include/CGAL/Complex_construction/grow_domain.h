@@ -112,6 +112,37 @@ private:
   std::vector<typename Complex::Label> m_labels;
 };
 
+// Copies the data that the user has added to the base of a simplex. What the complex stores in it
+// stays.
+template <class Complex>
+void copy_added_data(typename Complex::Vertex_handle from, typename Complex::Vertex_handle to) {
+  const Vertex_data data = *to;
+  const auto cell = to->cell();
+  const auto point = to->point();
+  *to = *from;
+  static_cast<Vertex_data&>(*to) = data;
+  to->set_cell(cell);
+  to->set_point(point);
+}
+template <class Complex>
+void copy_added_data(typename Complex::Cell_handle from, typename Complex::Cell_handle to) {
+  const Cell_data data = *to;
+  const Cell_failures failures = *to;
+  std::array<typename Complex::Vertex_handle, Complex::dimension + 1> vertices;
+  std::array<typename Complex::Cell_handle, Complex::dimension + 1> neighbors;
+  for (int i = 0; i <= Complex::dimension; ++i) {
+    vertices[i] = to->vertex(i);
+    neighbors[i] = to->neighbor(i);
+  }
+  *to = *from;
+  static_cast<Cell_data&>(*to) = data;
+  static_cast<Cell_failures&>(*to) = failures;
+  for (int i = 0; i <= Complex::dimension; ++i) {
+    to->set_vertex(i, vertices[i]);
+    to->set_neighbor(i, neighbors[i]);
+  }
+}
+
 } // namespace internal
 
 /*!
@@ -165,13 +196,13 @@ bool leaves_domain(const Complex& dsc, const Interface_vertices<Complex>& interf
 \ingroup PkgComplexConstructionRef
 
 Enlarges the domain, a box, about its center, so that an interface near its boundary can move on.
-The space between the old and the new box is filled with cells of label 0. The old cells stay, and
-are improved together with the new ones. The vertices of the interface, the normalization,
+The space between the old and the new box is filled with cells of label 0. The old vertices and
+cells keep the data that the user has added to their bases, and are improved together with the new
+ones. The vertices of the interface, the normalization,
 `dsc.mean_interface_edge()` and `dsc.minimum_interface_edge()` are bitwise unchanged. The volumes of
 all labels except 0 are unchanged up to rounding. n log n in the number of cells.
 
-\param dsc the complex. Handles are invalidated. Component events not taken yet and data of the user
-       in the bases are lost.
+\param dsc the complex. Handles are invalidated, and component events not taken yet are lost.
 \param factor factor by which the sides of the box are multiplied, larger than 1
 \throws Error if the factor is not finite or not larger than 1, the domain is not a box, or the new
         box is too large for a complex; the complex is then unchanged
@@ -193,6 +224,13 @@ template <class Complex> void grow_domain(Complex& dsc, double factor = 1.5) {
   after.mean_interface_edge = before.mean_interface_edge;
   after.minimum_interface_edge = before.minimum_interface_edge;
   grown.restore(after);
+  // Both complexes have the old simplices first, in the same order.
+  const auto copy = [](const auto& from, const auto& to) {
+    for (std::size_t i = 0; i < from.size(); ++i)
+      internal::copy_added_data<Complex>(from[i], to[i]);
+  };
+  copy(dsc.vertices(), grown.vertices());
+  copy(dsc.cells(), grown.cells());
   Construction_options<Complex::dimension> options;
   options.thin_parts.edge_per_thickness = 0; // the interface stays
   internal::improve_new_mesh(grown, options);

@@ -89,9 +89,8 @@ are walls for an interface that touches them: its vertices stop there, whatever 
 */
 enum class Domain_rule {
   refuse, ///< an `Invalid_destination_error` is thrown before anything changes
-  grow, ///< the box is enlarged by `grow_domain()`, so handles are invalidated and data of the user
-        ///< in the bases are lost; a deformation whose destinations are given cannot do this and
-        ///< refuses
+  grow, ///< the box is enlarged by `grow_domain()`, so handles are invalidated; a deformation whose
+        ///< destinations are given cannot do this and refuses
   stop  ///< vertices stop at the sides
 };
 

@@ -18,8 +18,8 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Item_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Label_totals.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Marks.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/sort_by_time_stamp.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/apply_to_corners.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/sort_by_time_stamp.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/components/Component_tracker.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/components/kept_components.h>
 #include <CGAL/Mesh_support/For_each_index.h>

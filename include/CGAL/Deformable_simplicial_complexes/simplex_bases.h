@@ -19,19 +19,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 
 namespace CGAL::Deformable_simplicial_complexes {
 
 namespace internal {
 struct Simplex_access;
-
-// Whether the predicates of a kernel are rounded, as kernels of CGAL tell.
-template <class Kernel, class = void> inline constexpr bool rounds_predicates = false;
-template <class Kernel>
-inline constexpr bool
-    rounds_predicates<Kernel, std::void_t<typename Kernel::Has_filtered_predicates_tag>> =
-        !Kernel::Has_filtered_predicates_tag::value;
 } // namespace internal
 
 /*!

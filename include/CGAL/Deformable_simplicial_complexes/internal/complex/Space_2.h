@@ -8,9 +8,10 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_SPACE_2_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_SPACE_2_H
 
-#include <CGAL/Deformable_simplicial_complexes/simplex_bases.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/arguments/complex_arguments.h>
 
 #include <CGAL/Default.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Hilbert_policy_tags.h>
 #include <CGAL/Hilbert_sort_2.h>
 #include <CGAL/Spatial_sort_traits_adapter_2.h>
@@ -31,21 +32,12 @@ public:
   static constexpr int dimension = 2;
 
   using Geom_traits = Traits;
-  using Triangulation_data_structure = typename Default::Get<
-      Tds, Triangulation_data_structure_2<Deformable_simplicial_complex_vertex_base_2<Traits>,
-                                          Deformable_simplicial_complex_face_base_2<Traits>>>::type;
-  using Triangulation = Triangulation_2<Traits, Triangulation_data_structure>;
+  using Triangulation_data_structure = Tds;
+  using Triangulation = Triangulation_2<Traits, Tds>;
   using Vertex_handle = typename Triangulation::Vertex_handle;
   using Cell_handle = typename Triangulation::Face_handle;
   using Point = typename Traits::Point_2;
   using Vector = typename Traits::Vector_2;
-  static_assert(std::is_same_v<typename Traits::FT, double> && !rounds_predicates<Traits>,
-                "DeformableSimplicialComplexTraits_2: FT is double, predicates are exact, as in "
-                "Exact_predicates_inexact_constructions_kernel");
-  static_assert(std::is_base_of_v<Vertex_data, typename Triangulation_data_structure::Vertex> &&
-                    std::is_base_of_v<Cell_data, typename Triangulation_data_structure::Face>,
-                "the bases are Deformable_simplicial_complex_vertex_base_2<Traits, Vb> and "
-                "Deformable_simplicial_complex_face_base_2<Traits, Fb>, over any Vb and Fb");
   template <class Kernel, class Map>
   using Hilbert_sorter =
       Hilbert_sort_2<Spatial_sort_traits_adapter_2<Kernel, Map>, Hilbert_sort_median_policy>;
@@ -127,6 +119,19 @@ public:
   // circle, which is always true.
   static bool is_sphere(std::size_t vertices, std::size_t facets) { return vertices == facets; }
 };
+
+// The space of the arguments of a complex.
+template <class Traits, class Tds,
+          class Kernel = std::conditional_t<require_kernel<Traits>(), Traits,
+                                            Exact_predicates_inexact_constructions_kernel>,
+          class Default_tds =
+              Triangulation_data_structure_2<Deformable_simplicial_complex_vertex_base_2<Kernel>,
+                                             Deformable_simplicial_complex_face_base_2<Kernel>>,
+          class Given_tds = typename Default::Get<
+              std::conditional_t<is_kernel<Traits>, Tds, Default>, Default_tds>::type>
+using Space_of_2 =
+    Space_2<Kernel, std::conditional_t<require_bases<Given_tds, typename Kernel::Point_2>(),
+                                       Given_tds, Default_tds>>;
 
 } // namespace CGAL::Deformable_simplicial_complexes::internal
 

@@ -8,11 +8,12 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_SPACE_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_SPACE_3_H
 
+#include <CGAL/Deformable_simplicial_complexes/internal/arguments/complex_arguments.h>
 #include <CGAL/Deformable_simplicial_complexes/quality_measures.h>
-#include <CGAL/Deformable_simplicial_complexes/simplex_bases.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <CGAL/Default.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Hilbert_policy_tags.h>
 #include <CGAL/Hilbert_sort_3.h>
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
@@ -32,21 +33,12 @@ public:
   static constexpr int dimension = 3;
 
   using Geom_traits = Traits;
-  using Triangulation_data_structure = typename Default::Get<
-      Tds, Triangulation_data_structure_3<Deformable_simplicial_complex_vertex_base_3<Traits>,
-                                          Deformable_simplicial_complex_cell_base_3<Traits>>>::type;
-  using Triangulation = Triangulation_3<Traits, Triangulation_data_structure>;
+  using Triangulation_data_structure = Tds;
+  using Triangulation = Triangulation_3<Traits, Tds>;
   using Vertex_handle = typename Triangulation::Vertex_handle;
   using Cell_handle = typename Triangulation::Cell_handle;
   using Point = typename Traits::Point_3;
   using Vector = typename Traits::Vector_3;
-  static_assert(std::is_same_v<typename Traits::FT, double> && !rounds_predicates<Traits>,
-                "DeformableSimplicialComplexTraits_3: FT is double, predicates are exact, as in "
-                "Exact_predicates_inexact_constructions_kernel");
-  static_assert(std::is_base_of_v<Vertex_data, typename Triangulation_data_structure::Vertex> &&
-                    std::is_base_of_v<Cell_data, typename Triangulation_data_structure::Cell>,
-                "the bases are Deformable_simplicial_complex_vertex_base_3<Traits, Vb> and "
-                "Deformable_simplicial_complex_cell_base_3<Traits, Cb>, over any Vb and Cb");
   template <class Kernel, class Map>
   using Hilbert_sorter =
       Hilbert_sort_3<Spatial_sort_traits_adapter_3<Kernel, Map>, Hilbert_sort_median_policy>;
@@ -157,6 +149,19 @@ public:
     return 2 * vertices == facets + 4;
   }
 };
+
+// The space of the arguments of a complex.
+template <class Traits, class Tds,
+          class Kernel = std::conditional_t<require_kernel<Traits>(), Traits,
+                                            Exact_predicates_inexact_constructions_kernel>,
+          class Default_tds =
+              Triangulation_data_structure_3<Deformable_simplicial_complex_vertex_base_3<Kernel>,
+                                             Deformable_simplicial_complex_cell_base_3<Kernel>>,
+          class Given_tds = typename Default::Get<
+              std::conditional_t<is_kernel<Traits>, Tds, Default>, Default_tds>::type>
+using Space_of_3 =
+    Space_3<Kernel, std::conditional_t<require_bases<Given_tds, typename Kernel::Point_3>(),
+                                       Given_tds, Default_tds>>;
 
 } // namespace CGAL::Deformable_simplicial_complexes::internal
 

@@ -12,7 +12,7 @@
 
 #include <CGAL/Deformable_simplicial_complexes/Labeled_complex.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Marks.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/sort_by_time_stamp.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/sort_by_time_stamp.h>
 
 #define CGAL_DSC_TEMPLATE template <class Derived, class Space, class Quality, class Domain>
 #define CGAL_DSC_CLASS Labeled_complex<Derived, Space, Quality, Domain>

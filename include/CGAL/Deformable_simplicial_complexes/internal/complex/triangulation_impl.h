@@ -188,8 +188,10 @@ void CGAL_DSC_CLASS::leave_simplices() {
   const auto patch_of = [](Cell_handle c, int i) {
     return Patch(std::minmax(c->subdomain_index(), c->neighbor(i)->subdomain_index()));
   };
+  const std::vector<Vertex_handle> vertices = this->vertices();
+  const std::vector<Cell_handle> cells = all_cells();
   std::vector<Patch> patches;
-  for (Cell_handle c : Space::all_cells(m_triangulation))
+  for (Cell_handle c : cells)
     for (int i = 0; i < corners; ++i)
       if (const Patch patch = patch_of(c, i); patch.first != patch.second)
         patches.push_back(patch);
@@ -198,8 +200,6 @@ void CGAL_DSC_CLASS::leave_simplices() {
 
   // The containers of CGAL count fewer creations than a complex does, and would give the same time
   // stamps again.
-  const std::vector<Vertex_handle> vertices = this->vertices();
-  const std::vector<Cell_handle> cells = all_cells();
   m_triangulation.infinite_vertex()->set_time_stamp(0);
   for (size_type i = 0; i < vertices.size(); ++i)
     vertices[i]->set_time_stamp(i + 1);

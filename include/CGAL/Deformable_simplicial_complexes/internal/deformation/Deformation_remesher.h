@@ -14,7 +14,7 @@
 #include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Vertex_numbers.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/sort_by_time_stamp.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/sort_by_time_stamp.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/deformation/Small_angle_remover_2.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/deformation/Small_angle_remover_3.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/destinations/Destinations.h>

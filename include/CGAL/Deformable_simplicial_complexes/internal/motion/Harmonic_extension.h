@@ -11,7 +11,7 @@
 #include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Marks.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Vertex_numbers.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/sort_by_time_stamp.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/sort_by_time_stamp.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Linear_element.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
 #include <CGAL/Mesh_support/For_each_index.h>

@@ -9,7 +9,7 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_TRAVERSAL_STAR_UNION_H
 
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Marks.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/sort_by_time_stamp.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/sort_by_time_stamp.h>
 #include <CGAL/Mesh_support/For_each_index.h>
 
 namespace CGAL::Deformable_simplicial_complexes {

@@ -57,27 +57,25 @@ private:
   std::deque<Vector> m_values, m_changes;
 };
 
-// The states of a fluid and of its complex, to be restored.
+// The state of a fluid and a copy of its complex, with all data of the user, to be restored.
 template <class Fluid, class Complex> class Fluid_snapshot
 {
 public:
-  // Saves both states. Takes O(n log n) time.
+  // Takes O(n log n) time.
   Fluid_snapshot(const Complex& complex, const Fluid& fluid)
-      : m_complex(complex.state()), m_fluid(fluid.state()) {}
+      : m_complex(complex), m_fluid(fluid.state()) {}
 
-  // Restores both states, bitwise. The handles of the complex are invalidated if the complex has
-  // changed since. The function cannot be interrupted. Takes O(n log n) time.
+  // Restores both, bitwise. The handles of the complex are invalidated if the complex has changed
+  // since. The function cannot be interrupted. Takes O(n log n) time.
   void restore(Complex& complex, Fluid& fluid) const {
     const Progress_pause pause;
-    if (complex.state() != m_complex) {
-      complex.clear(); // first, to save memory
-      complex.restore(m_complex);
-    }
+    if (complex.state() != m_complex.state())
+      complex = m_complex;
     fluid.restore(m_fluid);
   }
 
 private:
-  typename Complex::State m_complex;
+  Complex m_complex;
   typename Fluid::State m_fluid;
 };
 

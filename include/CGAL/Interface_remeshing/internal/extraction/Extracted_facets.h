@@ -9,7 +9,7 @@
 #define CGAL_INTERFACE_REMESHING_INTERNAL_EXTRACTION_EXTRACTED_FACETS_H
 
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Vertex_numbers.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/complex/sort_by_time_stamp.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/sort_by_time_stamp.h>
 
 #include <array>
 

@@ -5,8 +5,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Author(s)     : The deformable simplicial complex authors
 
-#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_SORT_BY_TIME_STAMP_H
-#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_SORT_BY_TIME_STAMP_H
+#ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BOOKKEEPING_SORT_BY_TIME_STAMP_H
+#define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BOOKKEEPING_SORT_BY_TIME_STAMP_H
 
 #include <boost/sort/spreadsort/integer_sort.hpp>
 
@@ -46,4 +46,4 @@ template <class Handle> void sort_by_time_stamp(std::vector<Handle>& items) {
 
 } // namespace CGAL::Deformable_simplicial_complexes::internal
 
-#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_COMPLEX_SORT_BY_TIME_STAMP_H
+#endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BOOKKEEPING_SORT_BY_TIME_STAMP_H
