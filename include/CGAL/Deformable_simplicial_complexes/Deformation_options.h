@@ -204,14 +204,19 @@ template <class Complex, class Flow>
 auto flow_of_vertices(const Complex& complex, const Flow& flow) {
   using Point = typename Complex::Point;
   using Vertex_handle = typename Complex::Vertex_handle;
+  static constexpr bool is_of_points = std::is_invocable_r<Point, const Flow&, Point>::value,
+                        is_of_vertices =
+                            std::is_invocable_r<Point, const Flow&, Vertex_handle>::value;
+  static_assert(is_of_points || is_of_vertices,
+                "a flow is a function of points or of vertices: Point flow(Point p) const");
   return [&complex, flow](const std::vector<Vertex_handle>& vertices) {
     static_cast<void>(complex); // flows of vertices do not use it
     std::vector<Point> result;
     result.reserve(vertices.size());
     for (Vertex_handle v : vertices)
-      if constexpr (std::is_invocable<const Flow&, Point>::value)
+      if constexpr (is_of_points)
         result.push_back(flow(complex.position(v)));
-      else
+      else if constexpr (is_of_vertices)
         result.push_back(flow(v));
     return result;
   };

@@ -212,11 +212,16 @@ TEST(Edge_collapse, keeps_the_topology_of_labels_that_touch) {
 TEST(Edge_collapse, keeps_vertices_where_other_sectors_meet_than_around_the_edge) {
   Complex dsc = jittered_grid(
       4, [](const Point&) { return 1; }, .2, 7);
-  const std::vector<Vertex_handle> vertices = dsc.vertices();
-  const std::size_t a = 113, b = 91;
-  const std::pair<std::array<std::size_t, 4>, int> others[] = {
-      {{a, b, 68, 90}, 3},  {{a, 68, 90, 114}, 3}, {{a, b, 85, 89}, 5},
-      {{a, 85, 89, 93}, 5}, {{a, 9, 90, 116}, 0},  {{b, 82, 83, 86}, 0}};
+  std::map<int, Vertex_handle> vertices; // by their numbers along x, y and z, as digits
+  const auto digit = [](double x) { return int(std::lround(2 * x + 2)); };
+  for (Vertex_handle v : dsc.vertices()) {
+    const Point p = dsc.position(v);
+    vertices[100 * digit(p.x()) + 10 * digit(p.y()) + digit(p.z())] = v;
+  }
+  const int a = 322, b = 333;
+  const std::pair<std::array<int, 4>, int> others[] = {
+      {{a, b, 332, 222}, 3},   {{a, 332, 222, 221}, 3}, {{a, b, 433, 323}, 5},
+      {{a, 433, 323, 423}, 5}, {{a, 212, 222, 211}, 0}, {{b, 344, 444, 334}, 0}};
   Cell_handle c;
   for (const auto& [v, label] : others) {
     ASSERT_TRUE(dsc.triangulation().is_cell(vertices[v[0]], vertices[v[1]], vertices[v[2]],
