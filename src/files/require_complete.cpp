@@ -223,7 +223,8 @@ public:
     m_is_big = number(2, 2) == 43;
   }
 
-  /// Checks that all directories, and the strips or tiles of their images, are in the file.
+  /// Checks that all directories, and the strips or tiles of their images, are in the file. VTK
+  /// reads images whose strips are too few or too short.
   void require_complete() {
     std::set<std::uint64_t> known;
     const std::uint64_t word = m_is_big ? 8 : 4;
@@ -235,24 +236,44 @@ public:
       const std::uint64_t first = at + count_size;
       if (entries > m_size / entry_size)
         fail();
-      std::vector<std::uint64_t> places, sizes;
+      std::map<std::uint64_t, std::vector<std::uint64_t>> tags;
       for (std::uint64_t i = 0; i < entries; ++i) {
         const std::uint64_t entry = first + i * entry_size, tag = number(entry, 2);
-        if (tag == strip_offsets || tag == tile_offsets)
-          places = values(entry);
-        else if (tag == strip_sizes || tag == tile_sizes)
-          sizes = values(entry);
+        if (std::find(std::begin(known_tags), std::end(known_tags), tag) != std::end(known_tags))
+          tags[tag] = values(entry);
       }
-      for (std::size_t i = 0; i < places.size() && i < sizes.size(); ++i)
+      const auto value_of = [&](std::uint64_t tag, double otherwise) {
+        return tags[tag].empty() ? otherwise : double(tags[tag].front());
+      };
+      const bool has_tiles = tags.count(tile_offsets) > 0;
+      const auto &places = tags[has_tiles ? tile_offsets : strip_offsets],
+                 &sizes = tags[has_tiles ? tile_sizes : strip_sizes];
+      double bytes = 0;
+      for (std::size_t i = 0; i < places.size() && i < sizes.size(); ++i) {
         if (sizes[i] > m_size || places[i] > m_size - sizes[i])
           fail();
+        bytes += double(sizes[i]);
+      }
+      const double rows = value_of(height, 0),
+                   bits =
+                       value_of(width, 0) * rows * value_of(sample_bits, 1) * value_of(samples, 1);
+      if ((!has_tiles && double(places.size()) * value_of(strip_rows, rows) < rows) ||
+          (value_of(compression, 1) == 1 && value_of(photometry, 0) != subsampled &&
+           bytes * 8 < bits))
+        fail();
       at = number(first + entries * entry_size, word);
     }
   }
 
 private:
-  static constexpr std::uint64_t strip_offsets = 273, strip_sizes = 279, tile_offsets = 324,
+  static constexpr std::uint64_t width = 256, height = 257, sample_bits = 258, compression = 259,
+                                 photometry = 262, strip_offsets = 273, samples = 277,
+                                 strip_rows = 278, strip_sizes = 279, tile_offsets = 324,
                                  tile_sizes = 325;
+  static constexpr double subsampled = 6; // colors of a photometry that may have fewer pixels
+  static constexpr std::uint64_t known_tags[] = {
+      width,   height,     sample_bits, compression,  photometry, strip_offsets,
+      samples, strip_rows, strip_sizes, tile_offsets, tile_sizes};
 
   std::uint64_t number(std::uint64_t at, std::uint64_t bytes) {
     if (bytes > m_size || at > m_size - bytes)
