@@ -16,8 +16,6 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/Space_3.h>
 #include <CGAL/Deformable_simplicial_complexes/quality_measures.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
 namespace CGAL {
 
 /*!

@@ -238,9 +238,8 @@ public:
         fail();
       std::map<std::uint64_t, std::vector<std::uint64_t>> tags;
       for (std::uint64_t i = 0; i < entries; ++i) {
-        const std::uint64_t entry = first + i * entry_size, tag = number(entry, 2);
-        if (std::find(std::begin(known_tags), std::end(known_tags), tag) != std::end(known_tags))
-          tags[tag] = values(entry);
+        const std::uint64_t entry = first + i * entry_size;
+        tags[number(entry, 2)] = values(entry);
       }
       const auto value_of = [&](std::uint64_t tag, double otherwise) {
         return tags[tag].empty() ? otherwise : double(tags[tag].front());
@@ -271,9 +270,6 @@ private:
                                  strip_rows = 278, strip_sizes = 279, tile_offsets = 324,
                                  tile_sizes = 325;
   static constexpr double subsampled = 6; // colors of a photometry that may have fewer pixels
-  static constexpr std::uint64_t known_tags[] = {
-      width,   height,     sample_bits, compression,  photometry, strip_offsets,
-      samples, strip_rows, strip_sizes, tile_offsets, tile_sizes};
 
   std::uint64_t number(std::uint64_t at, std::uint64_t bytes) {
     if (bytes > m_size || at > m_size - bytes)
@@ -287,13 +283,16 @@ private:
     return result;
   }
 
-  /// Returns the values of an entry of a directory: inside of the entry or at another place.
+  /// Returns the integers of an entry of a directory: inside of the entry or at another place.
   std::vector<std::uint64_t> values(std::uint64_t entry) {
     const std::uint64_t type = number(entry + 2, 2), word = m_is_big ? 8 : 4,
                         count = number(entry + 4, word),
                         bytes = type == 3    ? 2
+                                : type == 4  ? 4
                                 : type == 16 ? 8
-                                             : 4; // SHORT, LONG8 or LONG
+                                             : 0; // SHORT, LONG, LONG8
+    if (bytes == 0)
+      return {};
     if (count > m_size / bytes)
       fail();
     const std::uint64_t inside = entry + 4 + word,

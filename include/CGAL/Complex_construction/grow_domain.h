@@ -116,31 +116,47 @@ private:
 // stays.
 template <class Complex>
 void copy_added_data(typename Complex::Vertex_handle from, typename Complex::Vertex_handle to) {
-  const Vertex_data data = *to;
-  const auto cell = to->cell();
-  const auto point = to->point();
+  const auto kept = *to;
   *to = *from;
-  static_cast<Vertex_data&>(*to) = data;
-  to->set_cell(cell);
-  to->set_point(point);
+  static_cast<Vertex_data&>(*to) = kept;
+  to->set_cell(kept.cell());
+  to->set_point(kept.point());
 }
 template <class Complex>
 void copy_added_data(typename Complex::Cell_handle from, typename Complex::Cell_handle to) {
-  const Cell_data data = *to;
-  const Cell_failures failures = *to;
-  std::array<typename Complex::Vertex_handle, Complex::dimension + 1> vertices;
-  std::array<typename Complex::Cell_handle, Complex::dimension + 1> neighbors;
-  for (int i = 0; i <= Complex::dimension; ++i) {
-    vertices[i] = to->vertex(i);
-    neighbors[i] = to->neighbor(i);
-  }
+  const auto kept = *to;
   *to = *from;
-  static_cast<Cell_data&>(*to) = data;
-  static_cast<Cell_failures&>(*to) = failures;
+  static_cast<Cell_data&>(*to) = kept;
+  static_cast<Cell_failures&>(*to) = kept;
   for (int i = 0; i <= Complex::dimension; ++i) {
-    to->set_vertex(i, vertices[i]);
-    to->set_neighbor(i, neighbors[i]);
+    to->set_vertex(i, kept.vertex(i));
+    to->set_neighbor(i, kept.neighbor(i));
   }
+}
+
+// Copies these data to the same simplices of another complex.
+// \param ranks for each vertex of `from`, and other vertices, one more than its place in `to`
+template <class Complex>
+void copy_added_data(const Complex& from, Complex& to, const std::vector<std::size_t>& ranks) {
+  const std::vector<typename Complex::Vertex_handle> old = from.vertices(), all = to.vertices();
+  std::vector<typename Complex::Vertex_handle> original(to.vertex_id_bound()); // by id
+  for (std::size_t i = 0; i < old.size(); ++i) {
+    const auto v = all[ranks[i] - 1];
+    copy_added_data<Complex>(old[i], v);
+    original[v->id()] = old[i];
+  }
+  std::vector<typename Complex::Cell_handle> star;
+  for (auto c : to.cells())
+    if (const auto first = original[c->vertex(0)->id()]; first != nullptr) {
+      from.star(first, star);
+      for (auto candidate : star) {
+        int common = 0;
+        for (int i = 0; i <= Complex::dimension; ++i)
+          common += candidate->has_vertex(original[c->vertex(i)->id()]);
+        if (common == Complex::dimension + 1)
+          copy_added_data<Complex>(candidate, c);
+      }
+    }
 }
 
 } // namespace internal
@@ -220,17 +236,14 @@ template <class Complex> void grow_domain(Complex& dsc, double factor = 1.5) {
   for (std::size_t i = 0; i < before.spacings.size(); ++i)
     if (before.spacings[i] > 0)
       internal::Simplex_access::set_spacing(vertices[i], before.spacings[i]);
+  std::vector<std::size_t> ranks; // in the order of the state, which is kept
+  for (auto v : vertices)
+    ranks.push_back(v->time_stamp());
   auto after = grown.state();
   after.mean_interface_edge = before.mean_interface_edge;
   after.minimum_interface_edge = before.minimum_interface_edge;
   grown.restore(after);
-  // Both complexes have the old simplices first, in the same order.
-  const auto copy = [](const auto& from, const auto& to) {
-    for (std::size_t i = 0; i < from.size(); ++i)
-      internal::copy_added_data<Complex>(from[i], to[i]);
-  };
-  copy(dsc.vertices(), grown.vertices());
-  copy(dsc.cells(), grown.cells());
+  internal::copy_added_data(dsc, grown, ranks);
   Construction_options<Complex::dimension> options;
   options.thin_parts.edge_per_thickness = 0; // the interface stays
   internal::improve_new_mesh(grown, options);

@@ -44,6 +44,19 @@ template <class Handle> void sort_by_time_stamp(std::vector<Handle>& items) {
     items[i] = stamped[i].second;
 }
 
+// Returns the handles of a range for which a condition holds, in the order of creation.
+template <class Handle, class Range, class Condition>
+std::vector<Handle> by_time_stamp(const Range& range, const Condition& condition,
+                                  std::size_t expected = 0) {
+  std::vector<Handle> result;
+  result.reserve(expected);
+  for (Handle item : range)
+    if (condition(item))
+      result.push_back(item);
+  sort_by_time_stamp(result);
+  return result;
+}
+
 } // namespace CGAL::Deformable_simplicial_complexes::internal
 
 #endif // CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_BOOKKEEPING_SORT_BY_TIME_STAMP_H

@@ -29,14 +29,10 @@ auto CGAL_DSC_CLASS::number_of_cells() const -> size_type {
 
 CGAL_DSC_TEMPLATE
 auto CGAL_DSC_CLASS::flat_cells() const -> std::vector<Cell_handle> {
-  std::vector<Cell_handle> result;
   if (m_number_of_flat_cells == 0)
-    return result;
-  for (Cell_handle c : finite_cells())
-    if (c->quality() < quality_floor)
-      result.push_back(c);
-  internal::sort_by_time_stamp(result);
-  return result;
+    return {};
+  return internal::by_time_stamp<Cell_handle>(
+      finite_cells(), [](Cell_handle c) { return c->quality() < quality_floor; });
 }
 
 CGAL_DSC_TEMPLATE
@@ -65,22 +61,14 @@ auto CGAL_DSC_CLASS::finite_cells_if(const Condition& condition,
 
 CGAL_DSC_TEMPLATE
 auto CGAL_DSC_CLASS::vertices() const -> std::vector<Vertex_handle> {
-  std::vector<Vertex_handle> result;
-  result.reserve(number_of_vertices());
-  for (Vertex_handle v : finite_vertices())
-    result.push_back(v);
-  internal::sort_by_time_stamp(result);
-  return result;
+  return internal::by_time_stamp<Vertex_handle>(
+      finite_vertices(), [](Vertex_handle) { return true; }, number_of_vertices());
 }
 
 CGAL_DSC_TEMPLATE
 auto CGAL_DSC_CLASS::cells() const -> std::vector<Cell_handle> {
-  std::vector<Cell_handle> result;
-  result.reserve(number_of_cells());
-  for (Cell_handle c : finite_cells())
-    result.push_back(c);
-  internal::sort_by_time_stamp(result);
-  return result;
+  return internal::by_time_stamp<Cell_handle>(
+      finite_cells(), [](Cell_handle) { return true; }, number_of_cells());
 }
 
 CGAL_DSC_TEMPLATE
@@ -130,13 +118,8 @@ auto CGAL_DSC_CLASS::labels() const -> std::vector<Label> {
 
 CGAL_DSC_TEMPLATE
 auto CGAL_DSC_CLASS::interface_vertices() const -> std::vector<Vertex_handle> {
-  std::vector<Vertex_handle> result;
-  for (Vertex_handle v : finite_vertices())
-    if (v->is_interface())
-      result.push_back(v);
-  if (!std::is_sorted(result.begin(), result.end(), internal::Less_time_stamp()))
-    internal::sort_by_time_stamp(result);
-  return result;
+  return internal::by_time_stamp<Vertex_handle>(finite_vertices(),
+                                                [](Vertex_handle v) { return v->is_interface(); });
 }
 
 CGAL_DSC_TEMPLATE

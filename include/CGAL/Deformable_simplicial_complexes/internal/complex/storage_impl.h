@@ -33,11 +33,8 @@ namespace CGAL::Deformable_simplicial_complexes {
 // Returns all cells, including infinite ones, in the order of time stamps.
 CGAL_DSC_TEMPLATE
 auto CGAL_DSC_CLASS::all_cells() const -> std::vector<Cell_handle> {
-  std::vector<Cell_handle> result;
-  for (Cell_handle c : Space::all_cells(m_triangulation))
-    result.push_back(c);
-  internal::sort_by_time_stamp(result);
-  return result;
+  return internal::by_time_stamp<Cell_handle>(Space::all_cells(m_triangulation),
+                                              [](Cell_handle) { return true; });
 }
 
 // Moves a complex. `other` becomes empty.
