@@ -259,8 +259,12 @@ TEST(Components, merge_and_split) {
   auto events = dsc.take_component_events();
   ASSERT_EQ(events.size(), 1u);
   expect_event(events[0], Event::Kind::merged, 1, 2, 1);
-  EXPECT_NEAR(events[0].before[0].volume + events[0].before[1].volume, volume, rounding);
-  EXPECT_NEAR(events[0].after[0].volume, dsc.volume(1), rounding);
+  // The volumes are those just before the change: a part of the bridge may belong to a bar then.
+  const double joined = dsc.volume(1),
+               bars = events[0].before[0].volume + events[0].before[1].volume;
+  EXPECT_GE(bars, volume - rounding);
+  EXPECT_LT(bars, joined - rounding);
+  EXPECT_NEAR(events[0].after[0].volume, joined, rounding);
   EXPECT_TRUE(dsc.take_component_events().empty());
   relabel(dsc, 0, [&](Cell_handle c) { return is_bridge(dsc, c); });
   events = dsc.take_component_events();
