@@ -33,8 +33,10 @@ build_and_test() { # NAME OPTION...
     return 1
   fi
   ctest --test-dir "$work/$name" --output-on-failure --no-tests=error --parallel "$jobs" \
-    --tests-regex "^($(IFS='|'; echo "${programs[*]}"))(\.|$)"
+    --tests-regex "^($(IFS='|'; echo "${programs[*]}"))(\.|$)" --exclude-regex "$left_out"
 }
+
+left_out='^$' # regular expression of tests
 
 # The programs with the tests of the kernel: one for each folder and each other file, and those in the form of CGAL.
 programs=()
@@ -71,6 +73,8 @@ check_mingw() {
   ln -sfn -t "$root/include" /usr/include/{CGAL,boost,eigen3}
   ln -sfn -t "$root/lib/cmake" /usr/lib/*/cmake/CGAL
   ln -sfn -t "$root/share/eigen3" /usr/share/eigen3/cmake
+  # Programs in which threads with thread_local vectors end crash (https://gcc.gnu.org/bugzilla/show_bug.cgi?id=80816).
+  local left_out='^test_threads\.Threads\.(queries_of_one_complex|whole_flows_with_threads_of_their_own)$'
   export WINEPREFIX=$work/wine WINEDEBUG=-all
   build_and_test mingw -DCMAKE_TOOLCHAIN_FILE="$PWD/cmake/mingw-w64.cmake" -DCMAKE_FIND_ROOT_PATH="$root" \
     -DCGAL_DISABLE_GMP=ON
