@@ -59,12 +59,12 @@ public:
 
   /// Constructs an empty complex.
   explicit Deformable_simplicial_complex_2(
-      const Traits_& traits = Traits_(),
+      const typename Base::Geom_traits& traits = typename Base::Geom_traits(),
       const typename Base::Domain& domain = typename Base::Domain())
       : Base(traits, Deformable_simplicial_complexes::Area_length_ratio_2(), domain) {}
   /// Constructs an empty complex in a domain.
   explicit Deformable_simplicial_complex_2(const typename Base::Domain& domain)
-      : Deformable_simplicial_complex_2(Traits_(), domain) {}
+      : Deformable_simplicial_complex_2(typename Base::Geom_traits(), domain) {}
 
   /// Returns the area of the label, in the coordinates of the complex. Constant time.
   double area(Label label) const { return this->measure(label); }

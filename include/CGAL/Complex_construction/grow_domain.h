@@ -112,8 +112,8 @@ private:
   std::vector<typename Complex::Label> m_labels;
 };
 
-// Copies the data that the user has added to the base of a simplex. What the complex stores in it
-// stays.
+// Copies the data that the user has added to the base of a simplex. The values that the
+// complex computes are kept.
 template <class Complex>
 void copy_added_data(typename Complex::Vertex_handle from, typename Complex::Vertex_handle to) {
   const auto kept = *to;
@@ -135,7 +135,7 @@ void copy_added_data(typename Complex::Cell_handle from, typename Complex::Cell_
 }
 
 // Copies these data to the same simplices of another complex.
-// \param ranks for each vertex of `from`, and other vertices, one more than its place in `to`
+// \param ranks time stamps in `to` of the vertices of `from`, in their order; new vertices follow
 template <class Complex>
 void copy_added_data(const Complex& from, Complex& to, const std::vector<std::size_t>& ranks) {
   const std::vector<typename Complex::Vertex_handle> old = from.vertices(), all = to.vertices();
@@ -213,8 +213,8 @@ bool leaves_domain(const Complex& dsc, const Interface_vertices<Complex>& interf
 
 Enlarges the domain, a box, about its center, so that an interface near its boundary can move on.
 The space between the old and the new box is filled with cells of label 0. The old vertices and
-cells keep the data that the user has added to their bases, and are improved together with the new
-ones. The vertices of the interface, the normalization,
+cells keep the data that the user has added to their bases, until the improvement of the mesh, which
+follows, replaces them. The vertices of the interface, the normalization,
 `dsc.mean_interface_edge()` and `dsc.minimum_interface_edge()` are bitwise unchanged. The volumes of
 all labels except 0 are unchanged up to rounding. n log n in the number of cells.
 
@@ -236,7 +236,7 @@ template <class Complex> void grow_domain(Complex& dsc, double factor = 1.5) {
   for (std::size_t i = 0; i < before.spacings.size(); ++i)
     if (before.spacings[i] > 0)
       internal::Simplex_access::set_spacing(vertices[i], before.spacings[i]);
-  std::vector<std::size_t> ranks; // in the order of the state, which is kept
+  std::vector<std::size_t> ranks; // restore() keeps this order
   for (auto v : vertices)
     ranks.push_back(v->time_stamp());
   auto after = grown.state();

@@ -124,6 +124,7 @@ private:
   std::vector<std::string> m_vanished; // labels
   std::string m_range;                 // of the colors of the picture
   unsigned m_first = 0, m_done = 0;    // numbers of steps
+  bool m_is_stopped = false;           // by an interrupt
 };
 
 template <int dimension> void Reported_run<dimension>::check_places() {
@@ -234,8 +235,8 @@ template <int dimension> void Reported_run<dimension>::do_steps() {
   const Fluid<Complex>& fluid = *m_run.fluid;
   const double start_time = fluid.time();
   try {
+    std::optional<Interruptible> scope(true);
     write_files();
-    const Interruptible scope(true);
     while (!is_over()) {
       advance();
       progress.show(unsigned(parts * (fluid.time() - start_time) / (m_end - start_time)));
@@ -243,8 +244,11 @@ template <int dimension> void Reported_run<dimension>::do_steps() {
         write_files();
     }
     progress.clear();
-    if (!interrupted()) {
+    if (!interrupted())
       write_files();
+    m_is_stopped = interrupted();
+    scope.reset();
+    if (!m_is_stopped) {
       write_report();
       if (!m_options.picture.path.empty())
         m_range = draw_fluid<dimension>(m_options.picture, *m_run.complex, *m_run.fluid);
@@ -252,6 +256,7 @@ template <int dimension> void Reported_run<dimension>::do_steps() {
         m_folder->require(*m_run.complex);
     }
   } catch (const DSC::Interrupted_error&) {
+    m_is_stopped = true;
     progress.clear();
   } catch (const std::exception& error) {
     progress.clear();
@@ -263,7 +268,7 @@ template <int dimension> void Reported_run<dimension>::do_steps() {
 }
 
 template <int dimension> int Reported_run<dimension>::finish() {
-  if (interrupted()) {
+  if (m_is_stopped) {
     std::cerr << "dsc: interrupted after step " << step() << "; continue with dsc fluid --resume "
               << save("dsc_interrupted") << '\n';
     write_report();
@@ -273,7 +278,7 @@ template <int dimension> int Reported_run<dimension>::finish() {
                 listed(m_vanished).c_str());
   if (!m_options.quiet)
     print_summary(m_run, m_done, m_repetitions, m_range, seconds_since(m_begin));
-  return interrupted() ? exit_code_of_interrupt : 0;
+  return m_is_stopped ? exit_code_of_interrupt : 0;
 }
 
 /// Runs a scene or, without a scene, resumes a checkpoint. Returns the exit code.

@@ -248,6 +248,7 @@ private:
   bool m_measures_distance = false;
   std::optional<Report> m_report; // if requested
   unsigned m_done = 0;
+  bool m_is_stopped = false; // by an interrupt
   std::size_t m_unfinished = 0, m_stopped_at_boundary = 0;
   double m_seconds = 0;
   Divided_steps m_divided_steps;
@@ -297,6 +298,8 @@ void Run::start() {
   if (!m_options.output.picture.empty() && m_complex->dimension() == 2)
     throw Usage_error(
         "--picture applies only in space; in the plane, use --output to write pictures");
+  if (m_options.output.subdivisions > 0 && m_complex->dimension() == 2)
+    throw Usage_error("--subdivide applies only in space; leave it out");
   if (m_folder && !m_options.resume.empty())
     m_complex->run_once([&] { m_folder->keep_until(m_position.time); });
 
@@ -349,8 +352,8 @@ void Run::do_steps() {
   Progress_line progress(m_options.steps, m_options.output.quiet);
   progress.show(m_done);
   try {
+    std::optional<Interruptible> steps(true);
     write_files(true);
-    const Interruptible steps(true);
     agree_on_interrupts();
     while (m_done < m_options.steps && !interrupted()) {
       advance();
@@ -358,8 +361,11 @@ void Run::do_steps() {
       agree_on_interrupts();
     }
     progress.clear();
-    if (!interrupted()) {
+    if (!interrupted())
       write_files(true);
+    m_is_stopped = interrupted();
+    steps.reset();
+    if (!m_is_stopped) {
       write_report();
       if (!m_options.output.picture.empty())
         m_complex->write(m_options.output.picture);
@@ -367,6 +373,7 @@ void Run::do_steps() {
         m_folder->require(*m_complex);
     }
   } catch (const DSC::Interrupted_error&) {
+    m_is_stopped = true;
     m_complex->go_back();
     progress.clear();
     agree_on_interrupts();
@@ -395,8 +402,7 @@ void Run::write_report() {
 }
 
 int Run::finish() {
-  const bool stopped = interrupted();
-  if (stopped) {
+  if (m_is_stopped) {
     print_interruption(m_position,
                        save_run(m_folder, "dsc_interrupted", *m_complex, m_position, metadata()),
                        m_options.steps - m_done);
@@ -410,7 +416,7 @@ int Run::finish() {
     print_flat_cells(m_flat_cells);
     print_summary(m_position, m_complex->statistics(), m_unfinished, m_seconds);
   }
-  return stopped ? exit_code_of_interrupt : 0;
+  return m_is_stopped ? exit_code_of_interrupt : 0;
 }
 
 } // namespace

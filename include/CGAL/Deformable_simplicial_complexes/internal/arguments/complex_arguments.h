@@ -15,8 +15,6 @@
 #include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Deformable_simplicial_complexes/simplex_bases.h>
 
-#include <type_traits>
-
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Whether the predicates of a kernel are rounded, as kernels of CGAL tell.
@@ -40,10 +38,13 @@ template <class Kernel> constexpr bool require_kernel() {
 // Tds is a triangulation data structure for points of a type.
 template <class Tds, class Point, class = void> inline constexpr bool has_bases = false;
 template <class Tds, class Point>
-inline constexpr bool has_bases<Tds, Point, std::void_t<typename Tds::Vertex::Point>> =
-    std::is_same_v<typename Tds::Vertex::Point, Point>&&
-        std::is_base_of_v<Vertex_data, typename Tds::Vertex>&& std::is_base_of_v<
-            Cell_data, std::decay_t<decltype(*std::declval<typename Tds::Vertex&>().cell())>>;
+inline constexpr bool
+    has_bases<Tds, Point,
+              std::void_t<typename Tds::Vertex::Point,
+                          decltype(std::declval<typename Tds::Vertex&>().cell())>> =
+        std::is_same_v<typename Tds::Vertex::Point, Point>&&
+            std::is_base_of_v<Vertex_data, typename Tds::Vertex>&& std::is_base_of_v<
+                Cell_data, std::decay_t<decltype(*std::declval<typename Tds::Vertex&>().cell())>>;
 template <class Tds, class Point> constexpr bool require_bases() {
   static_assert(has_bases<Tds, Point>,
                 "the bases are Deformable_simplicial_complex_vertex_base_3<Traits, Vb> and "

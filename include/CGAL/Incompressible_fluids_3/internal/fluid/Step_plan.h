@@ -61,7 +61,7 @@ private:
 template <class Fluid, class Complex> class Fluid_snapshot
 {
 public:
-  // Takes O(n log n) time.
+  // Copies the complex, and saves the state of the fluid. Takes O(n log n) time.
   Fluid_snapshot(const Complex& complex, const Fluid& fluid)
       : m_complex(complex), m_fluid(fluid.state()) {}
 
@@ -69,8 +69,10 @@ public:
   // since. The function cannot be interrupted. Takes O(n log n) time.
   void restore(Complex& complex, Fluid& fluid) const {
     const Progress_pause pause;
-    if (complex.state() != m_complex.state())
+    if (complex.state() != m_complex.state()) {
+      complex.clear(); // first, to save memory
       complex = m_complex;
+    }
     fluid.restore(m_fluid);
   }
 
