@@ -170,6 +170,7 @@ TEST_F(Planar_program, resumes_to_the_same_bits) {
   EXPECT_EQ(info("whole/checkpoint.dsc", "step"), 4);
   expect_error("convert whole/checkpoint.dsc out.off", 2);
   expect_error("convert whole/checkpoint.dsc out.off --subdivide 1", 2);
+  expect_error("vortex --plane --output out --subdivide 1", 2);
   for (const std::string format : {"wkt", "poly", "svg", "vtu"})
     expect_success("convert whole/checkpoint.dsc out." + format + " --quiet");
   EXPECT_NEAR(last_step("rotate out.wkt --angle 1 --steps 1").at("labels")[1].at("area"), .0706858,
