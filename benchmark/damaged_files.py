@@ -370,7 +370,7 @@ def measure(command, folder, is_repeated=False):
 
     A run that got hardly any processor time until it was stopped is repeated once.
     """
-    limits = ["prlimit", f"--as={MEMORY}", f"--cpu={LIMIT}", "--"]  # faster than a function in a copy of this process
+    limits = ["prlimit", f"--as={MEMORY}", f"--cpu={LIMIT}", "--"]
     with open(folder / "out", "wb") as out, open(folder / "err", "wb") as err:
         child = subprocess.Popen(limits + command, stdin=subprocess.DEVNULL, stdout=out, stderr=err, cwd=folder, start_new_session=True)
         begun = time.monotonic()

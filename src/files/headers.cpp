@@ -196,6 +196,8 @@ std::string header_value(const std::string& path, char separator,
   for (std::string line; std::getline(file, line) && !line.empty() && line != "\r";) {
     const std::size_t mark = line.find(separator);
     std::string key = line.substr(0, mark);
+    if (separator == '=') // a name of MetaImage is one word
+      std::istringstream(line.substr(0, mark)) >> key;
     key.erase(key.find_last_not_of(" \t") + 1);
     std::transform(key.begin(), key.end(), key.begin(),
                    [](unsigned char c) { return char(std::tolower(c)); });

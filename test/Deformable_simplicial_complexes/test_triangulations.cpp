@@ -143,8 +143,6 @@ TEST(Triangulations, a_wrong_one_is_refused_and_stays) {
   EXPECT_THROW(dsc.assign(Triangulation()), DSC::Invalid_cells_error);
 }
 
-// Copies and sorted complexes have the data that users put into vertices and cells; operations keep
-// them where vertices and cells stay.
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -220,6 +218,8 @@ TEST(Triangulations, data_of_users_stay_in_a_grown_domain) {
   expect_data_in_grown_domain(in_plane);
 }
 
+// Copies and sorted complexes have the data that users put into vertices and cells; operations keep
+// them where vertices and cells stay.
 TEST(Triangulations, data_of_users) {
   const auto mesh = grid(4, small_meshes::ball);
   Marked_3 dsc;

@@ -86,6 +86,8 @@ BOMBS = {
     "colon.mha": (edited(damaged.mha(), (b"ElementDataFile =", b"ElementDataFile : x =")), "without '='"),
     "long.mha": (damaged.mha(extra="Comment = " + 256 * "x" + "\n"), "too long for VTK"),
     "key.mhd": (edited(damaged.mha(data="no.raw"), (b"ElementDataFile =", b"ElementDataFile x =")), "cannot be opened"),
+    "outside.mhd": (edited(damaged.mha(data="/etc/passwd"), (b"ElementDataFile =", b"ElementDataFile x =")), "outside of its folder"),
+    "indent.mhd": (edited(damaged.mha(data="/etc/passwd"), (b"ElementDataFile =", b"  ElementDataFile =")), "outside of its folder"),
     "picture.png": (damaged.png(colors=2).replace(b"IEND", b"IEXD"), "damaged PNG picture"),
     "corner.vtp": (edited(damaged.vtp(), (b"ascii\">0 2 1", b"ascii\">0 2 999")), "unknown vertex"),
     "offsets.vtp": (edited(damaged.vtp(), (b"3 6 9 12", b"3 9 6 12")), "is it damaged?"),
