@@ -9,7 +9,7 @@ Usage: scripts/cgal_branch.py OUTPUT [PACKAGE...]   copies packages, by default 
                                                     status 1 if it is wrong
 
 OUTPUT is a new folder, or the root of a working copy of CGAL. A package gets the folders include, doc,
-examples, test and package_info. Its files change as follows:
+examples, demo, test and package_info. Its files change as follows:
 - Headers get the line "This file is part of CGAL", the keywords $URL$ and $Id$, and the license of their package.
 - Of the examples, only those are copied whose headers belong to CGAL or to the copied packages.
 - Tests are the programs of test/PACKAGE/cgal, with the helpers of test/support that they include.
@@ -192,6 +192,8 @@ def copy_package(package, output, packages):
         write(output / package / "examples" / package / "CMakeLists.txt",
               CMAKE.format(package=package, kind="Examples"))
     copy_tests(package, output)
+    if (ROOT / "demo" / package).is_dir():
+        shutil.copytree(ROOT / "demo" / package, output / package / "demo" / package, dirs_exist_ok=True)
     copy_manual(package, output, packages)
     shutil.copytree(ROOT / "package_info" / package, output / package / "package_info" / package, dirs_exist_ok=True)
     print(f"{package}: {len(headers)} headers, {len(kept)} of {len(examples(package))} examples")
@@ -222,9 +224,9 @@ def check(output):
                     faults.append(f"{where}: may be executed")
                 if path.suffix == ".h" and "/include/" in str(path):
                     faults += [f"{where}: {fault}" for fault in header_faults(path, text, package)]
-        for kind in ("examples", "test"):
+        for kind in ("examples", "demo", "test"):
             for program in sorted(folder.glob(f"{kind}/*/*.cpp")):
-                name = {"examples": "Examples", "test": "Tests"}[kind]
+                name = {"examples": "Examples", "demo": "Demo", "test": "Tests"}[kind]
                 lists = program.parent / "CMakeLists.txt"
                 if not lists.is_file() or f"project({package}_{name})" not in lists.read_text():
                     faults.append(f"{lists.relative_to(output)}: is missing or names another project")

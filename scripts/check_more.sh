@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
 # Runs the checks that take too long for scripts/test.sh: the benchmarks, all headers alone, the thread
-# sanitizer, the other sanitizers, GCC, CGAL 6, more damaged files, random deformations, all examples, files
-# of all programs that Debian has, the parallel solver, other toolchains, packages on a bare Debian 12, and
+# sanitizer, the other sanitizers, GCC, CGAL 6, more damaged files, random deformations, all examples, the
+# demo, files of all programs that Debian has, the parallel solver, other toolchains, packages on a bare Debian 12, and
 # Debian 13.
 # Usage: scripts/check_more.sh [benchmarks] [headers] [threads] [sanitizers] [gcc] [cgal_6] [fuzz] [abuse]
-#          [examples] [formats] [petsc] [toolchains] [packages] [debian_13]
+#          [examples] [demo] [formats] [petsc] [toolchains] [packages] [debian_13]
 # Runs all parts by default. Prints a line for each part; its full output is in build-more/PART.log.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 parts=("$@")
-[ ${#parts[@]} -gt 0 ] || parts=(benchmarks headers threads sanitizers gcc cgal_6 fuzz abuse examples formats
+[ ${#parts[@]} -gt 0 ] || parts=(benchmarks headers threads sanitizers gcc cgal_6 fuzz abuse examples demo formats
   petsc toolchains packages debian_13)
 jobs=$(nproc)
 work=build-more
@@ -95,6 +95,21 @@ check_examples() {
     -DDSC_BUILD_PROGRAM=OFF -DDSC_BUILD_BENCHMARKS=OFF -DDSC_BUILD_PYTHON=OFF -DDSC_SHARE_COMPILATION=ON
   cmake --build "$work/examples" --parallel "$jobs"
   ctest --test-dir "$work/examples" --output-on-failure --no-tests=error --parallel "$jobs"
+}
+
+# Builds the demo as a user does, with an installed package, and takes a picture of its first window.
+check_demo() {
+  scripts/install_dependencies.sh libcgal-qt5-dev qtbase5-dev libqt5opengl5-dev libqt5svg5-dev imagemagick
+  cmake -S . -B "$work/installed" -G Ninja -DCMAKE_BUILD_TYPE=Release -DDSC_BUILD_COMPILED=OFF \
+    -DDSC_BUILD_TESTS=OFF -DDSC_BUILD_PROGRAM=OFF -DDSC_BUILD_EXAMPLES=OFF -DDSC_BUILD_BENCHMARKS=OFF \
+    -DDSC_BUILD_PYTHON=OFF
+  cmake --build "$work/installed" --parallel "$jobs"
+  cmake --install "$work/installed" --prefix "$work/prefix"
+  cmake -S demo/Deformable_simplicial_complexes -B "$work/demo" -G Ninja -DCMAKE_BUILD_TYPE=Release \
+    -DCMAKE_PREFIX_PATH="$PWD/$work/prefix"
+  cmake --build "$work/demo"
+  xvfb-run -a bash -c '"$1" & sleep 10; import -window root "$2"; kill $!' demo "$work/demo/merging_cubes" "$work/demo.png"
+  [ "$(identify -format %k "$work/demo.png")" -gt 2 ] # colors: more than an empty screen has
 }
 
 # Reads files that Gmsh, meshio, nibabel and FEniCS write. scripts/test.sh reads only those of VTK.

@@ -155,6 +155,7 @@ SEAM = {
     "Triangle_soup_repair": """
         checks/check_surfaces_3 soups/Soup_bisector_3 soups/Soup_regions_3 soups/Triangle_soup_3
         soups/soup_intersections_3""",
+    "Complex_construction": "building/points_in_space_3",
     "Mesh_files": """
         checkpoints/checkpoint_file grids/Vtu_document grids/Written_vertices grids/read_vtu_tetrahedra grids/write_vtu pictures/colors text/Xml_element
         text/files text/number_of_word""",

@@ -10,16 +10,13 @@
 
 #include <CGAL/license/Complex_construction.h>
 
-#include <CGAL/Complex_construction/Octree_3.h>
 #include <CGAL/Complex_construction/Tetrahedralization_3.h>
-#include <CGAL/Mesh_support/internal/cgal/cgal_compat.h>
+#include <CGAL/Complex_construction/internal/building/points_in_space_3.h>
 #include <CGAL/Mesh_support/internal/cgal/conforming_triangulation_3.h>
 
-#include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Unique_hash_map.h>
 
-#include <cmath>
 #include <map>
 #include <new>
 
@@ -72,7 +69,9 @@ public:
     std::vector<typename Kernel::Point_3> corners;
     for (const auto& p : points)
       corners.emplace_back(p[0], p[1], p[2]);
-    add_points_in_space<Kernel>(corners, triangles);
+    static constexpr double size = 2, distance = .5; // nothing else makes well-shaped tetrahedra
+    for (const auto& p : DSC::internal::points_in_space(points, triangles, size, distance))
+      corners.emplace_back(p[0], p[1], p[2]);
     try {
       return converted<Kernel>(Triangulation(corners, triangles), points, triangles);
     } catch (const std::bad_alloc&) {
@@ -87,49 +86,6 @@ public:
   }
 
 private:
-  // Appends points at a distance from the triangles: the centers of the leaves of an octree. The
-  // leaves are about as large as the triangles near them.
-  template <class Kernel>
-  static void add_points_in_space(std::vector<typename Kernel::Point_3>& points,
-                                  const std::vector<std::array<std::size_t, 3>>& triangles) {
-    namespace DSC = Deformable_simplicial_complexes;
-    using DSC::Octree_3;
-    using Triangles = std::vector<typename Kernel::Triangle_3>;
-    static constexpr double least_distance = .6; // in sides of leaves
-    Triangles facets;
-    for (const auto& t : triangles)
-      facets.emplace_back(points[t[0]], points[t[1]], points[t[2]]);
-    const AABB_tree<DSC::Tree_traits_3<Kernel, typename Triangles::const_iterator>> tree(
-        facets.begin(), facets.end());
-    const Bbox_3 box = tree.bbox();
-    Octree_3 octree(Octree_3::most_levels);
-    const double unit = (std::max)({box.x_span(), box.y_span(), box.z_span()}) / octree.side();
-    for (const auto& facet : facets) {
-      double length = 0;
-      for (int i = 0; i < 3; ++i)
-        length = (std::max)(length, squared_distance(facet[i], facet[(i + 1) % 3]));
-      const int exponent = std::ilogb(2 * std::sqrt(length) / unit);
-      const unsigned level = unsigned(std::clamp(exponent, 0, int(octree.last_level()) - 1)) + 1;
-      const auto center = centroid(facet);
-      Octree_3::Place block;
-      for (int axis = 0; axis < 3; ++axis)
-        block[axis] =
-            (std::min)(std::uint32_t((center[axis] - box.min(axis)) / unit), octree.side() - 1) >>
-            level;
-      octree.split(level, block);
-    }
-    octree.complete();
-    octree.for_each_leaf([&](unsigned level, const Octree_3::Place& block) {
-      const double side = std::ldexp(unit, int(level));
-      const typename Kernel::Point_3 p(box.xmin() + side * (block[0] + .5),
-                                       box.ymin() + side * (block[1] + .5),
-                                       box.zmin() + side * (block[2] + .5));
-      if (do_overlap(p.bbox(), box) &&
-          tree.squared_distance(p) >= least_distance * least_distance * side * side)
-        points.push_back(p);
-    });
-  }
-
   // Returns the cells inside the outermost constrained facets, and the constrained facets. Throws
   // `Tetrahedralization_error` if a cell is not positively oriented, or facets are missing.
   template <class Kernel, class Constrained>

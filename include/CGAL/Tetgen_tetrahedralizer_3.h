@@ -41,8 +41,11 @@ public:
   /*!
   Constructs the tetrahedralizer.
 
-  With the default values, a fine surface of well-shaped triangles gives between 5 and 6 tetrahedra
+  With the default values, a fine surface of well-shaped triangles gives between 5 and 7 tetrahedra
   per triangle. The bounds cannot be kept where triangles are badly shaped or meet at small angles.
+  For 5000 triangles and more, the default bounds and weaker ones are not enforced: points are added
+  at distances that grow with those from the triangles, which is faster. The functions that build
+  complexes improve the tetrahedra.
 
   \param radius_edge_ratio upper bound of the circumradius of a tetrahedron divided by its shortest
          edge, at least 1.2; infinity for no bound

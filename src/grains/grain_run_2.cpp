@@ -8,24 +8,20 @@
 #include <CGAL/Interface_flows/compiled_torus_2.h>
 
 namespace dsc {
-namespace {
-
-template <class Complex, class Domain>
-Grain_result grow_in_plane(const Domain& domain, const Grain_run& run,
-                           const std::function<void(const Grain_state&)>& on) {
-  const auto make = [&](double edge, const auto& labels) {
-    return DSC::make_deformable_simplicial_complex_2<Complex>(domain, edge, labels);
-  };
-  return grow_grains<Complex>(run, make, on);
-}
-
-} // namespace
 
 Grain_result grow_grains_2(const Grain_run& run,
                            const std::function<void(const Grain_state&)>& on) {
-  if (run.is_periodic)
-    return grow_in_plane<DSC::internal::Torus_complex_2>(DSC::Torus_domain<2>(), run, on);
-  return grow_in_plane<CGAL::Deformable_simplicial_complex_2<>>(CGAL::Bbox_2(0, 0, 1, 1), run, on);
+  using On_torus = DSC::internal::Torus_complex_2;
+  using In_box = CGAL::Deformable_simplicial_complex_2<>;
+  const auto on_torus = [](double edge, const auto& labels) {
+    return DSC::fill_torus<On_torus>(DSC::Torus_domain<2>(), edge, labels);
+  };
+  const auto in_box = [](double edge, const auto& labels) {
+    return DSC::make_deformable_simplicial_complex_2<In_box>(CGAL::Bbox_2(0, 0, 1, 1), edge,
+                                                             labels);
+  };
+  return run.is_periodic ? grow_grains<On_torus>(run, on_torus, on)
+                         : grow_grains<In_box>(run, in_box, on);
 }
 
 } // namespace dsc

@@ -8,25 +8,20 @@
 #include <CGAL/Interface_flows/compiled_torus_3.h>
 
 namespace dsc {
-namespace {
-
-template <class Complex, class Domain>
-Grain_result grow_in_space(const Domain& domain, const Grain_run& run,
-                           const std::function<void(const Grain_state&)>& on) {
-  const auto make = [&](double edge, const auto& labels) {
-    return DSC::make_deformable_simplicial_complex_3<Complex>(domain, edge, labels);
-  };
-  return grow_grains<Complex>(run, make, on);
-}
-
-} // namespace
 
 Grain_result grow_grains_3(const Grain_run& run,
                            const std::function<void(const Grain_state&)>& on) {
-  if (run.is_periodic)
-    return grow_in_space<DSC::internal::Torus_complex_3>(DSC::Torus_domain<3>(), run, on);
-  return grow_in_space<CGAL::Deformable_simplicial_complex_3<>>(CGAL::Bbox_3(0, 0, 0, 1, 1, 1), run,
-                                                                on);
+  using On_torus = DSC::internal::Torus_complex_3;
+  using In_box = CGAL::Deformable_simplicial_complex_3<>;
+  const auto on_torus = [](double edge, const auto& labels) {
+    return DSC::fill_torus<On_torus>(DSC::Torus_domain<3>(), edge, labels);
+  };
+  const auto in_box = [](double edge, const auto& labels) {
+    return DSC::make_deformable_simplicial_complex_3<In_box>(CGAL::Bbox_3(0, 0, 0, 1, 1, 1), edge,
+                                                             labels);
+  };
+  return run.is_periodic ? grow_grains<On_torus>(run, on_torus, on)
+                         : grow_grains<In_box>(run, in_box, on);
 }
 
 } // namespace dsc

@@ -8,6 +8,8 @@
 #include "child_process.h"
 
 #include <CGAL/Complex_construction/Tetrahedralization_3.h>
+#include <CGAL/Complex_construction/internal/building/points_in_space_3.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/complex/assemble_triangulation.h>
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
 
@@ -35,6 +37,9 @@ using Triangles = std::vector<internal::Triangle_indices>;
 // Error codes of TetGen.
 constexpr int out_of_memory = 1;
 constexpr int internal_error = 2;
+
+// The bounds by default. Points in space replace bounds that are not stricter.
+constexpr double usual_radius_edge_ratio = 2.5, usual_dihedral_angle = 10;
 
 const char* explanation(int code) {
   switch (code) {
@@ -110,10 +115,10 @@ int scale_exponent(const Points& points) {
   return -std::ilogb((std::max)({box.x_span(), box.y_span(), box.z_span()}));
 }
 
-// The input of TetGen. Its point i is point `order[i]` of the original input.
+// The input of TetGen. Its point i is point `order[i]` of `points`.
 struct Job
 {
-  const Points& points;
+  Points points; // the given ones, then those in space
   const Triangles& triangles;
   int exponent;
   tetgenbehavior behavior;
@@ -210,6 +215,24 @@ bool receive(Tetrahedralization_3& mesh, const Job& job, Child_process& child) {
   return true;
 }
 
+// Removes points after the first `kept` ones that no tetrahedron uses, such as those outside the
+// surface.
+void remove_unused_points(Tetrahedralization_3& mesh, std::size_t kept) {
+  static constexpr std::size_t unused = std::size_t(-1);
+  std::vector<std::size_t> place(mesh.points.size(), unused);
+  std::iota(place.begin(), place.begin() + std::ptrdiff_t(kept), std::size_t(0));
+  Points used(mesh.points.begin(), mesh.points.begin() + std::ptrdiff_t(kept));
+  for (auto& tetrahedron : mesh.tetrahedra)
+    for (std::size_t& v : tetrahedron) {
+      if (place[v] == unused) {
+        place[v] = used.size();
+        used.push_back(mesh.points[v]);
+      }
+      v = place[v];
+    }
+  mesh.points = std::move(used);
+}
+
 // Orients tetrahedra positively. Returns false if one is flat.
 bool orient(Tetrahedralization_3& mesh) {
   return std::all_of(mesh.tetrahedra.begin(), mesh.tetrahedra.end(), [&mesh](auto& v) {
@@ -221,49 +244,29 @@ bool orient(Tetrahedralization_3& mesh) {
   });
 }
 
-// A facet of a tetrahedron: its corners in increasing order, and the parity of their order as they
-// are seen from inside.
-using Half_facet = std::pair<internal::Triangle_indices, bool>;
-
-// Returns the facets of all tetrahedra, sorted.
-std::vector<Half_facet> half_facets(const Tetrahedralization_3& mesh) {
-  std::vector<Half_facet> result;
-  result.reserve(4 * mesh.tetrahedra.size());
-  for (const auto& v : mesh.tetrahedra) {
-    Deformable_simplicial_complexes::Progress_scope::check();
-    for (std::size_t i = 0; i < 4; ++i) {
-      internal::Triangle_indices f = {v[(i + 1) % 4], v[(i + 2) % 4], v[(i + 3) % 4]};
-      const bool is_even = (f[0] < f[1]) + (f[1] < f[2]) + (f[2] < f[0]) == 2;
-      std::sort(f.begin(), f.end());
-      result.emplace_back(f, is_even == (i % 2 == 0));
-    }
-  }
-  std::sort(result.begin(), result.end());
-  return result;
-}
-
-bool has_facets(const std::vector<Half_facet>& facets, const Triangles& triangles) {
-  return std::all_of(triangles.begin(), triangles.end(), [&](const auto& t) {
-    const Half_facet facet = {internal::sorted(t), false};
-    const auto found = std::lower_bound(facets.begin(), facets.end(), facet);
-    return found != facets.end() && found->first == facet.first;
-  });
-}
-
 // Throws unless positively oriented tetrahedra fill space without overlaps, and contain the
 // triangles: each side of a facet belongs to one tetrahedron at most.
 void check(const Tetrahedralization_3& mesh, const Triangles& triangles) {
-  const std::vector<Half_facet> facets = half_facets(mesh);
-  if (!has_facets(facets, triangles))
-    throw Failed_attempt(Cause::RESULT,
-                         "TetGen lost triangles: separate vertices and surfaces that are very "
-                         "close, or remesh the surfaces");
-  if (std::adjacent_find(facets.begin(), facets.end()) != facets.end())
-    throw Failed_attempt(Cause::RESULT, "TetGen created tetrahedra that overlap: separate vertices "
-                                        "and surfaces that are very close, or remesh the surfaces");
+  const auto facets = internal::sorted_facets(mesh.tetrahedra);
+  for (const internal::Triangle_indices& t : triangles) {
+    const internal::Triangle_indices corners = internal::sorted(t);
+    const auto found =
+        std::lower_bound(facets.begin(), facets.end(), corners,
+                         [](const auto& f, const auto& c) { return f.vertices < c; });
+    if (found == facets.end() || found->vertices != corners)
+      throw Failed_attempt(Cause::RESULT,
+                           "TetGen lost triangles: separate vertices and surfaces that are very "
+                           "close, or remesh the surfaces");
+  }
+  for (std::size_t i = 1; i < facets.size(); ++i)
+    if (facets[i].vertices == facets[i - 1].vertices &&
+        (!facets[i].fits(facets[i - 1]) || (i > 1 && facets[i].vertices == facets[i - 2].vertices)))
+      throw Failed_attempt(Cause::RESULT,
+                           "TetGen created tetrahedra that overlap: separate vertices and surfaces "
+                           "that are very close, or remesh the surfaces");
 }
 
-Tetrahedralization_3 tetrahedralize_once(const Job& job, double seconds,
+Tetrahedralization_3 tetrahedralize_once(const Job& job, std::size_t given, double seconds,
                                          double processor_seconds) try {
   Child_process child([&](const Child_process::Send& send) { run_tetgen(job, send); }, seconds,
                       processor_seconds);
@@ -278,6 +281,7 @@ Tetrahedralization_3 tetrahedralize_once(const Job& job, double seconds,
     throw Failed_attempt(Cause::RESULT, "TetGen created flat tetrahedra: use other bounds for the "
                                         "tetrahedra, or remesh the surfaces");
   check(mesh, job.triangles);
+  remove_unused_points(mesh, given);
   return mesh;
 } catch (const std::system_error& e) {
   throw Failed_attempt(Cause::MEMORY, std::string("TetGen could not be started, ") + e.what() +
@@ -286,20 +290,40 @@ Tetrahedralization_3 tetrahedralize_once(const Job& job, double seconds,
 
 struct Attempt
 {
-  double tolerance; // relative to the extent; TetGen treats closer points as equal
-  bool has_bounds;  // on the shapes of tetrahedra
-  unsigned seed;    // of the order of the points and triangles
-  double end;       // fraction of the time limit at which the attempt ends
+  double tolerance;         // relative to the extent; TetGen treats closer points as equal
+  bool has_bounds;          // on the shapes of tetrahedra
+  unsigned seed;            // of the order of the points and triangles
+  double end;               // fraction of the time limit at which the attempt ends
+  bool adds_points = false; // `points_instead_of_bounds()`
 };
 
-// The attempts, in their order. TetGen is less robust with a tolerance below its default, which is
-// the first one. Crashes and infinite loops occur where triangles of a flat side are rounded,
-// mostly while points are inserted to satisfy the shape bounds; another order changes the inserted
-// points.
-constexpr Attempt attempts[] = {{1e-8, true, 0, 1. / 3}, {1e-14, true, 0, 1. / 3},
-                                {1e-8, true, 1, 2. / 3}, {1e-8, true, 2, 2. / 3},
-                                {1e-8, true, 3, 2. / 3}, {1e-8, false, 0, 1},
-                                {1e-8, false, 1, 1},     {1e-8, false, 2, 1}};
+// The attempts, in their order. TetGen takes most of its time to insert points one by one where
+// bounds on shapes are not kept, so that points in space are added before, if there are many
+// triangles. TetGen is less robust with a tolerance below its default, which is the first one.
+// Crashes and infinite loops occur where triangles of a flat side are rounded, mostly while points
+// are inserted to satisfy the shape bounds; another order changes the inserted points.
+constexpr Attempt attempts[] = {{1e-8, false, 0, 1. / 3, true},
+                                {1e-8, true, 0, 1. / 3},
+                                {1e-14, true, 0, 1. / 3},
+                                {1e-8, true, 1, 2. / 3},
+                                {1e-8, true, 2, 2. / 3},
+                                {1e-8, true, 3, 2. / 3},
+                                {1e-8, false, 0, 1},
+                                {1e-8, false, 1, 1},
+                                {1e-8, false, 2, 1}};
+
+// Returns points in space that replace bounds on shapes, for about six tetrahedra per triangle.
+// Returns no points if there are few triangles, which TetGen fills fast, or if bounds are stricter
+// than usual.
+Points points_instead_of_bounds(const Job& job) {
+  static constexpr std::size_t many_triangles = 5000;
+  static constexpr double size = 4, distance = .4; // of leaves of an octree
+  if (job.triangles.size() < many_triangles || job.behavior.fixedvolume ||
+      job.behavior.minratio < usual_radius_edge_ratio ||
+      job.behavior.mindihedral > usual_dihedral_angle)
+    return {};
+  return internal::points_in_space(job.points, job.triangles, size, distance);
+}
 
 // Returns the processor time after which an attempt is taken for an infinite loop, in seconds:
 // about twenty times the usual one. If volumes are bounded, the time does not follow from the
@@ -368,18 +392,22 @@ Tetrahedralization_3 Tetgen_tetrahedralizer_3::operator()(const Points& points,
     job.behavior.maxvolume = std::ldexp(m_maximum_volume, 3 * job.exponent);
   }
 
+  const Points in_space = points_instead_of_bounds(job);
   std::optional<Failed_attempt> failure;
   for (const Attempt& attempt : attempts) {
-    if (failure && !may_help(attempt, failure->cause))
+    if (failure ? !may_help(attempt, failure->cause) : attempt.adds_points && in_space.empty())
       continue;
     job.behavior.epsilon = attempt.tolerance;
-    if (!attempt.has_bounds)
-      job.behavior.quality = job.behavior.fixedvolume = 0;
-    job.order = order_of_items(points.size(), attempt.seed);
+    job.behavior.quality = attempt.has_bounds;
+    job.behavior.fixedvolume = attempt.has_bounds && std::isfinite(m_maximum_volume);
+    job.points = points;
+    if (attempt.adds_points)
+      job.points.insert(job.points.end(), in_space.begin(), in_space.end());
+    job.order = order_of_items(job.points.size(), attempt.seed);
     job.order_of_triangles = order_of_items(triangles.size(), attempt.seed);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     try {
-      return tetrahedralize_once(job, attempt.end * m_time_limit - elapsed.count(),
+      return tetrahedralize_once(job, points.size(), attempt.end * m_time_limit - elapsed.count(),
                                  longest_processor_time(job));
     } catch (const Failed_attempt& e) {
       failure = e;

@@ -275,13 +275,12 @@ class Four_phases : public testing::Test
 {
 protected:
   Four_phases()
-      : dsc(DSC::make_deformable_simplicial_complex_2<Complex>(
-            Domain(), .05, [](const Complex::Point_2& p) {
-              const double x = p.x() - .5, y = p.y() - .5;
-              if (std::abs(x) > std::abs(y) + .1)
-                return x < 0 ? 3 : 4;
-              return y > 0 ? 1 : 2;
-            })) {}
+      : dsc(DSC::fill_torus<Complex>(Domain(), .05, [](const Complex::Point_2& p) {
+          const double x = p.x() - .5, y = p.y() - .5;
+          if (std::abs(x) > std::abs(y) + .1)
+            return x < 0 ? 3 : 4;
+          return y > 0 ? 1 : 2;
+        })) {}
 
   bool have_wall(int a, int b) const { return !dsc.interface_facets(a, b).empty(); }
 
@@ -323,10 +322,9 @@ TEST_F(Four_phases, keep_their_neighbors_where_that_is_wanted) {
 }
 
 TEST(Curve_shortening, shrinks_a_circle_on_the_seams_at_its_rate) {
-  Complex dsc = DSC::make_deformable_simplicial_complex_2<Complex>(
-      Domain(), .05, [](const Complex::Point_2& p) {
-        return distance_on_unit_torus(p, Point(0, 0)) < .3 ? 1 : 0;
-      });
+  Complex dsc = DSC::fill_torus<Complex>(Domain(), .05, [](const Complex::Point_2& p) {
+    return distance_on_unit_torus(p, Point(0, 0)) < .3 ? 1 : 0;
+  });
   const double two_pi = 2 * std::acos(-1.), dt = .001;
   for (int i = 0; i < 10; ++i) {
     const double before = dsc.area(1);
@@ -336,10 +334,9 @@ TEST(Curve_shortening, shrinks_a_circle_on_the_seams_at_its_rate) {
 }
 
 TEST(Curve_shortening, brings_a_bubble_of_a_kept_area_to_rest) {
-  Complex dsc = DSC::make_deformable_simplicial_complex_2<Complex>(
-      Domain(), .05, [](const Complex::Point_2& p) {
-        return std::abs(p.x() - .5) < .3 && std::abs(p.y() - .5) < .15 ? 1 : 0;
-      });
+  Complex dsc = DSC::fill_torus<Complex>(Domain(), .05, [](const Complex::Point_2& p) {
+    return std::abs(p.x() - .5) < .3 && std::abs(p.y() - .5) < .15 ? 1 : 0;
+  });
   const double area = dsc.area(1), radius = std::sqrt(area / std::acos(-1.));
   const DSC::Mean_curvature_flow flow(true);
   for (int i = 0; i < 100; ++i)

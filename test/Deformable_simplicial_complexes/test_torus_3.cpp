@@ -25,14 +25,14 @@ double distance_on_unit_torus(const Position& p, const Position& q) {
 
 // A ball about the corner of the box, where all seams meet.
 Complex ball_on_the_seams(double radius, double edge) {
-  return DSC::make_deformable_simplicial_complex_3<Complex>(Domain(), edge, [&](const Position& p) {
+  return DSC::fill_torus<Complex>(Domain(), edge, [&](const Position& p) {
     return distance_on_unit_torus(p, CGAL::ORIGIN) < radius ? 1 : 0;
   });
 }
 
 TEST(Torus_3, is_filled_without_boundary) {
-  const Complex dsc = DSC::make_deformable_simplicial_complex_3<Complex>(
-      Domain({1, 1.5, 2}), .3, [](const Position&) { return 7; });
+  const Complex dsc =
+      DSC::fill_torus<Complex>(Domain({1, 1.5, 2}), .3, [](const Position&) { return 7; });
   EXPECT_TRUE(dsc.is_valid(true));
   EXPECT_EQ(dsc.number_of_vertices(), 2u * 3 * 5 * 7);
   EXPECT_EQ(dsc.number_of_cells(), 12u * 3 * 5 * 7);
@@ -131,11 +131,10 @@ TEST(Torus_3, stays_valid_whatever_happens) {
     std::vector<int> label_of(64);
     for (int& label : label_of)
       label = int(random() % unsigned(labels));
-    Complex dsc =
-        DSC::make_deformable_simplicial_complex_3<Complex>(Domain(), .2, [&](const Position& p) {
-          return label_of[std::size_t(4 * p.x()) * 16 + std::size_t(4 * p.y()) * 4 +
-                          std::size_t(4 * p.z())];
-        });
+    Complex dsc = DSC::fill_torus<Complex>(Domain(), .2, [&](const Position& p) {
+      return label_of[std::size_t(4 * p.x()) * 16 + std::size_t(4 * p.y()) * 4 +
+                      std::size_t(4 * p.z())];
+    });
     for (int i = 0; i < 3; ++i) {
       DSC::advect_interface(dsc, Random_field(random), 0, .2);
       ASSERT_TRUE(dsc.is_valid(true)) << labels << " labels, field " << i;

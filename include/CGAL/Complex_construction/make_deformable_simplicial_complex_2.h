@@ -334,18 +334,6 @@ Complex make_deformable_simplicial_complex_2(const Bbox_2& box, double edge,
     return internal::fill_grid(Complex(), internal::box_grid(box, edge), label_at, np);
 }
 
-/*!
-\ingroup PkgComplexConstructionRef
-
-Makes a complex on a flat torus from a function of labels; the same as `fill_torus()`.
-*/
-template <class Complex, class LabelAt, class NP = parameters::Default_named_parameters>
-Complex make_deformable_simplicial_complex_2(const Torus_domain<2>& domain, double edge,
-                                             const LabelAt& label_at,
-                                             const NP& np = parameters::default_values()) {
-  return fill_torus<Complex>(domain, edge, label_at, np);
-}
-
 } // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_COMPLEX_CONSTRUCTION_MAKE_DEFORMABLE_SIMPLICIAL_COMPLEX_2_H

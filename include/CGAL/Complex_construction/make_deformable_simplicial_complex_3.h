@@ -356,18 +356,6 @@ Complex make_deformable_simplicial_complex_3(const Bbox_3& box, double edge,
     return internal::fill_grid(Complex(), internal::box_grid(box, edge), label_at, np);
 }
 
-/*!
-\ingroup PkgComplexConstructionRef
-
-Makes a complex on a flat torus from a function of labels; the same as `fill_torus()`.
-*/
-template <class Complex, class LabelAt, class NP = parameters::Default_named_parameters>
-Complex make_deformable_simplicial_complex_3(const Torus_domain<3>& domain, double edge,
-                                             const LabelAt& label_at,
-                                             const NP& np = parameters::default_values()) {
-  return fill_torus<Complex>(domain, edge, label_at, np);
-}
-
 } // namespace CGAL::Deformable_simplicial_complexes
 
 #endif // CGAL_COMPLEX_CONSTRUCTION_MAKE_DEFORMABLE_SIMPLICIAL_COMPLEX_3_H

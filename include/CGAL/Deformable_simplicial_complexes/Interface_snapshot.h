@@ -109,52 +109,28 @@ protected:
 /*!
 \ingroup PkgDeformableSimplicialComplexesRef
 
-The vertices and facets of an interface. The specializations for the dimensions 2 and 3 name the
-facets `segments` and `triangles`.
+The vertices and facets of an interface.
 
 \tparam Complex a deformable simplicial complex
-\tparam dimension the dimension of the complex
 */
-template <class Complex, int dimension = Complex::dimension> struct Interface_snapshot;
-
-/// Vertices and facets of an interface in 3D.
-template <class Complex> struct Interface_snapshot<Complex, 3> : public Interface_vertices<Complex>
+template <class Complex> struct Interface_snapshot : public Interface_vertices<Complex>
 {
-  using Triangle = typename Interface_vertices<Complex>::Facet; ///< a facet
-
-  std::vector<Triangle> triangles; ///< in the order of `interface_facets()`
+  using typename Interface_vertices<Complex>::Facet;
 
   /// Takes the snapshot. n log n in the size of the interface, plus linear in the number of cells.
   /// `for_each_index` is a loop over indices, on any threads.
   explicit Interface_snapshot(const Complex& complex,
                               const For_each_index& for_each_index = For_each_index())
       : Interface_vertices<Complex>(complex, for_each_index),
-        triangles(this->facets_of(complex, for_each_index)) {}
+        m_facets(this->facets_of(complex, for_each_index)) {}
 
-  /// Returns the triangles, by the name for any dimension.
-  const std::vector<Triangle>& facets() const { return triangles; }
-  /// Returns the triangles, to be changed.
-  std::vector<Triangle>& facets() { return triangles; }
-};
+  /// Returns the facets, in the order of `interface_facets()`.
+  const std::vector<Facet>& facets() const { return m_facets; }
+  /// Returns the facets, to be changed.
+  std::vector<Facet>& facets() { return m_facets; }
 
-/// Vertices and facets of an interface in 2D.
-template <class Complex> struct Interface_snapshot<Complex, 2> : public Interface_vertices<Complex>
-{
-  using Segment = typename Interface_vertices<Complex>::Facet; ///< a facet
-
-  std::vector<Segment> segments; ///< in the order of `interface_facets()`
-
-  /// Takes the snapshot. n log n in the size of the interface, plus linear in the number of cells.
-  /// `for_each_index` is a loop over indices, on any threads.
-  explicit Interface_snapshot(const Complex& complex,
-                              const For_each_index& for_each_index = For_each_index())
-      : Interface_vertices<Complex>(complex, for_each_index),
-        segments(this->facets_of(complex, for_each_index)) {}
-
-  /// Returns the segments, by the name for any dimension.
-  const std::vector<Segment>& facets() const { return segments; }
-  /// Returns the segments, to be changed.
-  std::vector<Segment>& facets() { return segments; }
+private:
+  std::vector<Facet> m_facets;
 };
 
 } // namespace CGAL::Deformable_simplicial_complexes

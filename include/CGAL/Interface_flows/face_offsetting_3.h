@@ -82,9 +82,9 @@ public:
     std::vector<Vertex> vertices(positions.size());
     const auto triangles = weighted_triangles(interface_, positions);
     for (const auto& triangle : triangles) {
-      const double sign = sign_of_growth(interface_.triangles[triangle.index]);
+      const double sign = sign_of_growth(interface_.facets()[triangle.index]);
       for (int i = 0; i < 3; ++i) {
-        Vertex& v = vertices[interface_.triangles[triangle.index].vertices[i]];
+        Vertex& v = vertices[interface_.facets()[triangle.index].vertices[i]];
         v.quadric.add(triangle.unit_normal, triangle.angles[i], sign * offset);
         v.is_constrained = v.is_constrained || sign == 0;
       }
@@ -105,7 +105,7 @@ public:
     // mean over its facets. Where the vertex moves away from a facet, the length is the offset.
     // Otherwise it is the length for which the vertex has the offset from the plane of the facet.
     for (const auto& triangle : triangles) {
-      const auto& corner = interface_.triangles[triangle.index].vertices;
+      const auto& corner = interface_.facets()[triangle.index].vertices;
       for (int i = 0; i < 3; ++i) {
         Vertex& v = vertices[corner[i]];
         const auto& p = positions[corner[i]];
@@ -168,7 +168,7 @@ public:
     std::vector<Vertex_quadric_3<Vector>> quadrics(positions.size());
     for (const auto& triangle : weighted_triangles(interface_, advected))
       for (int i = 0; i < 3; ++i) {
-        const std::size_t v = interface_.triangles[triangle.index].vertices[i];
+        const std::size_t v = interface_.facets()[triangle.index].vertices[i];
         quadrics[v].add(triangle.unit_normal, triangle.angles[i],
                         (advected[v] - positions[v]) * triangle.unit_normal);
       }

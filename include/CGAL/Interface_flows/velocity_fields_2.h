@@ -41,20 +41,15 @@ public:
   /// \pre `period` is positive.
   explicit Single_vortex_velocity_2(double period = 8) : m_period(period) {}
 
-  /// Returns the velocity at the point p at the time t.
-  Vector_2 operator()(const Point_2& p, double t) const {
+  /// Returns the velocity at the point p, of any kernel of doubles, at the time t.
+  template <class Point = Point_2>
+  auto operator()(const Point& p, double t) const ->
+      typename Kernel_traits<Point>::Kernel::Vector_2 {
+    using Vector = typename Kernel_traits<Point>::Kernel::Vector_2;
     const double sx = std::sin(CGAL_PI * p.x()), cx = std::cos(CGAL_PI * p.x());
     const double sy = std::sin(CGAL_PI * p.y()), cy = std::cos(CGAL_PI * p.y());
     const double f = 2 * sx * sy * std::cos(CGAL_PI * t / m_period);
-    return f * Vector_2(-sx * cy, cx * sy);
-  }
-
-  /// The same for points of any kernel whose numbers are doubles.
-  template <class Point>
-  auto operator()(const Point& p, double t) const ->
-      typename Kernel_traits<Point>::Kernel::Vector_2 {
-    return point_of<typename Kernel_traits<Point>::Kernel::Vector_2>(
-        coordinates_of<2>((*this)(point_of<Point_2>(coordinates_of<2>(p)), t)));
+    return f * Vector(-sx * cy, cx * sy);
   }
 
 private:

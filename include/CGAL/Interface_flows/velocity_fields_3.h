@@ -46,21 +46,16 @@ public:
   /// \pre `period` is positive.
   explicit Enright_velocity_3(double period = 3) : m_period(period) {}
 
-  /// Returns the velocity at the point p at the time t.
-  Vector_3 operator()(const Point_3& p, double t) const {
+  /// Returns the velocity at the point p, of any kernel of doubles, at the time t.
+  template <class Point = Point_3>
+  auto operator()(const Point& p, double t) const ->
+      typename Kernel_traits<Point>::Kernel::Vector_3 {
+    using Vector = typename Kernel_traits<Point>::Kernel::Vector_3;
     const double sx = std::sin(CGAL_PI * p.x()), cx = std::cos(CGAL_PI * p.x());
     const double sy = std::sin(CGAL_PI * p.y()), cy = std::cos(CGAL_PI * p.y());
     const double sz = std::sin(CGAL_PI * p.z()), cz = std::cos(CGAL_PI * p.z());
     const double f = 4 * sx * sy * sz * std::cos(CGAL_PI * t / m_period);
-    return f * Vector_3(2 * sx * cy * cz, -cx * sy * cz, -cx * cy * sz);
-  }
-
-  /// The same for points of any kernel whose numbers are doubles.
-  template <class Point>
-  auto operator()(const Point& p, double t) const ->
-      typename Kernel_traits<Point>::Kernel::Vector_3 {
-    return point_of<typename Kernel_traits<Point>::Kernel::Vector_3>(
-        coordinates_of<3>((*this)(point_of<Point_3>(coordinates_of<3>(p)), t)));
+    return f * Vector(2 * sx * cy * cz, -cx * sy * cz, -cx * cy * sz);
   }
 
 private:
@@ -87,18 +82,12 @@ public:
   /// \pre `period` is positive.
   explicit Single_vortex_velocity_3(double period = 8) : m_in_plane(period) {}
 
-  /// Returns the velocity at the point p at the time t.
-  Vector_3 operator()(const Point_3& p, double t) const {
-    const auto in_plane = m_in_plane({p.x(), p.y()}, t);
-    return {in_plane.x(), in_plane.y(), 0};
-  }
-
-  /// The same for points of any kernel whose numbers are doubles.
-  template <class Point>
+  /// Returns the velocity at the point p, of any kernel of doubles, at the time t.
+  template <class Point = Point_3>
   auto operator()(const Point& p, double t) const ->
       typename Kernel_traits<Point>::Kernel::Vector_3 {
-    return point_of<typename Kernel_traits<Point>::Kernel::Vector_3>(
-        coordinates_of<3>((*this)(point_of<Point_3>(coordinates_of<3>(p)), t)));
+    const auto in_plane = m_in_plane(Epick::Point_2(p.x(), p.y()), t);
+    return {in_plane.x(), in_plane.y(), 0};
   }
 
 private:
@@ -146,20 +135,15 @@ public:
       wave.velocity = speed / std::sqrt(mean_square) * wave.velocity;
   }
 
-  /// Returns the velocity at the point p. It does not depend on the time.
-  Vector_3 operator()(const Point_3& p, double /*t*/) const {
+  /// Returns the velocity at the point p, of any kernel of doubles. It does not depend on the time.
+  template <class Point = Point_3>
+  auto operator()(const Point& p, double /*t*/) const ->
+      typename Kernel_traits<Point>::Kernel::Vector_3 {
+    const Vector_3 place(p.x(), p.y(), p.z());
     Vector_3 result(0, 0, 0);
     for (const Wave& wave : m_waves)
-      result = result + std::cos(wave.number * (p - ORIGIN) + wave.phase) * wave.velocity;
-    return result;
-  }
-
-  /// The same for points of any kernel whose numbers are doubles.
-  template <class Point>
-  auto operator()(const Point& p, double t) const ->
-      typename Kernel_traits<Point>::Kernel::Vector_3 {
-    return point_of<typename Kernel_traits<Point>::Kernel::Vector_3>(
-        coordinates_of<3>((*this)(point_of<Point_3>(coordinates_of<3>(p)), t)));
+      result = result + std::cos(wave.number * place + wave.phase) * wave.velocity;
+    return {result.x(), result.y(), result.z()};
   }
 
 private:

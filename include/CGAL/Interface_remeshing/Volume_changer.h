@@ -112,8 +112,7 @@ public:
   /// Check the result with `changes()`: no error is thrown if amounts cannot be reached.
   ///
   /// Each iteration is linear in the size of the interface, times the square of the number of
-  /// labels at a vertex. The dense system of up to 64 labels takes the cube of their number; more
-  /// labels take an iterative solution of a sparse system.
+  /// labels at a vertex, and solves a sparse system with one unknown for each label.
   /// \param amounts changes of the volumes. Labels that are not mentioned take the rest.
   /// \param directions for each vertex and each label of `amounts`, such as `gradients()`
   /// \param positions of the vertices, in the order of the snapshot; changed
@@ -184,30 +183,11 @@ private:
     return displacement * (normal(a) + 4 * normal(m) + normal(b)) / 6;
   }
 
-  // Up to this number of labels, a dense solution is fast enough.
-  static constexpr Eigen::Index few_labels = 64;
-
-  // Returns the step lengths in the directions that change the volumes by the missing amounts.
-  static Eigen::VectorXd solve_directly(const Directions& gradients, const Directions& directions,
-                                        const Eigen::VectorXd& missing) {
-    Eigen::MatrixXd products = Eigen::MatrixXd::Zero(missing.size(), missing.size());
-    for (std::size_t v = 0; v < gradients.size(); ++v)
-      for (const auto& [i, a] : gradients[v])
-        for (const auto& [j, b] : directions[v])
-          products(i, j) += a * b;
-    // Singular if all labels are given, as the sum of their volumes is constant.
-    static constexpr double rounding = 1e-10;
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-    decomposition.setThreshold(rounding);
-    decomposition.compute(products);
-    return decomposition.solve(missing);
-  }
-
-  // Returns the same step lengths by an iterative solver. Only labels that share a vertex have an
-  // entry in the sparse matrix.
-  static Eigen::VectorXd solve_iteratively(const Directions& gradients,
-                                           const Directions& directions,
-                                           const Eigen::VectorXd& missing) {
+  // Returns the step lengths in the directions that change the volumes by the missing amounts. Only
+  // labels that share a vertex have an entry in the matrix, which is singular if all labels are
+  // given, as the sum of their volumes is constant.
+  static Eigen::VectorXd step_lengths(const Directions& gradients, const Directions& directions,
+                                      const Eigen::VectorXd& missing) {
     std::vector<Eigen::Triplet<double>> entries;
     for (std::size_t v = 0; v < gradients.size(); ++v)
       for (const auto& [i, a] : gradients[v])
@@ -215,14 +195,14 @@ private:
           entries.emplace_back(int(i), int(j), a * b);
     Eigen::SparseMatrix<double> products(missing.size(), missing.size());
     products.setFromTriplets(entries.begin(), entries.end());
-    static constexpr double residual = 1e-6; // relative; later Newton steps correct the rest
+    static constexpr double residual = 1e-10; // relative; later Newton steps correct the rest
     Eigen::BiCGSTAB<Eigen::SparseMatrix<double>> solver;
     solver.setTolerance(residual);
     solver.compute(products);
     const Eigen::VectorXd lengths = solver.solve(missing);
     if (solver.info() == Eigen::Success && lengths.allFinite())
       return lengths;
-    // Slower, but also solves the singular system in which all labels are given.
+    // Slower, but also solves singular systems.
     Eigen::LeastSquaresConjugateGradient<Eigen::SparseMatrix<double>> least_squares;
     least_squares.setTolerance(residual);
     least_squares.compute(products);
@@ -232,9 +212,7 @@ private:
   // Moves the positions by one step of Newton's method.
   static void advance(const Directions& gradients, const Directions& directions,
                       const Eigen::VectorXd& missing, std::vector<Point>& positions) {
-    const Eigen::VectorXd lengths = missing.size() <= few_labels
-                                        ? solve_directly(gradients, directions, missing)
-                                        : solve_iteratively(gradients, directions, missing);
+    const Eigen::VectorXd lengths = step_lengths(gradients, directions, missing);
     for (std::size_t v = 0; v < positions.size(); ++v)
       for (const auto& [i, direction] : directions[v])
         positions[v] = positions[v] + lengths(i) * direction;

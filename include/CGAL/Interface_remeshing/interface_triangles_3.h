@@ -77,8 +77,8 @@ std::vector<Weighted_triangle<typename Complex::Vector_3>>
 weighted_triangles(const Interface_snapshot<Complex>& interface_,
                    const std::vector<typename Complex::Point_3>& positions) {
   std::vector<Weighted_triangle<typename Complex::Vector_3>> result;
-  for (std::size_t i = 0; i < interface_.triangles.size(); ++i) {
-    const auto p = corners(interface_.triangles[i], interface_.domain, positions);
+  for (std::size_t i = 0; i < interface_.facets().size(); ++i) {
+    const auto p = corners(interface_.facets()[i], interface_.domain, positions);
     const auto normal = internal::area_vector(p);
     const double area = std::sqrt(normal.squared_length());
     const auto angle = [&](int j) {
@@ -110,7 +110,7 @@ vertex_normals(const Interface_snapshot<Complex>& interface_,
   std::vector<Vector> result(positions.size(), Vector(0, 0, 0));
   for (const auto& triangle : weighted_triangles(interface_, positions))
     for (int i = 0; i < 3; ++i) {
-      Vector& normal = result[interface_.triangles[triangle.index].vertices[i]];
+      Vector& normal = result[interface_.facets()[triangle.index].vertices[i]];
       normal = normal + triangle.angles[i] * triangle.unit_normal;
     }
   static constexpr double rounding = 1e-9; // of sums of angles
@@ -144,9 +144,9 @@ std::vector<char> vertices_on_features(const Interface_snapshot<Complex>& interf
     std::size_t triangle;
   };
   std::vector<Side> sides;
-  for (std::size_t t = 0; t < interface_.triangles.size(); ++t)
+  for (std::size_t t = 0; t < interface_.facets().size(); ++t)
     for (int i = 0; i < 3; ++i) {
-      const auto& v = interface_.triangles[t].vertices;
+      const auto& v = interface_.facets()[t].vertices;
       const auto [a, b] = std::minmax(v[i], v[(i + 1) % 3]);
       sides.push_back({{a, b}, t});
     }
@@ -155,7 +155,7 @@ std::vector<char> vertices_on_features(const Interface_snapshot<Complex>& interf
   });
   const auto normal = [&](const Side& side) {
     return internal::area_vector(
-        corners(interface_.triangles[side.triangle], interface_.domain, positions));
+        corners(interface_.facets()[side.triangle], interface_.domain, positions));
   };
   std::vector<char> result(positions.size(), false);
   for (std::size_t i = 1; i < sides.size(); ++i)

@@ -52,10 +52,14 @@ bool is_closed(const std::vector<std::array<std::size_t, 3>>& triangles) {
 // vertices at the same point. The mesh has border edges at edges with four or more triangles.
 Mesh closed_mesh(Surface surface, const std::string& name) {
   PMP::merge_duplicate_points_in_polygon_soup(surface.points, surface.triangles);
+  const auto is_mesh = [&] { return PMP::is_polygon_soup_a_polygon_mesh(surface.triangles); };
   const bool closed = is_closed(surface.triangles);
-  if (closed)
+  bool is_ready = closed && is_mesh();
+  if (closed && !is_ready) {
     PMP::orient_polygon_soup(surface.points, surface.triangles);
-  if (!closed || !PMP::is_polygon_soup_a_polygon_mesh(surface.triangles))
+    is_ready = is_mesh();
+  }
+  if (!is_ready)
     throw Input_error(name + " is not a closed surface; use --repair, or leave out --triangles to "
                              "locate the defect");
   Mesh mesh;

@@ -219,6 +219,55 @@ TEST(Tetgen, puts_the_input_first) {
   EXPECT_FALSE(has_children());
 }
 
+// A torus around the z axis, with n triangles around its tube for each 2 around the axis.
+Triangle_soup_3 torus(std::size_t n) {
+  Triangle_soup_3 result;
+  for (std::size_t i = 0; i < 2 * n; ++i)
+    for (std::size_t j = 0; j < n; ++j) {
+      const double u = CGAL_PI * double(i) / double(n), v = 2 * CGAL_PI * double(j) / double(n);
+      const double r = 1 + .4 * std::cos(v);
+      result.points.push_back({r * std::cos(u), r * std::sin(u), .4 * std::sin(v)});
+      const std::size_t next_i = (i + 1) % (2 * n), next_j = (j + 1) % n;
+      result.triangles.push_back({i * n + j, next_i * n + j, next_i * n + next_j});
+      result.triangles.push_back({i * n + j, next_i * n + next_j, i * n + next_j});
+    }
+  return result;
+}
+
+double volume(const std::vector<std::array<double, 3>>& points,
+              const std::array<std::size_t, 4>& v) {
+  const auto point = [&](std::size_t i) { return DSC::internal::exact_point(points[v[i]]); };
+  return CGAL::volume(point(0), point(1), point(2), point(3));
+}
+
+// Many triangles are filled with points of an octree. Those outside the surface, which is not
+// convex, are left out.
+TEST(Tetgen, adds_points_inside_surfaces_of_many_triangles) {
+  const Triangle_soup_3 soup = torus(40);
+  ASSERT_GE(soup.triangles.size(), 5000u);
+  const auto mesh = Tetgen_tetrahedralizer_3()(soup.points, soup.triangles);
+  ASSERT_GT(mesh.points.size(), soup.points.size());
+  EXPECT_TRUE(std::equal(soup.points.begin(), soup.points.end(), mesh.points.begin()));
+  std::vector<char> is_used(mesh.points.size(), 0);
+  double inside = 0, of_surface = 0;
+  for (const auto& t : mesh.tetrahedra) {
+    inside += volume(mesh.points, t);
+    for (const std::size_t v : t)
+      is_used[v] = 1;
+  }
+  EXPECT_EQ(std::count(is_used.begin(), is_used.end(), 0), 0);
+  std::vector<std::array<double, 3>> with_origin = soup.points;
+  with_origin.push_back({0, 0, 0});
+  for (const auto& t : soup.triangles)
+    of_surface += volume(with_origin, {soup.points.size(), t[0], t[1], t[2]});
+  EXPECT_NEAR(inside, std::abs(of_surface), 1e-9);
+  EXPECT_LT(mesh.tetrahedra.size(), 4 * soup.triangles.size()); // on one side
+  // Bounds on volumes are kept.
+  const auto fine = Tetgen_tetrahedralizer_3(2.5, 10, 1e-3)(soup.points, soup.triangles);
+  for (const auto& t : fine.tetrahedra)
+    EXPECT_LE(volume(fine.points, t), 1e-3);
+}
+
 // With the sanitizer, a lock of the allocator may be held forever in the child of a process with
 // threads. The system allocator has no such problem. test/installed_package tests threads, too.
 #ifndef __SANITIZE_ADDRESS__

@@ -203,8 +203,8 @@ TEST(Advection, velocities_of_the_whole_interface) {
                             std::vector<Vector>& velocities) {
     times.push_back(t);
     EXPECT_EQ(interface_.vertices, dsc.interface_vertices());
-    EXPECT_EQ(interface_.triangles.size(), 48u);
-    for (const auto& triangle : interface_.triangles) {
+    EXPECT_EQ(interface_.facets().size(), 48u);
+    for (const auto& triangle : interface_.facets()) {
       EXPECT_EQ(triangle.behind, 1);
       EXPECT_EQ(triangle.in_front, 0);
       const auto& v = triangle.vertices;

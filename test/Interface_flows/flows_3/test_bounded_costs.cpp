@@ -154,7 +154,7 @@ TEST(Curvature_sizing_field, is_what_relaxation_over_all_edges_ends_with) {
   std::size_t changes = 0;
   for (bool has_changed = true; has_changed;) {
     has_changed = false;
-    for (const auto& triangle : interface_.triangles)
+    for (const auto& triangle : interface_.facets())
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
           const std::size_t a = triangle.vertices[i], b = triangle.vertices[j];

@@ -18,7 +18,7 @@ double length(const Vector& v) { return std::sqrt(v.squared_length()); }
 
 double area(const Snapshot& snapshot, const std::vector<Position>& positions) {
   double sum = 0;
-  for (const auto& [vertices, behind, in_front] : snapshot.triangles)
+  for (const auto& [vertices, behind, in_front] : snapshot.facets())
     sum += length(CGAL::cross_product(positions[vertices[1]] - positions[vertices[0]],
                                       positions[vertices[2]] - positions[vertices[0]])) /
            2;

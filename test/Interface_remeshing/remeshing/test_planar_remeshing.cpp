@@ -150,11 +150,9 @@ TEST(Curvature_sizing_field_2, tells_the_lengths_of_an_ellipse) {
 
 TEST(Curvature_sizing_field_2, sees_across_the_seam_of_a_torus) {
   const auto disk_at = [](double x, double y) {
-    return DSC::make_deformable_simplicial_complex_2<torus::Complex>(
-        torus::Domain({1, 1}), .04, [=](const auto& p) {
-          return std::hypot(std::remainder(p.x() - x, 1.), std::remainder(p.y() - y, 1.)) < .2 ? 1
-                                                                                               : 0;
-        });
+    return DSC::fill_torus<torus::Complex>(torus::Domain({1, 1}), .04, [=](const auto& p) {
+      return std::hypot(std::remainder(p.x() - x, 1.), std::remainder(p.y() - y, 1.)) < .2 ? 1 : 0;
+    });
   };
   const auto middle = disk_at(.5, .5), corner = disk_at(0, 0);
   const DSC::Curvature_sizing_field<2> of_middle(middle, 1e-3, 1e-3, .3),
@@ -170,10 +168,9 @@ TEST(Curvature_sizing_field_2, sees_across_the_seam_of_a_torus) {
 }
 
 TEST(Improve_interface_2, works_across_the_seam_of_a_torus) {
-  auto dsc = DSC::make_deformable_simplicial_complex_2<torus::Complex>(
-      torus::Domain({1, 1}), .06, [](const auto& p) {
-        return std::hypot(std::remainder(p.x(), 1.), std::remainder(p.y(), 1.)) < .3 ? 1 : 0;
-      });
+  auto dsc = DSC::fill_torus<torus::Complex>(torus::Domain({1, 1}), .06, [](const auto& p) {
+    return std::hypot(std::remainder(p.x(), 1.), std::remainder(p.y(), 1.)) < .3 ? 1 : 0;
+  });
   const double area = dsc.area(1);
   const DSC::Curvature_sizing_field<2> size(dsc, 1e-4, 1e-3, .3);
   DSC::improve_interface(dsc, parameters::sizing_field(std::cref(size)).curved_splits(true));

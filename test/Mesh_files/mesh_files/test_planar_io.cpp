@@ -271,10 +271,9 @@ TEST(Polygons_2, of_pinched_regions_pass_no_vertex_twice) {
 }
 
 TEST(Interface_2, of_a_torus_is_unwrapped) {
-  const auto disk = DSC::make_deformable_simplicial_complex_2<torus::Complex>(
-      torus::Domain({1, 1}), .06, [](const auto& p) {
-        return std::hypot(std::remainder(p.x(), 1.), std::remainder(p.y(), 1.)) < .3 ? 1 : 0;
-      });
+  const auto disk = DSC::fill_torus<torus::Complex>(torus::Domain({1, 1}), .06, [](const auto& p) {
+    return std::hypot(std::remainder(p.x(), 1.), std::remainder(p.y(), 1.)) < .3 ? 1 : 0;
+  });
   const auto circle = DSC::extract_interface(disk);
   EXPECT_EQ(circle.points.size(), circle.segments.size());
   double area = 0;

@@ -51,27 +51,28 @@ std::vector<Cell_facet<int(corners) - 1>>
 sorted_facets(const std::vector<std::array<std::size_t, corners>>& cells) {
   static constexpr int d = int(corners) - 1;
   using Facet = Cell_facet<d>;
-  std::vector<Facet> unsorted;
-  unsorted.reserve(corners * cells.size());
-  std::vector<std::size_t> bucket_ends;
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    Progress_scope::check();
-    for (int i = 0; i <= d; ++i) {
-      std::array<std::size_t, d> f;
-      for (int k = 0; k < d; ++k)
-        f[k] = cells[c][k < i ? k : k + 1];
-      // The vertex i is moved to the front by i exchanges.
-      const bool is_even = sort_vertices(f) == (i % 2 == 0);
-      unsorted.push_back({f, c, i, is_even});
-      if (bucket_ends.size() < f[0] + 2)
-        bucket_ends.resize(f[0] + 2, 0);
-      ++bucket_ends[f[0] + 1];
+  const auto for_each_facet = [&](const auto& visit) {
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      Progress_scope::check();
+      for (int i = 0; i <= d; ++i) {
+        std::array<std::size_t, d> f;
+        for (int k = 0; k < d; ++k)
+          f[k] = cells[c][k < i ? k : k + 1];
+        // The vertex i is moved to the front by i exchanges.
+        const bool is_even = sort_vertices(f) == (i % 2 == 0);
+        visit(Facet{f, c, i, is_even});
+      }
     }
-  }
+  };
+  std::vector<std::size_t> bucket_ends;
+  for_each_facet([&](const Facet& f) {
+    if (bucket_ends.size() < f.vertices[0] + 2)
+      bucket_ends.resize(f.vertices[0] + 2, 0);
+    ++bucket_ends[f.vertices[0] + 1];
+  });
   std::partial_sum(bucket_ends.begin(), bucket_ends.end(), bucket_ends.begin());
-  std::vector<Facet> facets(unsorted.size());
-  for (const Facet& f : unsorted)
-    facets[bucket_ends[f.vertices[0]]++] = f;
+  std::vector<Facet> facets(corners * cells.size());
+  for_each_facet([&](const Facet& f) { facets[bucket_ends[f.vertices[0]]++] = f; });
   for (auto first = facets.begin(); first != facets.end();) {
     Progress_scope::check();
     const auto last = facets.begin() + bucket_ends[first->vertices[0]];

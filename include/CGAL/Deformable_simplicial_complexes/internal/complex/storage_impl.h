@@ -202,22 +202,19 @@ auto CGAL_DSC_CLASS::state() const -> State {
     return result;
   m_components.update(*this, m_totals);
 
-  const internal::Less_time_stamp order;
   const std::vector<Cell_handle> cells = all_cells();
-  const auto add_cell_of = [&](Vertex_handle v) {
-    const auto position =
-        std::lower_bound(cells.begin(), cells.end(), v->cell(), order) - cells.begin();
-    result.vertex_cells.push_back(std::uint32_t(position));
-  };
+  std::vector<std::uint32_t> places(cell_id_bound());
+  for (size_type i = 0; i < cells.size(); ++i)
+    places[cells[i]->id()] = std::uint32_t(i);
   Vertex_numbers numbers(*this);
   std::uint32_t index = 0;
   numbers.set(m_triangulation.infinite_vertex(), index);
   if (Domain::has_outside)
-    add_cell_of(m_triangulation.infinite_vertex());
+    result.vertex_cells.push_back(places[m_triangulation.infinite_vertex()->cell()->id()]);
   for (Vertex_handle v : vertices()) {
     Progress_scope::check();
     numbers.set(v, ++index);
-    add_cell_of(v);
+    result.vertex_cells.push_back(places[v->cell()->id()]);
     result.points.push_back(coordinates_of<dimension>(position(v)));
     result.boundary_classes.push_back(v->boundary_class());
     result.spacings.push_back(v->spacing());

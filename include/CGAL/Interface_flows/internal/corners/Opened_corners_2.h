@@ -110,7 +110,7 @@ private:
   std::vector<Corner> corners(const Interface_snapshot<Complex>& interface_, int sign) const {
     std::vector<Corner> ends(interface_.vertices.size());
     std::vector<int> numbers(interface_.vertices.size(), 0); // of segments
-    for (const auto& segment : interface_.segments)
+    for (const auto& segment : interface_.facets())
       for (int i = 0; i < 2; ++i) {
         Corner& end = ends[segment.vertices[i]];
         int& number = numbers[segment.vertices[i]];

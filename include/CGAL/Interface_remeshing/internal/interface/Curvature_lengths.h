@@ -77,7 +77,7 @@ private:
   template <class Function>
   static void for_each_side(const Interface_snapshot<Complex>& interface_, const Points& positions,
                             const Function& function) {
-    for (const auto& segment : interface_.segments) {
+    for (const auto& segment : interface_.facets()) {
       const auto& p = positions[segment.vertices[0]];
       const Vector edge = interface_.domain.nearest_image(p, positions[segment.vertices[1]]) - p;
       if (edge.squared_length() > 0)

@@ -150,11 +150,14 @@ std::vector<std::pair<std::size_t, std::size_t>> crossing_triangles(const Triang
 
   const Do_triangles_cross_3<Kernel> do_cross(soup);
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
-  box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
-    Progress_scope::check();
-    if (do_cross(a.info(), b.info()))
-      pairs.push_back(std::minmax({a.info(), b.info()}));
-  });
+  box_self_intersection_d(
+      boxes.begin(), boxes.end(),
+      [&](const Box& a, const Box& b) {
+        Progress_scope::check();
+        if (do_cross(a.info(), b.info()))
+          pairs.push_back(std::minmax({a.info(), b.info()}));
+      },
+      undivided_boxes);
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }

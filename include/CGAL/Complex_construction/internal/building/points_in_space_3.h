@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The deformable simplicial complex authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Author(s)     : The deformable simplicial complex authors
+
+#ifndef CGAL_COMPLEX_CONSTRUCTION_INTERNAL_BUILDING_POINTS_IN_SPACE_3_H
+#define CGAL_COMPLEX_CONSTRUCTION_INTERNAL_BUILDING_POINTS_IN_SPACE_3_H
+
+#include <CGAL/license/Complex_construction.h>
+
+#include <CGAL/Complex_construction/Octree_3.h>
+#include <CGAL/Mesh_support/internal/cgal/cgal_compat.h>
+#include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
+
+#include <CGAL/AABB_tree.h>
+
+#include <cmath>
+
+namespace CGAL::Deformable_simplicial_complexes::internal {
+
+// Returns points for tetrahedra away from triangles, in the box around the triangles: the centers
+// of the leaves of an octree. A leaf at a triangle has a side of a half to one times `size` longest
+// edges. The center of a leaf has a distance of `distance` sides or more from all triangles, along
+// some axis. Returns no points if they would be more than ten for a triangle: then triangles are
+// much smaller than the distances between them. n log n in the number of triangles.
+inline std::vector<Coordinates_3> points_in_space(const std::vector<Coordinates_3>& points,
+                                                  const std::vector<Triangle_indices>& triangles,
+                                                  double size, double distance) {
+  using Kernel = Predicates_kernel;
+  using Triangles = std::vector<Kernel::Triangle_3>;
+  static constexpr std::size_t most_for_triangle = 10;
+  Triangles facets;
+  for (const auto& t : triangles)
+    facets.emplace_back(exact_point(points[t[0]]), exact_point(points[t[1]]),
+                        exact_point(points[t[2]]));
+  const AABB_tree<Tree_traits_3<Kernel, Triangles::const_iterator>> tree(facets.begin(),
+                                                                         facets.end());
+  const Bbox_3 box = tree.bbox();
+  Octree_3 octree(Octree_3::most_levels);
+  const double unit = (std::max)({box.x_span(), box.y_span(), box.z_span()}) / octree.side();
+  for (const auto& facet : facets) {
+    double length = 0;
+    for (int i = 0; i < 3; ++i)
+      length = (std::max)(length, squared_distance(facet[i], facet[(i + 1) % 3]));
+    const int exponent = std::ilogb(size * std::sqrt(length) / unit);
+    const unsigned level = unsigned(std::clamp(exponent, 0, int(octree.last_level()) - 1)) + 1;
+    const auto center = centroid(facet);
+    Octree_3::Place block;
+    for (int axis = 0; axis < 3; ++axis)
+      block[axis] =
+          (std::min)(std::uint32_t((center[axis] - box.min(axis)) / unit), octree.side() - 1) >>
+          level;
+    octree.split(level, block);
+  }
+  octree.complete();
+  std::vector<Coordinates_3> result;
+  const std::size_t most = most_for_triangle * triangles.size();
+  octree.for_each_leaf([&](unsigned level, const Octree_3::Place& block) {
+    const double side = std::ldexp(unit, int(level)), d = distance * side;
+    const Coordinates_3 p = {box.xmin() + side * (block[0] + .5),
+                             box.ymin() + side * (block[1] + .5),
+                             box.zmin() + side * (block[2] + .5)};
+    if (result.size() <= most && do_overlap(exact_point(p).bbox(), box) &&
+        !tree.do_intersect(
+            Kernel::Iso_cuboid_3(p[0] - d, p[1] - d, p[2] - d, p[0] + d, p[1] + d, p[2] + d)))
+      result.push_back(p);
+  });
+  if (result.size() > most)
+    result.clear();
+  return result;
+}
+
+} // namespace CGAL::Deformable_simplicial_complexes::internal
+
+#endif // CGAL_COMPLEX_CONSTRUCTION_INTERNAL_BUILDING_POINTS_IN_SPACE_3_H
