@@ -317,7 +317,7 @@ constexpr Attempt attempts[] = {{1e-8, false, 0, 1. / 3, true},
 // than usual.
 Points points_instead_of_bounds(const Job& job) {
   static constexpr std::size_t many_triangles = 5000;
-  static constexpr double size = 4, distance = .4; // of leaves of an octree
+  static constexpr double size = 5, distance = .4; // of leaves of an octree
   if (job.triangles.size() < many_triangles || job.behavior.fixedvolume ||
       job.behavior.minratio < usual_radius_edge_ratio ||
       job.behavior.mindihedral > usual_dihedral_angle)

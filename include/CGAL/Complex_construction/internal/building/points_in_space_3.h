@@ -21,16 +21,16 @@
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
 // Returns points for tetrahedra away from triangles, in the box around the triangles: the centers
-// of the leaves of an octree. A leaf at a triangle has a side of a half to one times `size` longest
-// edges. The center of a leaf has a distance of `distance` sides or more from all triangles, along
-// some axis. Returns no points if they would be more than ten for a triangle: then triangles are
-// much smaller than the distances between them. n log n in the number of triangles.
+// of the leaves of an octree. The side of a leaf at a triangle is a half to one times `size` edges
+// of an equilateral triangle of the same area. The center of a leaf has a distance of `distance`
+// sides or more from all triangles, along some axis. Returns no points if they would be more than
+// the triangles: then triangles are much smaller than the distances between them. n log n in the
+// number of triangles.
 inline std::vector<Coordinates_3> points_in_space(const std::vector<Coordinates_3>& points,
                                                   const std::vector<Triangle_indices>& triangles,
                                                   double size, double distance) {
   using Kernel = Predicates_kernel;
   using Triangles = std::vector<Kernel::Triangle_3>;
-  static constexpr std::size_t most_for_triangle = 10;
   Triangles facets;
   for (const auto& t : triangles)
     facets.emplace_back(exact_point(points[t[0]]), exact_point(points[t[1]]),
@@ -41,10 +41,8 @@ inline std::vector<Coordinates_3> points_in_space(const std::vector<Coordinates_
   Octree_3 octree(Octree_3::most_levels);
   const double unit = (std::max)({box.x_span(), box.y_span(), box.z_span()}) / octree.side();
   for (const auto& facet : facets) {
-    double length = 0;
-    for (int i = 0; i < 3; ++i)
-      length = (std::max)(length, squared_distance(facet[i], facet[(i + 1) % 3]));
-    const int exponent = std::ilogb(size * std::sqrt(length) / unit);
+    const double length = std::sqrt(4 / std::sqrt(3.) * std::sqrt(facet.squared_area()));
+    const int exponent = std::ilogb(size * length / unit);
     const unsigned level = unsigned(std::clamp(exponent, 0, int(octree.last_level()) - 1)) + 1;
     const auto center = centroid(facet);
     Octree_3::Place block;
@@ -56,18 +54,17 @@ inline std::vector<Coordinates_3> points_in_space(const std::vector<Coordinates_
   }
   octree.complete();
   std::vector<Coordinates_3> result;
-  const std::size_t most = most_for_triangle * triangles.size();
   octree.for_each_leaf([&](unsigned level, const Octree_3::Place& block) {
     const double side = std::ldexp(unit, int(level)), d = distance * side;
     const Coordinates_3 p = {box.xmin() + side * (block[0] + .5),
                              box.ymin() + side * (block[1] + .5),
                              box.zmin() + side * (block[2] + .5)};
-    if (result.size() <= most && do_overlap(exact_point(p).bbox(), box) &&
+    if (result.size() <= triangles.size() && do_overlap(exact_point(p).bbox(), box) &&
         !tree.do_intersect(
             Kernel::Iso_cuboid_3(p[0] - d, p[1] - d, p[2] - d, p[0] + d, p[1] + d, p[2] + d)))
       result.push_back(p);
   });
-  if (result.size() > most)
+  if (result.size() > triangles.size())
     result.clear();
   return result;
 }

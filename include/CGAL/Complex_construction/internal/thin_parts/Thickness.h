@@ -51,7 +51,7 @@ double longest_facet_edge(const Complex& complex, const typename Complex::Facet&
 }
 
 // Relative difference of lengths that count as equal, so that the unit of length does not matter.
-inline constexpr double rounding = 1e-9;
+inline constexpr double rounding_of_lengths = 1e-9;
 
 // The thickness of a phase at a facet of the interface, on the side of the cell of the facet: the
 // distances to the next facets of the interface along the inner normal, from the barycenter and
@@ -90,7 +90,7 @@ public:
   // Returns whether the thickness is about the same at all points, and at most `most` at one.
   bool is_small() const {
     return m_number == d + 1 && m_smallest <= m_most &&
-           m_largest <= (1 + rounding) * ratio * m_smallest;
+           m_largest <= (1 + rounding_of_lengths) * ratio * m_smallest;
   }
 
   double value() const { return m_smallest; } // at the thinnest point
@@ -195,7 +195,7 @@ Coarse_facets<Complex> coarse_facets(const Complex& complex, double edge_per_thi
   static constexpr double any = std::numeric_limits<double>::infinity();
   const auto entry = [&](Facet facet, double longest) -> Coarse_facet<Complex>* {
     const double edge = longest_facet_edge(complex, facet);
-    if (!(edge > (1 + rounding) * longest))
+    if (!(edge > (1 + rounding_of_lengths) * longest))
       return nullptr;
     if (const Facet other = other_side<Complex>(facet);
         other.first->time_stamp() < facet.first->time_stamp())
