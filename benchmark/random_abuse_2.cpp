@@ -137,7 +137,7 @@ public:
     const auto allows = [&](const Complex& complex, typename Complex::Cell_handle c, int) {
       return control == 0 || (control == 1 && complex.position(c->vertex(0)).x() > 0);
     };
-    const auto np = parameters::scheme(Integration_scheme::euler)
+    const auto np = CGAL::parameters::scheme(Integration_scheme::euler)
                         .topology_control(allows)
                         .maximum_number_of_passes(choose(2) == 0 ? 20 : 3)
                         .manifold_interface(choose(2) == 1)
@@ -235,8 +235,7 @@ void run(std::size_t number_of_fields, std::uint64_t seed) {
                                                             label_at),
           number_of_fields / 4, random);
     abuse(std::string("torus, ") + labels,
-          DSC::make_deformable_simplicial_complex_2<Torus>(Torus_domain<2>({size, size}), edge,
-                                                           label_at),
+          DSC::fill_torus<Torus>(Torus_domain<2>({size, size}), edge, label_at),
           number_of_fields / 4, random);
   }
   std::cout << "\nEvery state was valid.\n";

@@ -30,7 +30,7 @@ struct Area_decrease
                   std::vector<Vector>& velocities) const {
     velocities.assign(positions.size(), Vector(0, 0, 0));
     std::vector<double> areas(positions.size(), 0.); // of the triangles around each vertex
-    for (const auto& triangle : interface_.triangles)
+    for (const auto& triangle : interface_.facets())
       for (int i = 0; i < 3; ++i) {
         const std::size_t v = triangle.vertices[i];
         const Point p = positions[v], q = positions[triangle.vertices[(i + 1) % 3]],

@@ -41,11 +41,9 @@ public:
   /*!
   Constructs the tetrahedralizer.
 
-  With the default values, a fine surface of well-shaped triangles gives between 5 and 7 tetrahedra
-  per triangle. The bounds cannot be kept where triangles are badly shaped or meet at small angles.
-  For 5000 triangles and more, the default bounds and weaker ones are not enforced: points are added
-  at distances that grow with those from the triangles, which is faster. The functions that build
-  complexes improve the tetrahedra.
+  The bounds cannot be kept where triangles are badly shaped or meet at small angles. For 5000
+  triangles and more, added points replace the default bounds and weaker ones, which is faster: the
+  points are sparser farther from the triangles.
 
   \param radius_edge_ratio upper bound of the circumradius of a tetrahedron divided by its shortest
          edge, at least 1.2; infinity for no bound
@@ -79,11 +77,12 @@ public:
   Fills the space inside a closed surface with tetrahedra. The surface may enclose other ones.
 
   If TetGen fails, the function tries in this order:
+  - bounds on shapes, if added points replaced them;
   - a smaller tolerance, unless TetGen crashed or was too slow;
   - another order of the points;
   - no bounds, with both orders of the points, so that tetrahedra are of lower quality.
 
-  If TetGen reports invalid input, only the smaller tolerance is tried. If a call takes less than a
+  If TetGen reports invalid input, only the first two are tried. If a call takes less than a
   third of the time limit, its result is deterministic.
 
   Several threads may call this function at the same time on platforms with `fork()`. The allocator

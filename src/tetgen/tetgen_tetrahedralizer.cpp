@@ -38,9 +38,6 @@ using Triangles = std::vector<internal::Triangle_indices>;
 constexpr int out_of_memory = 1;
 constexpr int internal_error = 2;
 
-// The bounds by default. Points in space replace bounds that are not stricter.
-constexpr double usual_radius_edge_ratio = 2.5, usual_dihedral_angle = 10;
-
 const char* explanation(int code) {
   switch (code) {
   case out_of_memory:
@@ -215,8 +212,7 @@ bool receive(Tetrahedralization_3& mesh, const Job& job, Child_process& child) {
   return true;
 }
 
-// Removes points after the first `kept` ones that no tetrahedron uses, such as those outside the
-// surface.
+// Removes points that no tetrahedron uses, except the first `kept` ones.
 void remove_unused_points(Tetrahedralization_3& mesh, std::size_t kept) {
   static constexpr std::size_t unused = std::size_t(-1);
   std::vector<std::size_t> place(mesh.points.size(), unused);
@@ -297,9 +293,8 @@ struct Attempt
   bool adds_points = false; // `points_instead_of_bounds()`
 };
 
-// The attempts, in their order. TetGen takes most of its time to insert points one by one where
-// bounds on shapes are not kept, so that points in space are added before, if there are many
-// triangles. TetGen is less robust with a tolerance below its default, which is the first one.
+// The attempts, in their order. The first one adds points in space instead of bounds, if there are
+// many triangles. TetGen is less robust with a tolerance below its default, which comes first.
 // Crashes and infinite loops occur where triangles of a flat side are rounded, mostly while points
 // are inserted to satisfy the shape bounds; another order changes the inserted points.
 constexpr Attempt attempts[] = {{1e-8, false, 0, 1. / 3, true},
@@ -312,17 +307,27 @@ constexpr Attempt attempts[] = {{1e-8, false, 0, 1. / 3, true},
                                 {1e-8, false, 1, 1},
                                 {1e-8, false, 2, 1}};
 
-// Returns points in space that replace bounds on shapes, for about six tetrahedra per triangle.
-// Returns no points if there are few triangles, which TetGen fills fast, or if bounds are stricter
-// than usual.
+// Returns points in space that replace bounds on shapes. Returns no points if there are few
+// triangles, which TetGen fills fast, if no bounds are given, or if they are stricter than usual.
 Points points_instead_of_bounds(const Job& job) {
   static constexpr std::size_t many_triangles = 5000;
   static constexpr double size = 5, distance = .4; // of leaves of an octree
-  if (job.triangles.size() < many_triangles || job.behavior.fixedvolume ||
-      job.behavior.minratio < usual_radius_edge_ratio ||
-      job.behavior.mindihedral > usual_dihedral_angle)
+  const tetgenbehavior& bounds = job.behavior;
+  const Tetgen_tetrahedralizer_3 usual;
+  const bool has_bounds = std::isfinite(bounds.minratio) || bounds.mindihedral > 0;
+  if (job.triangles.size() < many_triangles || !has_bounds || bounds.fixedvolume ||
+      bounds.minratio < usual.radius_edge_ratio() ||
+      bounds.mindihedral > usual.minimum_dihedral_angle())
     return {};
-  return internal::points_in_space(job.points, job.triangles, size, distance);
+  const auto scaled = [](Points points, int exponent) {
+    for (internal::Coordinates_3& p : points)
+      for (double& x : p)
+        x = std::ldexp(x, exponent);
+    return points;
+  };
+  return scaled(internal::points_in_space(scaled(job.points, job.exponent), job.triangles, size,
+                                          distance, job.triangles.size()),
+                -job.exponent);
 }
 
 // Returns the processor time after which an attempt is taken for an infinite loop, in seconds:
@@ -382,8 +387,9 @@ Tetrahedralization_3 Tetgen_tetrahedralizer_3::operator()(const Points& points,
                                                           const Triangles& triangles) const {
   const auto start = std::chrono::steady_clock::now();
   Job job = {points, triangles, scale_exponent(points), {}, {}, {}};
-  // p: tetrahedralize the triangles, Y: preserve them, q: bound the quality, Q: quiet.
-  char switches[] = "pYqQ";
+  // p: tetrahedralize the triangles, Y: keep them, q: bound the quality, J: keep unused points, Q:
+  // quiet.
+  char switches[] = "pYqJQ";
   job.behavior.parse_commandline(switches);
   job.behavior.minratio = m_radius_edge_ratio;
   job.behavior.mindihedral = m_minimum_dihedral_angle;
@@ -410,7 +416,8 @@ Tetrahedralization_3 Tetgen_tetrahedralizer_3::operator()(const Points& points,
       return tetrahedralize_once(job, points.size(), attempt.end * m_time_limit - elapsed.count(),
                                  longest_processor_time(job));
     } catch (const Failed_attempt& e) {
-      failure = e;
+      if (!attempt.adds_points || e.cause == Cause::MEMORY)
+        failure = e;
     }
   }
   throw *failure;

@@ -87,14 +87,21 @@ public:
   void split(unsigned level, const Place& block) { m_split[level].push_back(grid_key(block)); }
 
   /// Splits further blocks until the octree is balanced. n log n in the number of split blocks.
+  /// \param most Once there are more split blocks, the function ends.
+  /// \return whether the octree is complete. It must not be used otherwise.
   /// \throws Interrupted_error if a `Progress_scope` stops the function. The object must then not
   ///         be used any more.
-  void complete() {
+  bool complete(std::size_t most = std::size_t(-1)) {
+    std::size_t number = 0;
     for (unsigned level = 1; level < last_level(); ++level) {
       sort_and_unify(m_split[level]);
+      number += m_split[level].size();
+      if (number > most)
+        return false;
       split_around(level);
     }
     sort_and_unify(m_split.back());
+    return true;
   }
 
   /// Returns whether a block is split. Blocks of level 0 and blocks outside the root are not. A

@@ -188,25 +188,31 @@ private:
   // given, as the sum of their volumes is constant.
   static Eigen::VectorXd step_lengths(const Directions& gradients, const Directions& directions,
                                       const Eigen::VectorXd& missing) {
-    std::vector<Eigen::Triplet<double>> entries;
+    Eigen::SparseMatrix<double> products(missing.size(), missing.size());
     for (std::size_t v = 0; v < gradients.size(); ++v)
       for (const auto& [i, a] : gradients[v])
         for (const auto& [j, b] : directions[v])
-          entries.emplace_back(int(i), int(j), a * b);
-    Eigen::SparseMatrix<double> products(missing.size(), missing.size());
-    products.setFromTriplets(entries.begin(), entries.end());
+          products.coeffRef(i, j) += a * b;
+    products.makeCompressed();
+    // The solvers square numbers, so that these should be near 1.
+    const double scale = products.nonZeros() > 0 ? products.coeffs().abs().maxCoeff() : 0;
+    const double amount = scale > 0 ? missing.cwiseAbs().maxCoeff() : 0;
+    if (!(amount > 0))
+      return Eigen::VectorXd::Zero(missing.size());
+    products /= scale;
+    const Eigen::VectorXd wanted = missing / amount;
     static constexpr double residual = 1e-10; // relative; later Newton steps correct the rest
     Eigen::BiCGSTAB<Eigen::SparseMatrix<double>> solver;
     solver.setTolerance(residual);
     solver.compute(products);
-    const Eigen::VectorXd lengths = solver.solve(missing);
+    const Eigen::VectorXd lengths = solver.solve(wanted);
     if (solver.info() == Eigen::Success && lengths.allFinite())
-      return lengths;
+      return amount / scale * lengths;
     // Slower, but also solves singular systems.
     Eigen::LeastSquaresConjugateGradient<Eigen::SparseMatrix<double>> least_squares;
     least_squares.setTolerance(residual);
     least_squares.compute(products);
-    return least_squares.solve(missing);
+    return amount / scale * least_squares.solve(wanted);
   }
 
   // Moves the positions by one step of Newton's method.

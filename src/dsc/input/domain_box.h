@@ -22,15 +22,11 @@ template <int dimension> auto box_of_dimension(const std::array<double, 6>& d) {
 }
 
 /// Returns the options of a complex with normalized coordinates, in a given or the default domain.
-/// Each step improves the cells that it needs up to the same quality, so that more would be lost
-/// work.
 inline DSC::Construction_options<3> normalized(const std::optional<std::array<double, 6>>& domain,
                                                const DSC::Thin_part_options& thin_parts) {
   DSC::Construction_options<3> result;
   result.normalize = true;
   result.thin_parts = thin_parts;
-  result.quality_threshold = .2;
-  result.number_of_iterations = 3;
   if (domain)
     result.enclosing_box = box_of_dimension<3>(*domain);
   return result;

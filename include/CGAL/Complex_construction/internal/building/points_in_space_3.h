@@ -23,12 +23,12 @@ namespace CGAL::Deformable_simplicial_complexes::internal {
 // Returns points for tetrahedra away from triangles, in the box around the triangles: the centers
 // of the leaves of an octree. The side of a leaf at a triangle is a half to one times `size` edges
 // of an equilateral triangle of the same area. The center of a leaf has a distance of `distance`
-// sides or more from all triangles, along some axis. Returns no points if they would be more than
-// the triangles: then triangles are much smaller than the distances between them. n log n in the
-// number of triangles.
+// sides or more from all triangles, along some axis. If `most` is given, returns no points if they
+// or the split blocks are more than `most`, or if a triangle is smaller than the smallest leaves.
 inline std::vector<Coordinates_3> points_in_space(const std::vector<Coordinates_3>& points,
                                                   const std::vector<Triangle_indices>& triangles,
-                                                  double size, double distance) {
+                                                  double size, double distance,
+                                                  std::size_t most = std::size_t(-1)) {
   using Kernel = Predicates_kernel;
   using Triangles = std::vector<Kernel::Triangle_3>;
   Triangles facets;
@@ -43,6 +43,8 @@ inline std::vector<Coordinates_3> points_in_space(const std::vector<Coordinates_
   for (const auto& facet : facets) {
     const double length = std::sqrt(4 / std::sqrt(3.) * std::sqrt(facet.squared_area()));
     const int exponent = std::ilogb(size * length / unit);
+    if (exponent < 0 && most < std::size_t(-1))
+      return {};
     const unsigned level = unsigned(std::clamp(exponent, 0, int(octree.last_level()) - 1)) + 1;
     const auto center = centroid(facet);
     Octree_3::Place block;
@@ -52,20 +54,21 @@ inline std::vector<Coordinates_3> points_in_space(const std::vector<Coordinates_
           level;
     octree.split(level, block);
   }
-  octree.complete();
+  if (!octree.complete(most))
+    return {};
   std::vector<Coordinates_3> result;
   octree.for_each_leaf([&](unsigned level, const Octree_3::Place& block) {
     const double side = std::ldexp(unit, int(level)), d = distance * side;
     const Coordinates_3 p = {box.xmin() + side * (block[0] + .5),
                              box.ymin() + side * (block[1] + .5),
                              box.zmin() + side * (block[2] + .5)};
-    if (result.size() <= triangles.size() && do_overlap(exact_point(p).bbox(), box) &&
+    if (do_overlap(exact_point(p).bbox(), box) &&
         !tree.do_intersect(
             Kernel::Iso_cuboid_3(p[0] - d, p[1] - d, p[2] - d, p[0] + d, p[1] + d, p[2] + d)))
       result.push_back(p);
   });
-  if (result.size() > triangles.size())
-    result.clear();
+  if (result.size() > most)
+    result.clear(); // triangles are much smaller than the distances between them
   return result;
 }
 

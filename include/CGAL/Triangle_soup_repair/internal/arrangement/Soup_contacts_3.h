@@ -150,17 +150,15 @@ private:
   static bool is_end(std::size_t v, const Edge& e) { return v == e.ends[0] || v == e.ends[1]; }
 
   void find_vertices_on_edges(Boxes vertices, Boxes edges) {
-    box_intersection_d(
-        vertices.begin(), vertices.end(), edges.begin(), edges.end(),
-        [&](const Box& v, const Box& e) {
-          Progress_scope::check();
-          Edge& edge = m_edges[e.info()];
-          if (!is_end(v.info(), edge) && is_on(v.info(), edge)) {
-            edge.places.push_back({parameter(v.info(), edge), v.info()});
-            ++m_number;
-          }
-        },
-        undivided_boxes);
+    box_intersection_d(vertices.begin(), vertices.end(), edges.begin(), edges.end(),
+                       [&](const Box& v, const Box& e) {
+                         Progress_scope::check();
+                         Edge& edge = m_edges[e.info()];
+                         if (!is_end(v.info(), edge) && is_on(v.info(), edge)) {
+                           edge.places.push_back({parameter(v.info(), edge), v.info()});
+                           ++m_number;
+                         }
+                       });
   }
 
   void find_crossings(Boxes boxes) {
@@ -224,16 +222,14 @@ private:
     Boxes triangles;
     for (std::size_t t = 0; t < m_soup.triangles.size(); ++t)
       triangles.emplace_back(exact_triangle(m_soup, t).bbox(), t);
-    box_intersection_d(
-        vertices.begin(), vertices.end(), triangles.begin(), triangles.end(),
-        [&](const Box& v, const Box& t) {
-          Progress_scope::check();
-          if (is_inside(v.info(), t.info())) {
-            m_inside[t.info()].push_back(v.info());
-            ++m_number;
-          }
-        },
-        undivided_boxes);
+    box_intersection_d(vertices.begin(), vertices.end(), triangles.begin(), triangles.end(),
+                       [&](const Box& v, const Box& t) {
+                         Progress_scope::check();
+                         if (is_inside(v.info(), t.info())) {
+                           m_inside[t.info()].push_back(v.info());
+                           ++m_number;
+                         }
+                       });
   }
 
   // Returns whether a vertex is near a triangle, but not near its edges.

@@ -72,13 +72,11 @@ private:
       const double r = tolerance * shortest;
       vertices.emplace_back(Bbox_3(p[0] - r, p[1] - r, p[2] - r, p[0] + r, p[1] + r, p[2] + r), v);
     }
-    box_intersection_d(
-        edges.begin(), edges.end(), vertices.begin(), vertices.end(),
-        [&](const Box& e, const Box& v) {
-          Progress_scope::check();
-          add_if_near(m_edges[e.info()], v.info());
-        },
-        undivided_boxes);
+    box_intersection_d(edges.begin(), edges.end(), vertices.begin(), vertices.end(),
+                       [&](const Box& e, const Box& v) {
+                         Progress_scope::check();
+                         add_if_near(m_edges[e.info()], v.info());
+                       });
   }
 
   void add_if_near(const Edge& edge, std::size_t v) {

@@ -56,8 +56,8 @@ std::vector<Triangle_soup_3> soups_of(const std::vector<Surface>& surfaces) {
   return result;
 }
 
-// The number of boxes that `box_intersection_d()` compares without dividing them: three times as
-// fast as its default of 10 for boxes of 200,000 triangles.
+// Number of boxes below which `box_self_intersection_d()` scans them without dividing them. With
+// two sets, one small set would end the division of a large one.
 inline constexpr std::ptrdiff_t undivided_boxes = 2000;
 
 // The kernel of exact predicates on soups.

@@ -143,8 +143,7 @@ std::vector<Soup_ray_3> shoot_rays(const Triangle_soup_3& soup,
   };
   std::vector<std::vector<Hit>> hits(rays.size());
   box_intersection_d(
-      starts.begin(), starts.end(), boxes.begin(), boxes.end(),
-      [&](const Box& r, const Box& t) {
+      starts.begin(), starts.end(), boxes.begin(), boxes.end(), [&](const Box& r, const Box& t) {
         Progress_scope::check();
         if (t.info() == triangles[r.info()])
           return;
@@ -152,8 +151,7 @@ std::vector<Soup_ray_3> shoot_rays(const Triangle_soup_3& soup,
         const Orientation o = rays[r.info()].crossing(corners);
         if (o != COLLINEAR)
           hits[r.info()].push_back({rays[r.info()].place(corners), t.info(), o == POSITIVE});
-      },
-      undivided_boxes);
+      });
 
   std::vector<Soup_ray_3> result;
   for (std::size_t r = 0; r < rays.size(); ++r) {
