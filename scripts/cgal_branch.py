@@ -84,7 +84,7 @@ def package_of(include):
         return None
     if len(parts) == 2:
         return next((p for start, p in TOP_HEADERS.items() if parts[1].startswith(start)), None)
-    return parts[1] if (ROOT / "include" / "CGAL" / parts[1]).is_dir() and parts[1] != "license" else None
+    return parts[1] if (ROOT / "include" / "CGAL" / parts[1]).is_dir() else None
 
 
 def includes(path):
@@ -96,17 +96,18 @@ def write(path, text):
     path.write_text(text)
 
 
+def banner(years=None, spdx=None):
+    return (f"// Copyright (c) {years or 2026} {OWNER}.\n// All rights reserved.\n//\n"
+            "// This file is part of CGAL (www.cgal.org).\n//\n// $URL$\n// $Id$\n"
+            f"// SPDX-License-Identifier: {spdx or 'GPL-3.0-or-later'}\n//\n//\n// Author(s)     : {OWNER}\n")
+
+
 def copy_header(path, output, package):
     """Copies a header with CGAL's banner, and the license of its package after the include guard."""
-    text = path.read_text()
-    inclusion = f"#include <CGAL/license/{package}.h>"
-    if inclusion not in text and output.parent.name != "license":
-        text = re.sub(r"^(#ifndef (\w+)\n#define \2\n)", rf"\1\n{inclusion}\n", text, 1, re.MULTILINE)
-    banner = BANNER.match(text)
-    write(output, f"// Copyright (c) {banner['years'] or 2026} {OWNER}.\n// All rights reserved.\n//\n"
-          "// This file is part of CGAL (www.cgal.org).\n//\n// $URL$\n// $Id$\n"
-          f"// SPDX-License-Identifier: {banner['license'] or 'GPL-3.0-or-later'}\n//\n//\n"
-          f"// Author(s)     : {OWNER}\n" + ("\n" if not banner[0] else "") + text[banner.end():])
+    text = re.sub(r"^(#ifndef (\w+)\n#define \2\n)", rf"\1\n#include <CGAL/license/{package}.h>\n", path.read_text(), 1,
+                  re.MULTILINE)
+    found = BANNER.match(text)
+    write(output, banner(found["years"], found["license"]) + ("\n" if not found[0] else "") + text[found.end():])
 
 
 def labels(folder):
@@ -177,14 +178,36 @@ def copy_tests(package, output):
         write(target / "CMakeLists.txt", CMAKE.format(package=package, kind="Tests"))
 
 
+def write_license(package, output):
+    """Writes the header with the license of a package. Headers of the package include it."""
+    title = (ROOT / "package_info" / package / "description.txt").read_text().strip()
+    guard = f"CGAL_LICENSE_{package.upper()}_H"
+    write(output, banner() + f"""
+#ifndef {guard}
+#define {guard}
+
+// Users who define `CGAL_LICENSE_WARNING` or `CGAL_LICENSE_ERROR` get a warning or an error if they
+// include a header of the package.
+
+#include <CGAL/config.h>
+
+#if defined(CGAL_LICENSE_ERROR)
+#error "GPL-3.0-or-later applies to the package {title}."
+#elif defined(CGAL_LICENSE_WARNING)
+CGAL_pragma_warning("GPL-3.0-or-later applies to the package {title}.")
+#endif
+
+#endif // {guard}
+""")
+
+
 def copy_package(package, output, packages):
     top = ROOT / "include" / "CGAL"
     headers = [*sorted((top / package).rglob("*.h")), *(p for p in sorted(top.glob("*.h"))
                                                         if package_of(f"CGAL/{p.name}") == package)]
     for path in headers:
         copy_header(path, output / package / "include" / "CGAL" / path.relative_to(top), package)
-    license_header = f"include/CGAL/license/{package}.h"
-    copy_header(ROOT / license_header, output / "Installation" / license_header, package)
+    write_license(package, output / "Installation" / "include" / "CGAL" / "license" / f"{package}.h")
     kept = [p for p in examples(package) if p not in left_out_examples(package, packages)]
     for path in kept:
         write(output / package / "examples" / package / path.name, path.read_text())

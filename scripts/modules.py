@@ -184,12 +184,7 @@ class Header:
     def __init__(self, path):
         parts = path.relative_to(INCLUDE).parts
         self.name = "/".join(parts)
-        self.is_license = parts[0] == "license"  # license/PACKAGE.h
-        if self.is_license:
-            self.package = path.stem
-        else:
-            self.package = (parts[0] if len(parts) > 1 else
-                            PACKAGE_OF_TOP_HEADER.get(self.name, KERNEL))
+        self.package = parts[0] if len(parts) > 1 else PACKAGE_OF_TOP_HEADER.get(self.name, KERNEL)
         self.is_internal = "internal" in parts
         after = parts[parts.index("internal") + 1:] if self.is_internal else ()
         self.module = after[0] if len(after) > 1 else None
@@ -225,7 +220,7 @@ def broken_by(h, other):
             yield f"{h.name} includes {other.name} of a package that it must not use"
         if not other.is_open:
             yield f"{h.name} includes {other.name}, which is internal to its package"
-    elif h.package == KERNEL and not h.is_license and not other.is_license:
+    elif h.package == KERNEL:
         if other.part() and PARTS.index(other.part()) > PARTS.index(h.part()):
             yield f"{h.name}, part {h.part()}, includes {other.name}, part {other.part()}"
     if other.package == h.package and h.is_internal and other.is_internal:
@@ -248,7 +243,7 @@ def broken_rules(headers):
                 yield f"{h.name} belongs to no known module"
                 continue
             size[h.package, h.module] = size.get((h.package, h.module), 0) + h.lines
-        if h.package == KERNEL and not h.is_license and h.part() is None:
+        if h.package == KERNEL and h.part() is None:
             yield f"{h.name} belongs to no part of the kernel"
             continue
         for name in h.includes:
@@ -306,11 +301,11 @@ def tables(headers):
     packages = ["| Package | public headers | lines | internal headers | lines |",
                 "| --- | ---: | ---: | ---: | ---: |"]
     for name in PACKAGES:
-        n, lines = count(lambda h: h.package == name and not h.is_internal and not h.is_license)
+        n, lines = count(lambda h: h.package == name and not h.is_internal)
         m, more = count(lambda h: h.package == name and h.is_internal)
         packages.append(f"| `{name}` | {n} | {lines} | {m} | {more} |")
         for part in PARTS if name == KERNEL else ():
-            n, lines = count(lambda h: h.package == KERNEL and not h.is_license and not h.is_internal and h.part() == part)
+            n, lines = count(lambda h: h.package == KERNEL and not h.is_internal and h.part() == part)
             m, more = count(lambda h: h.package == KERNEL and h.is_internal and h.part() == part)
             packages.append(f"| – {part} | {n} | {lines} | {m} | {more} |")
     modules = ["| Module | lines | content |", "| --- | ---: | --- |"]
@@ -383,7 +378,7 @@ def draw_matrix(title, groups, x, y, width):
 
 
 def draw(headers, path):
-    packages = {name: [h for h in headers.values() if h.package == name and not h.is_license]
+    packages = {name: [h for h in headers.values() if h.package == name]
                 for name in PACKAGES}
     modules = {name: [h for h in packages[KERNEL] if h.module == name] for name in MODULES[KERNEL]}
     width = 20 + LABEL + CELL * max(len(packages), len(modules))

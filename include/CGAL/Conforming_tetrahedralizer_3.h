@@ -8,8 +8,6 @@
 #ifndef CGAL_CONFORMING_TETRAHEDRALIZER_3_H
 #define CGAL_CONFORMING_TETRAHEDRALIZER_3_H
 
-#include <CGAL/license/Complex_construction.h>
-
 #include <CGAL/Complex_construction/Tetrahedralization_3.h>
 #include <CGAL/Complex_construction/internal/building/points_in_space_3.h>
 #include <CGAL/Mesh_support/internal/cgal/conforming_triangulation_3.h>

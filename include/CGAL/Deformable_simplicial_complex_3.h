@@ -8,8 +8,6 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEX_3_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
-
 #include <CGAL/Deformable_simplicial_complexes/Labeled_complex.h>
 #include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/arguments/complex_arguments.h>

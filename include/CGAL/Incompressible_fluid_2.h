@@ -8,8 +8,6 @@
 #ifndef CGAL_INCOMPRESSIBLE_FLUID_2_H
 #define CGAL_INCOMPRESSIBLE_FLUID_2_H
 
-#include <CGAL/license/Incompressible_fluids_3.h>
-
 #include <CGAL/Deformable_simplicial_complex_2.h>
 #include <CGAL/Incompressible_fluids_3/Incompressible_fluid.h>
 

@@ -8,8 +8,6 @@
 #ifndef CGAL_INCOMPRESSIBLE_FLUID_3_H
 #define CGAL_INCOMPRESSIBLE_FLUID_3_H
 
-#include <CGAL/license/Incompressible_fluids_3.h>
-
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Incompressible_fluids_3/Incompressible_fluid.h>
 

@@ -8,8 +8,6 @@
 #ifndef CGAL_TETGEN_TETRAHEDRALIZER_3_H
 #define CGAL_TETGEN_TETRAHEDRALIZER_3_H
 
-#include <CGAL/license/Complex_construction.h>
-
 #include <CGAL/Complex_construction/Tetrahedralization_3.h>
 
 #include <limits>

@@ -155,10 +155,7 @@ TEST(Allocations, points_are_all_set_or_none_if_one_fails) {
   std::vector<Complex::Point_3> points;
   for (auto v : vertices)
     points.emplace_back(2 * v->point().x(), v->point().y(), v->point().z());
-  std::vector<double> measures;
-  for (auto c : cells)
-    measures.push_back(dsc.measure(c));
-  const auto qualities = mesh_helpers::qualities_with(dsc, cells, vertices, points);
+  const auto shapes = mesh_helpers::shapes_with(dsc, cells, vertices, points);
   const double volume = dsc.volume(1);
   const auto in_turn = [](std::size_t n, const auto& function, std::size_t = 0) {
     for (std::size_t i = 0; i < n; ++i)
@@ -166,7 +163,7 @@ TEST(Allocations, points_are_all_set_or_none_if_one_fails) {
   };
   EXPECT_GT(fail_in_turn([&] {
               try {
-                dsc.set_points(vertices, points, cells, measures, qualities, in_turn);
+                dsc.set_points(vertices, points, cells, shapes.measures, shapes.qualities, in_turn);
               } catch (const std::bad_alloc&) {
                 failing_allocation = 0;
                 EXPECT_TRUE(dsc.is_valid(true));

@@ -430,6 +430,19 @@ TEST_F(Fluids, what_has_no_effect_is_refused) {
                           "'label'");
 }
 
+// Their boundaries would have up to 1e8 triangles.
+TEST_F(Fluids, shapes_far_larger_than_the_domain_are_refused_before_they_are_meshed) {
+  for (const char* shape :
+       {R"({"type": "ball", "center": [0, 0, 0], "radius": 1000})",
+        R"({"type": "ball", "center": [0, 0, 1e6], "radius": 1})",
+        R"({"type": "box", "from": [0, 0, 0], "to": [1, 1, 65536]})",
+        R"({"type": "cylinder", "from": [0, 0, 0], "to": [0, 0, 1], "radius": 1000})",
+        R"({"type": "cylinder", "from": [0, 0, 0], "to": [0, 0, 65536], "radius": 1})"}) {
+    const std::string message = "liquids[0] of the scene is not inside the domain";
+    expect_refusal_of_value(scene(), "/liquids/0/shape", shape, message);
+  }
+}
+
 // Next to a pool, shapes are cut out of tetrahedra.
 TEST_F(Fluids, liquids_that_others_cover_are_refused) {
   Json json = Json::parse(R"json({

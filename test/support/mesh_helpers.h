@@ -91,19 +91,30 @@ template <class Complex> std::vector<Interface_triangle> interface_triangles(con
   return result;
 }
 
-// Returns the qualities of finite cells with vertices at given points.
+// Measures of cells before and after a motion, and qualities after it, as `set_points()` takes
+// them.
+struct Shapes
+{
+  std::vector<std::array<double, 2>> measures;
+  std::vector<double> qualities;
+};
+
+// Returns the shapes of finite cells with vertices at given points.
 template <class Complex>
-std::vector<double> qualities_with(const Complex& dsc,
-                                   const std::vector<typename Complex::Cell_handle>& cells,
-                                   const std::vector<typename Complex::Vertex_handle>& vertices,
-                                   const std::vector<typename Complex::Point_3>& points) {
+Shapes shapes_with(const Complex& dsc, const std::vector<typename Complex::Cell_handle>& cells,
+                   const std::vector<typename Complex::Vertex_handle>& vertices,
+                   const std::vector<typename Complex::Point_3>& points) {
   const auto position_of = [&](auto v) {
     const auto i = std::find(vertices.begin(), vertices.end(), v) - vertices.begin();
     return i == std::ptrdiff_t(points.size()) ? v->point() : dsc.canonical(points[i]);
   };
-  std::vector<double> result;
-  for (auto c : cells)
-    result.push_back(dsc.quality(c, position_of));
+  Shapes result;
+  for (auto c : cells) {
+    const auto corner = [&](int i) { return position_of(c->vertex(i)); };
+    result.measures.push_back(
+        {dsc.measure(c), dsc.domain().template apply<Complex>(Complex::Space::measure, corner)});
+    result.qualities.push_back(dsc.quality(c, position_of));
+  }
   return result;
 }
 

@@ -8,8 +8,6 @@
 #ifndef CGAL_COMPLEX_CONSTRUCTION_CONSTRUCTION_OPTIONS_H
 #define CGAL_COMPLEX_CONSTRUCTION_CONSTRUCTION_OPTIONS_H
 
-#include <CGAL/license/Complex_construction.h>
-
 #include <CGAL/Complex_construction/Thin_part_options.h>
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/parameter_values.h>

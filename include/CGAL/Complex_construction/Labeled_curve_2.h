@@ -8,8 +8,6 @@
 #ifndef CGAL_COMPLEX_CONSTRUCTION_LABELED_CURVE_2_H
 #define CGAL_COMPLEX_CONSTRUCTION_LABELED_CURVE_2_H
 
-#include <CGAL/license/Complex_construction.h>
-
 #include <CGAL/Polygon_with_holes_2.h>
 
 #include <array>

@@ -8,8 +8,6 @@
 #ifndef CGAL_COMPLEX_CONSTRUCTION_LABELED_IMAGE_2_H
 #define CGAL_COMPLEX_CONSTRUCTION_LABELED_IMAGE_2_H
 
-#include <CGAL/license/Complex_construction.h>
-
 #include <CGAL/Bbox_2.h>
 
 #include <algorithm>

@@ -8,8 +8,6 @@
 #ifndef CGAL_COMPLEX_CONSTRUCTION_OCTREE_TETRAHEDRA_3_H
 #define CGAL_COMPLEX_CONSTRUCTION_OCTREE_TETRAHEDRA_3_H
 
-#include <CGAL/license/Complex_construction.h>
-
 #include <CGAL/Complex_construction/Octree_3.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Mesh_support/internal/threads/stoppable_sort.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_COMPLEX_CONSTRUCTION_TETRAHEDRALIZATION_3_H
 #define CGAL_COMPLEX_CONSTRUCTION_TETRAHEDRALIZATION_3_H
 
-#include <CGAL/license/Complex_construction.h>
-
 #include <CGAL/Mesh_support/Error.h>
 
 #include <array>

@@ -8,8 +8,6 @@
 #ifndef CGAL_COMPLEX_CONSTRUCTION_THIN_PART_OPTIONS_H
 #define CGAL_COMPLEX_CONSTRUCTION_THIN_PART_OPTIONS_H
 
-#include <CGAL/license/Complex_construction.h>
-
 #include <CGAL/Mesh_support/Error.h>
 
 namespace CGAL::Deformable_simplicial_complexes {

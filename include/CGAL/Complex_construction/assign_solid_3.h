@@ -8,8 +8,6 @@
 #ifndef CGAL_COMPLEX_CONSTRUCTION_ASSIGN_SOLID_3_H
 #define CGAL_COMPLEX_CONSTRUCTION_ASSIGN_SOLID_3_H
 
-#include <CGAL/license/Complex_construction.h>
-
 #include <CGAL/Complex_construction/internal/building/Solid_tetrahedra_3.h>
 #include <CGAL/Deformable_simplicial_complexes/State.h>
 #include <CGAL/Deformable_simplicial_complexes/domains.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_COMPLEX_CONSTRUCTION_CONVERT_LABELED_IMAGE_3_H
 #define CGAL_COMPLEX_CONSTRUCTION_CONVERT_LABELED_IMAGE_3_H
 
-#include <CGAL/license/Complex_construction.h>
-
 #include <CGAL/Complex_construction/Construction_options.h>
 #include <CGAL/Complex_construction/Octree_tetrahedra_3.h>
 #include <CGAL/Complex_construction/internal/conversion/Voxel_components_3.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_COMPLEX_CONSTRUCTION_CONVERT_MESH_COMPLEX_3_H
 #define CGAL_COMPLEX_CONSTRUCTION_CONVERT_MESH_COMPLEX_3_H
 
-#include <CGAL/license/Complex_construction.h>
-
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Mesh_support/named_parameters.h>
 

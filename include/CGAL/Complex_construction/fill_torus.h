@@ -8,8 +8,6 @@
 #ifndef CGAL_COMPLEX_CONSTRUCTION_FILL_TORUS_H
 #define CGAL_COMPLEX_CONSTRUCTION_FILL_TORUS_H
 
-#include <CGAL/license/Complex_construction.h>
-
 #include <CGAL/Complex_construction/fit_interface.h>
 #include <CGAL/Complex_construction/internal/building/grids.h>
 #include <CGAL/Complex_construction/internal/fitting/Missed_volumes.h>

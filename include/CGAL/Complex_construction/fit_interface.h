@@ -8,8 +8,6 @@
 #ifndef CGAL_COMPLEX_CONSTRUCTION_FIT_INTERFACE_H
 #define CGAL_COMPLEX_CONSTRUCTION_FIT_INTERFACE_H
 
-#include <CGAL/license/Complex_construction.h>
-
 #include <CGAL/Complex_construction/internal/fitting/Missed_volumes.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_COMPLEX_CONSTRUCTION_GROW_DOMAIN_H
 #define CGAL_COMPLEX_CONSTRUCTION_GROW_DOMAIN_H
 
-#include <CGAL/license/Complex_construction.h>
-
 #include <CGAL/Complex_construction/refine_thin_parts.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/destinations/Destinations.h>

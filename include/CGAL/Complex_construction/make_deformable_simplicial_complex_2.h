@@ -8,8 +8,6 @@
 #ifndef CGAL_COMPLEX_CONSTRUCTION_MAKE_DEFORMABLE_SIMPLICIAL_COMPLEX_2_H
 #define CGAL_COMPLEX_CONSTRUCTION_MAKE_DEFORMABLE_SIMPLICIAL_COMPLEX_2_H
 
-#include <CGAL/license/Complex_construction.h>
-
 #include <CGAL/Complex_construction/Construction_options.h>
 #include <CGAL/Complex_construction/Labeled_curve_2.h>
 #include <CGAL/Complex_construction/Labeled_image_2.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_COMPLEX_CONSTRUCTION_MAKE_DEFORMABLE_SIMPLICIAL_COMPLEX_3_H
 #define CGAL_COMPLEX_CONSTRUCTION_MAKE_DEFORMABLE_SIMPLICIAL_COMPLEX_3_H
 
-#include <CGAL/license/Complex_construction.h>
-
 #include <CGAL/Complex_construction/Construction_options.h>
 #include <CGAL/Complex_construction/Tetrahedralization_3.h>
 #include <CGAL/Complex_construction/fill_torus.h>

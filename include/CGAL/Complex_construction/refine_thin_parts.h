@@ -8,8 +8,6 @@
 #ifndef CGAL_COMPLEX_CONSTRUCTION_REFINE_THIN_PARTS_H
 #define CGAL_COMPLEX_CONSTRUCTION_REFINE_THIN_PARTS_H
 
-#include <CGAL/license/Complex_construction.h>
-
 #include <CGAL/Complex_construction/Construction_options.h>
 #include <CGAL/Complex_construction/Thin_part_options.h>
 #include <CGAL/Complex_construction/internal/thin_parts/Thickness.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_COMPLEX_CONSTRUCTION_SAMPLE_LABELS_H
 #define CGAL_COMPLEX_CONSTRUCTION_SAMPLE_LABELS_H
 
-#include <CGAL/license/Complex_construction.h>
-
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Mesh_support/coordinates.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_CUT_LOCI_2_GEODESIC_DISTANCE_2_H
 #define CGAL_CUT_LOCI_2_GEODESIC_DISTANCE_2_H
 
-#include <CGAL/license/Cut_loci_2.h>
-
 #include <CGAL/Cut_loci_2/Geodesic_front_2.h>
 #include <CGAL/Cut_loci_2/internal/geodesics/Geodesics_2.h>
 

@@ -8,8 +8,6 @@
 #ifndef CGAL_CUT_LOCI_2_GEODESIC_FRONT_2_H
 #define CGAL_CUT_LOCI_2_GEODESIC_FRONT_2_H
 
-#include <CGAL/license/Cut_loci_2.h>
-
 #include <CGAL/Complex_construction/fill_torus.h>
 #include <CGAL/Cut_loci_2/Sphere_like_surface_2.h>
 #include <CGAL/Cut_loci_2/internal/geodesics/Geodesics_2.h>

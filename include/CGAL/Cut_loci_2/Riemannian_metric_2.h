@@ -8,8 +8,6 @@
 #ifndef CGAL_CUT_LOCI_2_RIEMANNIAN_METRIC_2_H
 #define CGAL_CUT_LOCI_2_RIEMANNIAN_METRIC_2_H
 
-#include <CGAL/license/Cut_loci_2.h>
-
 #include <array>
 #include <cmath>
 #include <utility>

@@ -8,8 +8,6 @@
 #ifndef CGAL_CUT_LOCI_2_SPHERE_LIKE_SURFACE_2_H
 #define CGAL_CUT_LOCI_2_SPHERE_LIKE_SURFACE_2_H
 
-#include <CGAL/license/Cut_loci_2.h>
-
 #include <CGAL/Cut_loci_2/Riemannian_metric_2.h>
 #include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

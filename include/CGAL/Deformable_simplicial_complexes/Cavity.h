@@ -8,8 +8,6 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_CAVITY_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_CAVITY_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
-
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Marks.h>
 #include <CGAL/Mesh_support/Error.h>
 

@@ -8,8 +8,6 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DEFORMATION_OPTIONS_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DEFORMATION_OPTIONS_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
-
 #include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Mesh_support/named_parameters.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DEFORMATION_VISITOR_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DEFORMATION_VISITOR_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
-
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 
 #include <cstdint>

@@ -8,8 +8,6 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERFACE_ENERGY_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERFACE_ENERGY_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
-
 #include <CGAL/Mesh_support/Error.h>
 
 #include <CGAL/number_utils.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERFACE_SNAPSHOT_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERFACE_SNAPSHOT_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
-
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Vertex_numbers.h>
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/For_each_index.h>

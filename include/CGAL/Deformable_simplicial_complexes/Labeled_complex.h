@@ -8,8 +8,6 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_LABELED_COMPLEX_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_LABELED_COMPLEX_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
-
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/State.h>
@@ -447,8 +445,8 @@ public:
   /// \param vertices vertices to move
   /// \param points new positions, in the order of `vertices`
   /// \param cells all cells of the stars of the vertices, each once
-  /// \param measures measures of the finite cells before the move, in the order of `cells`; see
-  ///        `measure()`
+  /// \param measures measures of each finite cell before and after the move, in the order of
+  ///        `cells`; see `measure()`
   /// \param qualities qualities of the finite cells after the move, in the order of `cells`; see
   ///        `quality()`
   /// \param for_each_index loop over indices, on any threads, called as
@@ -456,7 +454,8 @@ public:
   /// \pre the finite cells are positively oriented after the move
   template <class ForEachIndex>
   void set_points(const std::vector<Vertex_handle>& vertices, const std::vector<Point>& points,
-                  const std::vector<Cell_handle>& cells, const std::vector<double>& measures,
+                  const std::vector<Cell_handle>& cells,
+                  const std::vector<std::array<double, 2>>& measures,
                   const std::vector<double>& qualities, const ForEachIndex& for_each_index);
 
   /// @}

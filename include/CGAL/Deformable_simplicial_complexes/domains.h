@@ -8,8 +8,6 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DOMAINS_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_DOMAINS_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
-
 #include <CGAL/Deformable_simplicial_complexes/State.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/apply_to_corners.h>
 #include <CGAL/Deformable_simplicial_complexes/simplex_bases.h>

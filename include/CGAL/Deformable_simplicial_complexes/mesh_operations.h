@@ -8,8 +8,6 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_MESH_OPERATIONS_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_MESH_OPERATIONS_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
-
 #include <CGAL/Deformable_simplicial_complexes/internal/proposals/commit_proposal.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/proposals/degeneracy_removal.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/proposals/edge_collapse.h>

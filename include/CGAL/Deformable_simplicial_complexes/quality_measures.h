@@ -8,8 +8,6 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_QUALITY_MEASURES_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_QUALITY_MEASURES_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
-
 #include <CGAL/number_utils.h>
 
 #include <algorithm>

@@ -8,8 +8,6 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_SIMPLEX_BASES_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_SIMPLEX_BASES_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
-
 #include <CGAL/Triangulation_cell_base_3.h>
 #include <CGAL/Triangulation_face_base_2.h>
 #include <CGAL/Triangulation_vertex_base_2.h>

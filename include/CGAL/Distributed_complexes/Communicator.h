@@ -8,8 +8,6 @@
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_COMMUNICATOR_H
 #define CGAL_DISTRIBUTED_COMPLEXES_COMMUNICATOR_H
 
-#include <CGAL/license/Distributed_complexes.h>
-
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 

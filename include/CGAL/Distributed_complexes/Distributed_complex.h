@@ -8,8 +8,6 @@
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_DISTRIBUTED_COMPLEX_H
 #define CGAL_DISTRIBUTED_COMPLEXES_DISTRIBUTED_COMPLEX_H
 
-#include <CGAL/license/Distributed_complexes.h>
-
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Vertex_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/complex/hilbert_order.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_DISTRIBUTED_GRAPH_H
 #define CGAL_DISTRIBUTED_COMPLEXES_DISTRIBUTED_GRAPH_H
 
-#include <CGAL/license/Distributed_complexes.h>
-
 #include <CGAL/Distributed_complexes/Communicator.h>
 
 #include <algorithm>

@@ -8,8 +8,6 @@
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_DISTRIBUTED_REPORT_H
 #define CGAL_DISTRIBUTED_COMPLEXES_DISTRIBUTED_REPORT_H
 
-#include <CGAL/license/Distributed_complexes.h>
-
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 

@@ -8,8 +8,6 @@
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_PVTU_H
 #define CGAL_DISTRIBUTED_COMPLEXES_PVTU_H
 
-#include <CGAL/license/Distributed_complexes.h>
-
 #include <CGAL/Distributed_complexes/Distributed_complex.h>
 #include <CGAL/Mesh_files/internal/grids/Vtu_document.h>
 #include <CGAL/Mesh_files/internal/grids/write_vtu.h>

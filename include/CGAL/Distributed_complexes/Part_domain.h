@@ -8,8 +8,6 @@
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_PART_DOMAIN_H
 #define CGAL_DISTRIBUTED_COMPLEXES_PART_DOMAIN_H
 
-#include <CGAL/license/Distributed_complexes.h>
-
 #include <CGAL/Deformable_simplicial_complexes/domains.h>
 
 namespace CGAL::Deformable_simplicial_complexes {

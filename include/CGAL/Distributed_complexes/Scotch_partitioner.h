@@ -8,8 +8,6 @@
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_SCOTCH_PARTITIONER_H
 #define CGAL_DISTRIBUTED_COMPLEXES_SCOTCH_PARTITIONER_H
 
-#include <CGAL/license/Distributed_complexes.h>
-
 #include <CGAL/Distributed_complexes/Communicator.h>
 #include <CGAL/Distributed_complexes/Distributed_graph.h>
 

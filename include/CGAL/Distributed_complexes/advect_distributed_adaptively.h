@@ -8,8 +8,6 @@
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_ADVECT_DISTRIBUTED_ADAPTIVELY_H
 #define CGAL_DISTRIBUTED_COMPLEXES_ADVECT_DISTRIBUTED_ADAPTIVELY_H
 
-#include <CGAL/license/Interface_flows.h>
-
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Distributed_complexes/Distributed_complex.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_ADVECT_DISTRIBUTED_INTERFACE_H
 #define CGAL_DISTRIBUTED_COMPLEXES_ADVECT_DISTRIBUTED_INTERFACE_H
 
-#include <CGAL/license/Interface_flows.h>
-
 #include <CGAL/Distributed_complexes/Distributed_complex.h>
 #include <CGAL/Distributed_complexes/deform_distributed_interface.h>
 #include <CGAL/Interface_flows/Integration_scheme.h>

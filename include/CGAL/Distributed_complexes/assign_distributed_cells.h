@@ -8,8 +8,6 @@
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_ASSIGN_DISTRIBUTED_CELLS_H
 #define CGAL_DISTRIBUTED_COMPLEXES_ASSIGN_DISTRIBUTED_CELLS_H
 
-#include <CGAL/license/Distributed_complexes.h>
-
 #include <CGAL/Distributed_complexes/Distributed_complex.h>
 #include <CGAL/Distributed_complexes/internal/ranks/Cell_assembler.h>
 

@@ -8,8 +8,6 @@
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_DEFORM_DISTRIBUTED_INTERFACE_H
 #define CGAL_DISTRIBUTED_COMPLEXES_DEFORM_DISTRIBUTED_INTERFACE_H
 
-#include <CGAL/license/Distributed_complexes.h>
-
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Distributed_complexes/Distributed_complex.h>
 #include <CGAL/Distributed_complexes/Distributed_report.h>

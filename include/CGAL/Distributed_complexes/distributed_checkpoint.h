@@ -8,8 +8,6 @@
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_DISTRIBUTED_CHECKPOINT_H
 #define CGAL_DISTRIBUTED_COMPLEXES_DISTRIBUTED_CHECKPOINT_H
 
-#include <CGAL/license/Distributed_complexes.h>
-
 #include <CGAL/Distributed_complexes/Communicator.h>
 #include <CGAL/Distributed_complexes/Distributed_complex.h>
 #include <CGAL/Distributed_complexes/internal/ranks/Distributed_mesh.h>

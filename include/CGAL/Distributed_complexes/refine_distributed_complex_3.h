@@ -8,8 +8,6 @@
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_REFINE_DISTRIBUTED_COMPLEX_3_H
 #define CGAL_DISTRIBUTED_COMPLEXES_REFINE_DISTRIBUTED_COMPLEX_3_H
 
-#include <CGAL/license/Distributed_complexes.h>
-
 #include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Distributed_complexes/Distributed_complex.h>
 #include <CGAL/Distributed_complexes/internal/ranks/Distributed_mesh.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_DISTRIBUTED_COMPLEXES_RUN_IN_THREADS_H
 #define CGAL_DISTRIBUTED_COMPLEXES_RUN_IN_THREADS_H
 
-#include <CGAL/license/Distributed_complexes.h>
-
 #include <CGAL/Distributed_complexes/Communicator.h>
 
 #include <algorithm>

@@ -8,8 +8,6 @@
 #ifndef CGAL_IMAGE_SEGMENTATION_GRAY_IMAGE_H
 #define CGAL_IMAGE_SEGMENTATION_GRAY_IMAGE_H
 
-#include <CGAL/license/Image_segmentation.h>
-
 #include <CGAL/Complex_construction/sample_labels.h>
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/Progress_scope.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_IMAGE_SEGMENTATION_IMAGE_MOMENTS_H
 #define CGAL_IMAGE_SEGMENTATION_IMAGE_MOMENTS_H
 
-#include <CGAL/license/Image_segmentation.h>
-
 #include <CGAL/Image_segmentation/Gray_image.h>
 #include <CGAL/Image_segmentation/internal/moments/Pixel_sums_2.h>
 #include <CGAL/Image_segmentation/internal/moments/Voxel_lines_3.h>

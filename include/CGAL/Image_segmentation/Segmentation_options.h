@@ -8,8 +8,6 @@
 #ifndef CGAL_IMAGE_SEGMENTATION_SEGMENTATION_OPTIONS_H
 #define CGAL_IMAGE_SEGMENTATION_SEGMENTATION_OPTIONS_H
 
-#include <CGAL/license/Image_segmentation.h>
-
 #include <CGAL/Mesh_support/Error.h>
 
 #include <algorithm>

@@ -8,8 +8,6 @@
 #ifndef CGAL_IMAGE_SEGMENTATION_SEGMENTATION_REPORT_H
 #define CGAL_IMAGE_SEGMENTATION_SEGMENTATION_REPORT_H
 
-#include <CGAL/license/Image_segmentation.h>
-
 #include <cstddef>
 #include <vector>
 

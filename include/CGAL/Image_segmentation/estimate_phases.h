@@ -8,8 +8,6 @@
 #ifndef CGAL_IMAGE_SEGMENTATION_ESTIMATE_PHASES_H
 #define CGAL_IMAGE_SEGMENTATION_ESTIMATE_PHASES_H
 
-#include <CGAL/license/Image_segmentation.h>
-
 #include <CGAL/Image_segmentation/Gray_image.h>
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/Progress_scope.h>

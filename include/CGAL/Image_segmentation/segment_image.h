@@ -8,8 +8,6 @@
 #ifndef CGAL_IMAGE_SEGMENTATION_SEGMENT_IMAGE_H
 #define CGAL_IMAGE_SEGMENTATION_SEGMENT_IMAGE_H
 
-#include <CGAL/license/Image_segmentation.h>
-
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_2.h>
 #include <CGAL/Complex_construction/make_deformable_simplicial_complex_3.h>
 #include <CGAL/Image_segmentation/Segmentation_options.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_PROPERTIES_H
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_PROPERTIES_H
 
-#include <CGAL/license/Incompressible_fluids_3.h>
-
 #include <CGAL/Mesh_support/Error.h>
 
 #include <algorithm>

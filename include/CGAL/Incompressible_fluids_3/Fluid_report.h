@@ -8,8 +8,6 @@
 #ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_REPORT_H
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_REPORT_H
 
-#include <CGAL/license/Incompressible_fluids_3.h>
-
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Incompressible_fluids_3/fluid_errors.h>
 

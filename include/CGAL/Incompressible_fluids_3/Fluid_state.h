@@ -8,8 +8,6 @@
 #ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_STATE_H
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_STATE_H
 
-#include <CGAL/license/Incompressible_fluids_3.h>
-
 #include <array>
 #include <cstdint>
 #include <tuple>

@@ -8,8 +8,6 @@
 #ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_STEP_OPTIONS_H
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_STEP_OPTIONS_H
 
-#include <CGAL/license/Incompressible_fluids_3.h>
-
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Interface_remeshing/Adaptive_advection.h>
 #include <CGAL/Mesh_support/Error.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_INCOMPRESSIBLE_FLUID_H
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_INCOMPRESSIBLE_FLUID_H
 
-#include <CGAL/license/Incompressible_fluids_3.h>
-
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Linear_element.h>
 #include <CGAL/Incompressible_fluids_3/Fluid_properties.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_MOVING_SOLID_3_H
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_MOVING_SOLID_3_H
 
-#include <CGAL/license/Incompressible_fluids_3.h>
-
 #include <CGAL/Incompressible_fluids_3/Solids_3.h>
 #include <CGAL/Incompressible_fluids_3/internal/mesh/fluid_vectors.h>
 

@@ -8,8 +8,6 @@
 #ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_PETSC_SADDLE_POINT_SOLVER_H
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_PETSC_SADDLE_POINT_SOLVER_H
 
-#include <CGAL/license/Incompressible_fluids_3.h>
-
 #include <CGAL/Incompressible_fluids_3/Saddle_point_system.h>
 #include <CGAL/Incompressible_fluids_3/internal/parallel/Petsc_equations.h>
 

@@ -8,8 +8,6 @@
 #ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_SADDLE_POINT_SYSTEM_H
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_SADDLE_POINT_SYSTEM_H
 
-#include <CGAL/license/Incompressible_fluids_3.h>
-
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 

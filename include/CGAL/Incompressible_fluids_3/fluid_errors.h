@@ -8,8 +8,6 @@
 #ifndef CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_ERRORS_H
 #define CGAL_INCOMPRESSIBLE_FLUIDS_3_FLUID_ERRORS_H
 
-#include <CGAL/license/Incompressible_fluids_3.h>
-
 #include <CGAL/Mesh_support/Error.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_INTERFACE_FLOWS_CORNER_RULE_H
 #define CGAL_INTERFACE_FLOWS_CORNER_RULE_H
 
-#include <CGAL/license/Interface_flows.h>
-
 namespace CGAL::Deformable_simplicial_complexes {
 
 /// \ingroup PkgInterfaceFlowsRef

@@ -8,8 +8,6 @@
 #ifndef CGAL_INTERFACE_FLOWS_GRAIN_GROWTH_H
 #define CGAL_INTERFACE_FLOWS_GRAIN_GROWTH_H
 
-#include <CGAL/license/Interface_flows.h>
-
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_INTERFACE_FLOWS_GRAIN_ORIENTATIONS_H
 #define CGAL_INTERFACE_FLOWS_GRAIN_ORIENTATIONS_H
 
-#include <CGAL/license/Interface_flows.h>
-
 #include <CGAL/Mesh_support/Error.h>
 
 #include <CGAL/number_utils.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_INTERFACE_FLOWS_INTEGRATION_SCHEME_H
 #define CGAL_INTERFACE_FLOWS_INTEGRATION_SCHEME_H
 
-#include <CGAL/license/Interface_flows.h>
-
 namespace CGAL::Deformable_simplicial_complexes {
 
 /// \ingroup PkgInterfaceFlowsRef

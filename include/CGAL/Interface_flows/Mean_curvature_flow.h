@@ -8,8 +8,6 @@
 #ifndef CGAL_INTERFACE_FLOWS_MEAN_CURVATURE_FLOW_H
 #define CGAL_INTERFACE_FLOWS_MEAN_CURVATURE_FLOW_H
 
-#include <CGAL/license/Interface_flows.h>
-
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Interface_flows/internal/curvature/Interface_forces.h>

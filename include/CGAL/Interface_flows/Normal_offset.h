@@ -8,8 +8,6 @@
 #ifndef CGAL_INTERFACE_FLOWS_NORMAL_OFFSET_H
 #define CGAL_INTERFACE_FLOWS_NORMAL_OFFSET_H
 
-#include <CGAL/license/Interface_flows.h>
-
 #include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Interface_flows/Corner_rule.h>

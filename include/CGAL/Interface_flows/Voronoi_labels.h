@@ -8,8 +8,6 @@
 #ifndef CGAL_INTERFACE_FLOWS_VORONOI_LABELS_H
 #define CGAL_INTERFACE_FLOWS_VORONOI_LABELS_H
 
-#include <CGAL/license/Interface_flows.h>
-
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/coordinates.h>
 

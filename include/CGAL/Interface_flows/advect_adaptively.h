@@ -8,8 +8,6 @@
 #ifndef CGAL_INTERFACE_FLOWS_ADVECT_ADAPTIVELY_H
 #define CGAL_INTERFACE_FLOWS_ADVECT_ADAPTIVELY_H
 
-#include <CGAL/license/Interface_flows.h>
-
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Interface_flows/Integration_scheme.h>
 #include <CGAL/Interface_flows/advect_interface.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_INTERFACE_FLOWS_ADVECT_INTERFACE_H
 #define CGAL_INTERFACE_FLOWS_ADVECT_INTERFACE_H
 
-#include <CGAL/license/Interface_flows.h>
-
 #include <CGAL/Complex_construction/grow_domain.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_INTERFACE_FLOWS_FACE_OFFSETTING_3_H
 #define CGAL_INTERFACE_FLOWS_FACE_OFFSETTING_3_H
 
-#include <CGAL/license/Interface_flows.h>
-
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Interface_flows/Integration_scheme.h>

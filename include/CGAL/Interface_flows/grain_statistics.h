@@ -8,8 +8,6 @@
 #ifndef CGAL_INTERFACE_FLOWS_GRAIN_STATISTICS_H
 #define CGAL_INTERFACE_FLOWS_GRAIN_STATISTICS_H
 
-#include <CGAL/license/Interface_flows.h>
-
 #include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Interface_remeshing/shared_measures.h>
 #include <CGAL/Mesh_support/Progress_scope.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_INTERFACE_FLOWS_INTERFACE_FLOWS_3_H
 #define CGAL_INTERFACE_FLOWS_INTERFACE_FLOWS_3_H
 
-#include <CGAL/license/Interface_flows.h>
-
 #include <CGAL/Mesh_support/coordinates.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

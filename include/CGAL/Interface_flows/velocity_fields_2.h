@@ -8,8 +8,6 @@
 #ifndef CGAL_INTERFACE_FLOWS_VELOCITY_FIELDS_2_H
 #define CGAL_INTERFACE_FLOWS_VELOCITY_FIELDS_2_H
 
-#include <CGAL/license/Interface_flows.h>
-
 #include <CGAL/Mesh_support/coordinates.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

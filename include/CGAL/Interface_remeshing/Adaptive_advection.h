@@ -8,8 +8,6 @@
 #ifndef CGAL_INTERFACE_REMESHING_ADAPTIVE_ADVECTION_H
 #define CGAL_INTERFACE_REMESHING_ADAPTIVE_ADVECTION_H
 
-#include <CGAL/license/Interface_remeshing.h>
-
 namespace CGAL::Deformable_simplicial_complexes {
 
 /// \ingroup PkgInterfaceRemeshingRef

@@ -8,8 +8,6 @@
 #ifndef CGAL_INTERFACE_REMESHING_CARRIED_VERTEX_VALUES_H
 #define CGAL_INTERFACE_REMESHING_CARRIED_VERTEX_VALUES_H
 
-#include <CGAL/license/Interface_remeshing.h>
-
 #include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/cell_corners.h>
 #include <CGAL/Interface_remeshing/internal/values/overlap_measure.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_INTERFACE_REMESHING_CELL_SNAPSHOT_H
 #define CGAL_INTERFACE_REMESHING_CELL_SNAPSHOT_H
 
-#include <CGAL/license/Interface_remeshing.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

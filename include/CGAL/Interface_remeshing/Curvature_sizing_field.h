@@ -8,8 +8,6 @@
 #ifndef CGAL_INTERFACE_REMESHING_CURVATURE_SIZING_FIELD_H
 #define CGAL_INTERFACE_REMESHING_CURVATURE_SIZING_FIELD_H
 
-#include <CGAL/license/Interface_remeshing.h>
-
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Interface_remeshing/internal/interface/Curvature_lengths.h>
 #include <CGAL/Mesh_support/Error.h>

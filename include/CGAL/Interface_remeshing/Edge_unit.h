@@ -8,8 +8,6 @@
 #ifndef CGAL_INTERFACE_REMESHING_EDGE_UNIT_H
 #define CGAL_INTERFACE_REMESHING_EDGE_UNIT_H
 
-#include <CGAL/license/Interface_remeshing.h>
-
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/local_edge_length.h>
 
 #include <cmath>

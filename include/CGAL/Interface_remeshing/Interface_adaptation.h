@@ -8,8 +8,6 @@
 #ifndef CGAL_INTERFACE_REMESHING_INTERFACE_ADAPTATION_H
 #define CGAL_INTERFACE_REMESHING_INTERFACE_ADAPTATION_H
 
-#include <CGAL/license/Interface_remeshing.h>
-
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_INTERFACE_REMESHING_INTERFACE_IMPROVEMENT_OPTIONS_H
 #define CGAL_INTERFACE_REMESHING_INTERFACE_IMPROVEMENT_OPTIONS_H
 
-#include <CGAL/license/Interface_remeshing.h>
-
 #include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Interface_remeshing/Edge_unit.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_INTERFACE_REMESHING_NUMBER_ROWS_H
 #define CGAL_INTERFACE_REMESHING_NUMBER_ROWS_H
 
-#include <CGAL/license/Interface_remeshing.h>
-
 #include <CGAL/property_map.h>
 
 #include <cstddef>

@@ -8,8 +8,6 @@
 #ifndef CGAL_INTERFACE_REMESHING_VERTEX_QUADRIC_3_H
 #define CGAL_INTERFACE_REMESHING_VERTEX_QUADRIC_3_H
 
-#include <CGAL/license/Interface_remeshing.h>
-
 #include <CGAL/Mesh_support/Error.h>
 
 #include <Eigen/Dense>

@@ -8,8 +8,6 @@
 #ifndef CGAL_INTERFACE_REMESHING_VOLUME_CHANGER_H
 #define CGAL_INTERFACE_REMESHING_VOLUME_CHANGER_H
 
-#include <CGAL/license/Interface_remeshing.h>
-
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Mesh_support/Progress_scope.h>

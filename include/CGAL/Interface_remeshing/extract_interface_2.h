@@ -8,8 +8,6 @@
 #ifndef CGAL_INTERFACE_REMESHING_EXTRACT_INTERFACE_2_H
 #define CGAL_INTERFACE_REMESHING_EXTRACT_INTERFACE_2_H
 
-#include <CGAL/license/Interface_remeshing.h>
-
 #include <CGAL/Deformable_simplicial_complex_2.h>
 #include <CGAL/Interface_remeshing/internal/extraction/Extracted_facets.h>
 

@@ -8,8 +8,6 @@
 #ifndef CGAL_INTERFACE_REMESHING_EXTRACT_INTERFACE_3_H
 #define CGAL_INTERFACE_REMESHING_EXTRACT_INTERFACE_3_H
 
-#include <CGAL/license/Interface_remeshing.h>
-
 #include <CGAL/Deformable_simplicial_complex_3.h>
 #include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Interface_remeshing/internal/extraction/Extracted_facets.h>

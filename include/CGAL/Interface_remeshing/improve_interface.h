@@ -8,8 +8,6 @@
 #ifndef CGAL_INTERFACE_REMESHING_IMPROVE_INTERFACE_H
 #define CGAL_INTERFACE_REMESHING_IMPROVE_INTERFACE_H
 
-#include <CGAL/license/Interface_remeshing.h>
-
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>

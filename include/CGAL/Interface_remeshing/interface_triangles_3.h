@@ -8,8 +8,6 @@
 #ifndef CGAL_INTERFACE_REMESHING_INTERFACE_TRIANGLES_3_H
 #define CGAL_INTERFACE_REMESHING_INTERFACE_TRIANGLES_3_H
 
-#include <CGAL/license/Interface_remeshing.h>
-
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/triangle_quality.h>
 

@@ -8,8 +8,6 @@
 #ifndef CGAL_INTERFACE_REMESHING_JUNCTION_SPLIT_2_H
 #define CGAL_INTERFACE_REMESHING_JUNCTION_SPLIT_2_H
 
-#include <CGAL/license/Interface_remeshing.h>
-
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>
 #include <CGAL/Deformable_simplicial_complexes/domains.h>

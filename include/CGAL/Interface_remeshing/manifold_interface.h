@@ -8,8 +8,6 @@
 #ifndef CGAL_INTERFACE_REMESHING_MANIFOLD_INTERFACE_H
 #define CGAL_INTERFACE_REMESHING_MANIFOLD_INTERFACE_H
 
-#include <CGAL/license/Interface_remeshing.h>
-
 #include <CGAL/Deformable_simplicial_complexes/internal/topology/Manifold_relabeling.h>
 
 /// \file

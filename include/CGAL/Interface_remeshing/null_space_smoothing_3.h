@@ -8,8 +8,6 @@
 #ifndef CGAL_INTERFACE_REMESHING_NULL_SPACE_SMOOTHING_3_H
 #define CGAL_INTERFACE_REMESHING_NULL_SPACE_SMOOTHING_3_H
 
-#include <CGAL/license/Interface_remeshing.h>
-
 #include <CGAL/Deformable_simplicial_complexes/internal/interface/Interface_fan.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/operations/triangle_quality.h>
 #include <CGAL/Deformable_simplicial_complexes/mesh_operations.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_INTERFACE_REMESHING_REFINE_CELLS_H
 #define CGAL_INTERFACE_REMESHING_REFINE_CELLS_H
 
-#include <CGAL/license/Interface_remeshing.h>
-
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>

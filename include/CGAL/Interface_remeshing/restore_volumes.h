@@ -8,8 +8,6 @@
 #ifndef CGAL_INTERFACE_REMESHING_RESTORE_VOLUMES_H
 #define CGAL_INTERFACE_REMESHING_RESTORE_VOLUMES_H
 
-#include <CGAL/license/Interface_remeshing.h>
-
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_INTERFACE_REMESHING_SHARED_MEASURES_H
 #define CGAL_INTERFACE_REMESHING_SHARED_MEASURES_H
 
-#include <CGAL/license/Interface_remeshing.h>
-
 #include <algorithm>
 #include <map>
 #include <utility>

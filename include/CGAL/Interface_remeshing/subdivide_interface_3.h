@@ -8,8 +8,6 @@
 #ifndef CGAL_INTERFACE_REMESHING_SUBDIVIDE_INTERFACE_3_H
 #define CGAL_INTERFACE_REMESHING_SUBDIVIDE_INTERFACE_3_H
 
-#include <CGAL/license/Interface_remeshing.h>
-
 #include <CGAL/Deformable_simplicial_complexes/domains.h>
 #include <CGAL/Interface_remeshing/extract_interface_3.h>
 #include <CGAL/Mesh_support/Error.h>

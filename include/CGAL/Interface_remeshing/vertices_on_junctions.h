@@ -8,8 +8,6 @@
 #ifndef CGAL_INTERFACE_REMESHING_VERTICES_ON_JUNCTIONS_H
 #define CGAL_INTERFACE_REMESHING_VERTICES_ON_JUNCTIONS_H
 
-#include <CGAL/license/Interface_remeshing.h>
-
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 
 namespace CGAL::Deformable_simplicial_complexes {

@@ -8,8 +8,6 @@
 #ifndef CGAL_MESH_FILES_FILE_ERROR_H
 #define CGAL_MESH_FILES_FILE_ERROR_H
 
-#include <CGAL/license/Mesh_files.h>
-
 #include <CGAL/Mesh_support/Error.h>
 
 #include <string>

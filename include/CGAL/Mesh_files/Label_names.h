@@ -8,8 +8,6 @@
 #ifndef CGAL_MESH_FILES_LABEL_NAMES_H
 #define CGAL_MESH_FILES_LABEL_NAMES_H
 
-#include <CGAL/license/Mesh_files.h>
-
 #include <map>
 #include <sstream>
 #include <string>

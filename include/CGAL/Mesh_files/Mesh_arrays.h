@@ -8,8 +8,6 @@
 #ifndef CGAL_MESH_FILES_MESH_ARRAYS_H
 #define CGAL_MESH_FILES_MESH_ARRAYS_H
 
-#include <CGAL/license/Mesh_files.h>
-
 #include <CGAL/Mesh_files/Label_names.h>
 
 #include <cstddef>

@@ -8,8 +8,6 @@
 #ifndef CGAL_MESH_FILES_MESH_ENTITIES_H
 #define CGAL_MESH_FILES_MESH_ENTITIES_H
 
-#include <CGAL/license/Mesh_files.h>
-
 #include <array>
 #include <cstddef>
 #include <vector>

@@ -8,8 +8,6 @@
 #ifndef CGAL_MESH_FILES_PVD_SERIES_H
 #define CGAL_MESH_FILES_PVD_SERIES_H
 
-#include <CGAL/license/Mesh_files.h>
-
 #include <CGAL/Mesh_files/File_error.h>
 #include <CGAL/Mesh_files/internal/text/Xml_element.h>
 #include <CGAL/Mesh_files/replace_file.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_MESH_FILES_SURFACE_PARTS_H
 #define CGAL_MESH_FILES_SURFACE_PARTS_H
 
-#include <CGAL/license/Mesh_files.h>
-
 #include <CGAL/Mesh_support/internal/sets/equal_points.h>
 #include <CGAL/Triangle_soup_repair/Labeled_surface_3.h>
 

@@ -8,8 +8,6 @@
 #ifndef CGAL_MESH_FILES_UNUSED_CONTENT_H
 #define CGAL_MESH_FILES_UNUSED_CONTENT_H
 
-#include <CGAL/license/Mesh_files.h>
-
 #include <cstddef>
 #include <map>
 #include <string>

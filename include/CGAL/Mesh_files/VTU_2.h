@@ -8,8 +8,6 @@
 #ifndef CGAL_MESH_FILES_VTU_2_H
 #define CGAL_MESH_FILES_VTU_2_H
 
-#include <CGAL/license/Mesh_files.h>
-
 #include <CGAL/Deformable_simplicial_complex_2.h>
 #include <CGAL/Mesh_files/Mesh_arrays.h>
 #include <CGAL/Mesh_files/internal/grids/write_vtu.h>

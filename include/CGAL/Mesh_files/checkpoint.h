@@ -8,8 +8,6 @@
 #ifndef CGAL_MESH_FILES_CHECKPOINT_H
 #define CGAL_MESH_FILES_CHECKPOINT_H
 
-#include <CGAL/license/Mesh_files.h>
-
 #include <CGAL/Deformable_simplicial_complexes/State.h>
 #include <CGAL/Mesh_files/internal/checkpoints/checkpoint_file.h>
 #include <CGAL/Mesh_files/internal/text/files.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_MESH_FILES_LABELED_PNG_2_H
 #define CGAL_MESH_FILES_LABELED_PNG_2_H
 
-#include <CGAL/license/Mesh_files.h>
-
 #include <CGAL/Complex_construction/Labeled_image_2.h>
 #include <CGAL/Mesh_files/File_error.h>
 #include <CGAL/Mesh_files/Unused_content.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_MESH_FILES_LABELED_CURVES_2_H
 #define CGAL_MESH_FILES_LABELED_CURVES_2_H
 
-#include <CGAL/license/Mesh_files.h>
-
 #include <CGAL/Complex_construction/Labeled_curve_2.h>
 #include <CGAL/Deformable_simplicial_complex_2.h>
 #include <CGAL/Interface_remeshing/extract_interface_2.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_MESH_FILES_POINT_SET_3_H
 #define CGAL_MESH_FILES_POINT_SET_3_H
 
-#include <CGAL/license/Mesh_files.h>
-
 #include <CGAL/Mesh_files/File_error.h>
 #include <CGAL/Mesh_files/Unused_content.h>
 #include <CGAL/Mesh_files/internal/surfaces/Ply_reader.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_MESH_FILES_REPLACE_FILE_H
 #define CGAL_MESH_FILES_REPLACE_FILE_H
 
-#include <CGAL/license/Mesh_files.h>
-
 #include <CGAL/Mesh_files/File_error.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 
@@ -23,7 +21,6 @@
 #include <unistd.h>
 #endif
 
-#include <algorithm>
 #include <cerrno>
 #include <cstddef>
 #include <cstdio>

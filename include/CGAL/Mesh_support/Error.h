@@ -8,8 +8,6 @@
 #ifndef CGAL_MESH_SUPPORT_ERROR_H
 #define CGAL_MESH_SUPPORT_ERROR_H
 
-#include <CGAL/license/Mesh_support.h>
-
 #include <stdexcept>
 
 namespace CGAL::Deformable_simplicial_complexes {

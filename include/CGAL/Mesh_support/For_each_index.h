@@ -8,8 +8,6 @@
 #ifndef CGAL_MESH_SUPPORT_FOR_EACH_INDEX_H
 #define CGAL_MESH_SUPPORT_FOR_EACH_INDEX_H
 
-#include <CGAL/license/Mesh_support.h>
-
 #include <algorithm>
 #include <cstddef>
 

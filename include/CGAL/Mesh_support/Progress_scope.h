@@ -8,8 +8,6 @@
 #ifndef CGAL_MESH_SUPPORT_PROGRESS_SCOPE_H
 #define CGAL_MESH_SUPPORT_PROGRESS_SCOPE_H
 
-#include <CGAL/license/Mesh_support.h>
-
 #include <chrono>
 #include <exception>
 #include <functional>

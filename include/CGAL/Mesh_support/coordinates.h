@@ -8,8 +8,6 @@
 #ifndef CGAL_MESH_SUPPORT_COORDINATES_H
 #define CGAL_MESH_SUPPORT_COORDINATES_H
 
-#include <CGAL/license/Mesh_support.h>
-
 #include <array>
 #include <cmath>
 #include <cstddef>

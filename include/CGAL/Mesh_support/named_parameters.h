@@ -8,8 +8,6 @@
 #ifndef CGAL_MESH_SUPPORT_NAMED_PARAMETERS_H
 #define CGAL_MESH_SUPPORT_NAMED_PARAMETERS_H
 
-#include <CGAL/license/Mesh_support.h>
-
 #include <CGAL/Named_function_parameters.h>
 
 #include <functional>

@@ -8,8 +8,6 @@
 #ifndef CGAL_MESH_SUPPORT_PARAMETER_VALUES_H
 #define CGAL_MESH_SUPPORT_PARAMETER_VALUES_H
 
-#include <CGAL/license/Mesh_support.h>
-
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/named_parameters.h>
 #include <CGAL/tags.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_SOLID_RECONSTRUCTION_3_INVALID_POINTS_ERROR_H
 #define CGAL_SOLID_RECONSTRUCTION_3_INVALID_POINTS_ERROR_H
 
-#include <CGAL/license/Solid_reconstruction_3.h>
-
 #include <CGAL/Mesh_support/Error.h>
 
 #include <cstddef>

@@ -8,8 +8,6 @@
 #ifndef CGAL_SOLID_RECONSTRUCTION_3_RECONSTRUCTION_REPORT_3_H
 #define CGAL_SOLID_RECONSTRUCTION_3_RECONSTRUCTION_REPORT_3_H
 
-#include <CGAL/license/Solid_reconstruction_3.h>
-
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 
 #include <vector>

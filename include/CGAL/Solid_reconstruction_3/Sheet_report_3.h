@@ -8,8 +8,6 @@
 #ifndef CGAL_SOLID_RECONSTRUCTION_3_SHEET_REPORT_3_H
 #define CGAL_SOLID_RECONSTRUCTION_3_SHEET_REPORT_3_H
 
-#include <CGAL/license/Solid_reconstruction_3.h>
-
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>

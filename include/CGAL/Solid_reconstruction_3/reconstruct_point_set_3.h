@@ -8,8 +8,6 @@
 #ifndef CGAL_SOLID_RECONSTRUCTION_3_RECONSTRUCT_POINT_SET_3_H
 #define CGAL_SOLID_RECONSTRUCTION_3_RECONSTRUCT_POINT_SET_3_H
 
-#include <CGAL/license/Solid_reconstruction_3.h>
-
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Mesh_support/named_parameters.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_TRIANGLE_SOUP_REPAIR_INVALID_SURFACE_ERROR_H
 #define CGAL_TRIANGLE_SOUP_REPAIR_INVALID_SURFACE_ERROR_H
 
-#include <CGAL/license/Triangle_soup_repair.h>
-
 #include <CGAL/Mesh_support/Error.h>
 
 #include <cstddef>

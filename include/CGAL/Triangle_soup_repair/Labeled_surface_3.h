@@ -8,8 +8,6 @@
 #ifndef CGAL_TRIANGLE_SOUP_REPAIR_LABELED_SURFACE_3_H
 #define CGAL_TRIANGLE_SOUP_REPAIR_LABELED_SURFACE_3_H
 
-#include <CGAL/license/Triangle_soup_repair.h>
-
 #include <array>
 #include <cstddef>
 #include <vector>

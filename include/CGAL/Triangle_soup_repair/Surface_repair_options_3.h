@@ -8,8 +8,6 @@
 #ifndef CGAL_TRIANGLE_SOUP_REPAIR_SURFACE_REPAIR_OPTIONS_3_H
 #define CGAL_TRIANGLE_SOUP_REPAIR_SURFACE_REPAIR_OPTIONS_3_H
 
-#include <CGAL/license/Triangle_soup_repair.h>
-
 #include <CGAL/Mesh_support/Error.h>
 
 #include <cmath>

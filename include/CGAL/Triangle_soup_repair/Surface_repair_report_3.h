@@ -8,8 +8,6 @@
 #ifndef CGAL_TRIANGLE_SOUP_REPAIR_SURFACE_REPAIR_REPORT_3_H
 #define CGAL_TRIANGLE_SOUP_REPAIR_SURFACE_REPAIR_REPORT_3_H
 
-#include <CGAL/license/Triangle_soup_repair.h>
-
 #include <cstddef>
 
 namespace CGAL::Deformable_simplicial_complexes {

@@ -8,8 +8,6 @@
 #ifndef CGAL_TRIANGLE_SOUP_REPAIR_MAKE_PATCHES_3_H
 #define CGAL_TRIANGLE_SOUP_REPAIR_MAKE_PATCHES_3_H
 
-#include <CGAL/license/Triangle_soup_repair.h>
-
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Triangle_soup_repair/Invalid_surface_error.h>
 #include <CGAL/Triangle_soup_repair/Labeled_surface_3.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_TRIANGLE_SOUP_REPAIR_REPAIR_SURFACE_3_H
 #define CGAL_TRIANGLE_SOUP_REPAIR_REPAIR_SURFACE_3_H
 
-#include <CGAL/license/Triangle_soup_repair.h>
-
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/named_parameters.h>
 #include <CGAL/Mesh_support/parameter_values.h>

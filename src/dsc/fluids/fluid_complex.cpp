@@ -236,8 +236,44 @@ template <class Boundary>
   throw Input_error(name + ": " + message_of(error));
 }
 
+/// Throws if a shape is too large for the domain, or far outside. The mesh of such a boundary could
+/// take hours before its vertices are compared with the domain.
+void require_near_domain(const Fluid_scene& scene) {
+  const auto d = std::size_t(scene.dimension);
+  double size = 0; // largest side of the domain
+  for (std::size_t i = 0; i < d; ++i)
+    size = (std::max)(size, scene.domain[i + 3] - scene.domain[i]);
+  const auto is_near = [&](const std::array<double, 3>& p, double margin) {
+    for (std::size_t i = 0; i < d; ++i)
+      if (!(p[i] > scene.domain[i] - margin && p[i] < scene.domain[i + 3] + margin))
+        return false;
+    return true;
+  };
+  // The center of a round shape is inside its boundary, which is wider than its least radius.
+  const auto fits = [&](const std::array<double, 3>& center, double radius, double amplitude = 0) {
+    return is_near(center, 0) && radius * (1 - std::abs(amplitude)) < size;
+  };
+  const auto shapes = shapes_of(scene);
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const auto* ball = std::get_if<Ball_shape>(shapes[i].second);
+    const auto* column = std::get_if<Cylinder_shape>(shapes[i].second);
+    const auto* file = std::get_if<File_shape>(shapes[i].second);
+    const auto* box = std::get_if<Box_shape>(shapes[i].second);
+    // Solids can cut off what is outside of a box.
+    if ((ball && !fits(ball->center, ball->radius, ball->amplitude)) ||
+        (column && !(fits(column->from, column->radius, column->amplitude) &&
+                     fits(column->to, column->radius, column->amplitude))) ||
+        (file && !fits(file->ball.center, file->ball.radius)) ||
+        (box && !(is_near(box->from, size) && is_near(box->to, size))))
+      throw Input_error(name_of_shape(scene, i) +
+                        " of the scene is not inside the domain; make it smaller, move it or "
+                        "enlarge 'domain'");
+  }
+}
+
 template <class Complex>
 Complex complex_of_boundaries(const Fluid_scene& scene, const std::string& folder) {
+  require_near_domain(scene);
   // Scenes give the length of edges.
   const auto domain = parameters::enclosing_box(box_of_dimension<Complex::dimension>(scene.domain))
                           .edge_per_thickness(0.);

@@ -386,6 +386,11 @@ std::vector<std::pair<int, const Fluid_shape*>> shapes_of(const Fluid_scene& sce
   return result;
 }
 
+std::string name_of_shape(const Fluid_scene& scene, std::size_t i) {
+  const std::size_t liquids = scene.liquids.size();
+  return i < liquids ? numbered("liquids", i) : numbered("gases", i - liquids);
+}
+
 Fluid_scene find_scene(const std::string& name) {
   const std::map<std::string, std::string> scenes = scene_files();
   const auto found = scenes.find(name);

@@ -210,6 +210,9 @@ bool is_liquid(const Fluid_scene& scene, int label);
 /// Returns the labels and shapes, liquids first.
 std::vector<std::pair<int, const Fluid_shape*>> shapes_of(const Fluid_scene& scene);
 
+/// Returns the name of shape i of shapes_of() in the scene, such as "gases[0]".
+std::string name_of_shape(const Fluid_scene& scene, std::size_t i);
+
 /// Reads a scene.
 /// \throws Usage_error if a field is unknown, missing, out of range or without effect
 Fluid_scene read_scene(const Json& json);

@@ -9,10 +9,6 @@
 namespace dsc {
 namespace {
 
-std::string numbered(const char* list, std::size_t i) {
-  return std::string(list) + "[" + std::to_string(i) + "]";
-}
-
 void require_one_phase_per_label(const Fluid_scene& scene, const Json_fields& json) {
   for (const Scene_liquid& a : scene.liquids)
     for (const Scene_liquid& b : scene.liquids)

@@ -10,6 +10,11 @@
 
 namespace dsc {
 
+/// Returns the name of an entry of a list of a scene.
+inline std::string numbered(const char* list, std::size_t i) {
+  return std::string(list) + "[" + std::to_string(i) + "]";
+}
+
 /// Read a part of a scene. The dimension of the fields is the dimension of the scene.
 /// \throws Usage_error if a field is unknown, missing, out of range or without effect
 Fluid_shape read_shape(const Json_fields& shape);

@@ -106,13 +106,10 @@ void require_cells_of_all(const Fluid_scene& scene, const Complex& complex) {
       }
   }
   for (std::size_t i = 0; i < cells.size(); ++i)
-    if (cells[i] == 0) {
-      const bool is_liquid = i < scene.liquids.size();
-      throw Input_error((is_liquid ? "liquids[" + std::to_string(i)
-                                   : "gases[" + std::to_string(i - scene.liquids.size())) +
-                        "] of the scene has no cells: other shapes or solids cover it, or it is "
+    if (cells[i] == 0)
+      throw Input_error(name_of_shape(scene, i) +
+                        " of the scene has no cells: other shapes or solids cover it, or it is "
                         "outside the domain; move it or remove it");
-    }
 }
 
 template <class Complex>

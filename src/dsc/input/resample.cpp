@@ -48,16 +48,47 @@ bool is_closed(const std::vector<std::array<std::size_t, 3>>& triangles) {
   return true;
 }
 
+// Returns whether triangles form an oriented surface without a border: around each vertex, the
+// opposite edges of its triangles form one cycle.
+bool is_closed_manifold(const std::vector<std::array<std::size_t, 3>>& triangles) {
+  struct Edge
+  {
+    std::size_t apex, from, to; // opposite edge of a vertex in a triangle
+    bool operator<(const Edge& other) const {
+      return std::tie(apex, from) < std::tie(other.apex, other.from);
+    }
+  };
+  std::vector<Edge> edges;
+  for (const std::array<std::size_t, 3>& t : triangles)
+    for (std::size_t i = 0; i < 3; ++i)
+      edges.push_back({t[i], t[(i + 1) % 3], t[(i + 2) % 3]});
+  std::sort(edges.begin(), edges.end());
+  for (auto begin = edges.begin(), end = begin; begin != edges.end(); begin = end) {
+    end = std::find_if(begin, edges.end(), [&](const Edge& e) { return e.apex != begin->apex; });
+    const Edge* at = &*begin;
+    for (auto steps = end - begin; steps > 0; --steps) {
+      const auto next = std::lower_bound(begin, end, Edge{begin->apex, at->to, 0});
+      if (next == end || next->from != at->to || at->from == at->to ||
+          (next == begin) != (steps == 1))
+        return false;
+      at = &*next;
+    }
+  }
+  return true;
+}
+
 // Returns a closed surface as a mesh. Where the surface touches itself, the mesh has several
 // vertices at the same point. The mesh has border edges at edges with four or more triangles.
 Mesh closed_mesh(Surface surface, const std::string& name) {
   PMP::merge_duplicate_points_in_polygon_soup(surface.points, surface.triangles);
   const auto is_mesh = [&] { return PMP::is_polygon_soup_a_polygon_mesh(surface.triangles); };
-  const bool closed = is_closed(surface.triangles);
-  bool is_ready = closed && is_mesh();
-  if (closed && !is_ready) {
-    PMP::orient_polygon_soup(surface.points, surface.triangles);
+  bool is_ready = is_closed_manifold(surface.triangles);
+  if (!is_ready && is_closed(surface.triangles)) {
     is_ready = is_mesh();
+    if (!is_ready) {
+      PMP::orient_polygon_soup(surface.points, surface.triangles);
+      is_ready = is_mesh();
+    }
   }
   if (!is_ready)
     throw Input_error(name + " is not a closed surface; use --repair, or leave out --triangles to "

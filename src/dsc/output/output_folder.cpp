@@ -113,6 +113,7 @@ std::string save_run(std::optional<Output_folder>& folder, const std::string& st
     try {
       folder->require(complex); // it can have been removed after the checkpoint was written
       folder->save(complex, position, metadata);
+      folder->require(complex); // another process can be removing it
       return folder->checkpoint();
     } catch (const std::runtime_error&) { // the other place may do
     }

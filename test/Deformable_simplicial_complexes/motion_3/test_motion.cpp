@@ -267,15 +267,12 @@ TEST(Set_points, moves_vertices_together_that_could_not_move_alone) {
     points.push_back(
         dsc.admissible_destination(v, Point(2 * std::cbrt((p.x() + 1) / 2) - 1, p.y(), p.z())));
   }
-  std::vector<double> measures;
-  for (auto c : dsc.cells())
-    measures.push_back(dsc.measure(c));
   const auto backwards = [](std::size_t n, const auto& function, std::size_t = 0) {
     while (n > 0)
       function(--n);
   };
-  const auto qualities = mesh_helpers::qualities_with(dsc, dsc.cells(), vertices, points);
-  dsc.set_points(vertices, points, dsc.cells(), measures, qualities, backwards);
+  const auto shapes = mesh_helpers::shapes_with(dsc, dsc.cells(), vertices, points);
+  dsc.set_points(vertices, points, dsc.cells(), shapes.measures, shapes.qualities, backwards);
   EXPECT_TRUE(dsc.is_valid());
   EXPECT_NEAR(dsc.volume(0) + dsc.volume(1), 8, 1e-14);
   for (std::size_t i = 0; i < vertices.size(); ++i)

@@ -8,6 +8,8 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
+#include <numeric>
+
 namespace test_motion_of_space {
 
 namespace internal = CGAL::Deformable_simplicial_complexes::internal;
@@ -125,8 +127,12 @@ protected:
 
   std::vector<Vector> solve(unsigned threads) const {
     const For_each_index for_each_index(threads);
+    const internal::Moving_region<Complex> region(dsc, free, for_each_index);
+    std::vector<std::uint32_t> numbers(free.size());
+    std::iota(numbers.begin(), numbers.end(), 0);
     return internal::Harmonic_extension<Complex>(
-               dsc, free, [&](Vertex_handle v) { return linear(v); }, for_each_index)
+               region, numbers, [&](std::size_t v) { return linear(region.vertices()[v]); },
+               for_each_index)
         .solve();
   }
 

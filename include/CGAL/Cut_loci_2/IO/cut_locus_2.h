@@ -8,8 +8,6 @@
 #ifndef CGAL_CUT_LOCI_2_IO_CUT_LOCUS_2_H
 #define CGAL_CUT_LOCI_2_IO_CUT_LOCUS_2_H
 
-#include <CGAL/license/Cut_loci_2.h>
-
 #include <CGAL/Cut_loci_2/Sphere_like_surface_2.h>
 #include <CGAL/Cut_loci_2/cut_locus_2.h>
 #include <CGAL/Deformable_simplicial_complexes/domains.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_COMPLEX_CONSTRUCTION_INTERNAL_BUILDING_POINTS_IN_SPACE_3_H
 #define CGAL_COMPLEX_CONSTRUCTION_INTERNAL_BUILDING_POINTS_IN_SPACE_3_H
 
-#include <CGAL/license/Complex_construction.h>
-
 #include <CGAL/Complex_construction/Octree_3.h>
 #include <CGAL/Mesh_support/internal/cgal/cgal_compat.h>
 #include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_COMPLEX_CONSTRUCTION_INTERNAL_FITTING_MISSED_VOLUMES_H
 #define CGAL_COMPLEX_CONSTRUCTION_INTERNAL_FITTING_MISSED_VOLUMES_H
 
-#include <CGAL/license/Complex_construction.h>
-
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Domain_box.h>
 #include <CGAL/Mesh_support/Error.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_COMPLEX_CONSTRUCTION_INTERNAL_THIN_PARTS_THICKNESS_H
 #define CGAL_COMPLEX_CONSTRUCTION_INTERNAL_THIN_PARTS_THICKNESS_H
 
-#include <CGAL/license/Complex_construction.h>
-
 #include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <CGAL/Origin.h>

@@ -147,7 +147,7 @@ template <class ForEachIndex>
 void CGAL_DSC_CLASS::set_points(const std::vector<Vertex_handle>& vertices,
                                 const std::vector<Point>& points,
                                 const std::vector<Cell_handle>& cells,
-                                const std::vector<double>& measures,
+                                const std::vector<std::array<double, 2>>& measures,
                                 const std::vector<double>& qualities,
                                 const ForEachIndex& for_each_index) {
   static constexpr size_type block_size = 256; // cells; enough work for a thread
@@ -172,10 +172,11 @@ void CGAL_DSC_CLASS::set_points(const std::vector<Vertex_handle>& vertices,
             continue;
           CGAL_assertion(is_positive(c));
           CGAL_assertion(qualities[i] == cell_quality(c));
+          CGAL_assertion(measures[i][1] == measure(c));
           if (c->subdomain_index() != cells[first]->subdomain_index() ||
               c->component() != cells[first]->component())
             first = i;
-          volume_changes[first] += m_totals.units(measure(c)) - m_totals.units(measures[i]);
+          volume_changes[first] += m_totals.units(measures[i][1]) - m_totals.units(measures[i][0]);
           flat_changes[block] += (qualities[i] < quality_floor) - (c->quality() < quality_floor);
           internal::Simplex_access::set_quality(c, qualities[i]);
           have_new_shapes[i] = internal::note_shape(c);

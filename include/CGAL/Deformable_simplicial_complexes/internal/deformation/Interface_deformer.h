@@ -15,6 +15,8 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/deformation/Deformation_remesher.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/destinations/Contacts.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/destinations/Destinations.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Moving_region.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Proposed_motion.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Rigid_components.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/collision_order.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/displacement_extension.h>
@@ -144,7 +146,8 @@ public:
     const bool moves_all = is_moving_all(pass);
     if (is_complete() && !moves_all)
       return;
-    std::vector<Vertex_handle> vertices = unfinished(), free;
+    const std::vector<Vertex_handle>& vertices = unfinished();
+    std::vector<Vertex_handle> free;
     double longest = 0;
     if (!vertices.empty()) {
       const std::size_t farthest = m_destinations.farthest();
@@ -160,28 +163,30 @@ public:
     const auto remaining = [&](Vertex_handle v) {
       return m_complex.displacement(v, m_destinations.final_position(v));
     };
+    std::vector<Vertex_handle> movable = free;
+    movable.insert(movable.end(), vertices.begin(), vertices.end());
+    const Moving_region<Complex> region(m_complex, movable, m_for_each_index);
     lap(&Report::Seconds::motion);
     const auto displacements =
-        displacement_extension(m_complex, free, remaining, flow, longest, m_for_each_index);
+        displacement_extension(region, free, remaining, flow, longest, m_for_each_index);
     lap(&Report::Seconds::extension);
     std::vector<Point> targets;
+    for (std::size_t i = 0; i < free.size(); ++i) {
+      const Point target = m_complex.position(free[i]) + displacements[i];
+      targets.push_back(has_finite_coordinates(target)
+                            ? m_complex.admissible_destination(free[i], target)
+                            : m_complex.position(free[i]));
+    }
     for (std::size_t k = 0; k < vertices.size(); ++k)
       targets.push_back(m_destinations.destination(k));
-    for (std::size_t i = 0; i < free.size(); ++i) {
-      const auto target = m_complex.position(free[i]) + displacements[i];
-      if (target != m_complex.position(free[i]) && has_finite_coordinates(target)) {
-        vertices.push_back(free[i]);
-        targets.push_back(m_complex.admissible_destination(free[i], target));
-      }
-    }
-    const std::vector<Cell_handle> cells = star_union(m_complex, vertices, m_for_each_index);
+    Proposed_motion<Complex> motion(m_complex, region, targets, m_for_each_index);
     m_obstructing.clear();
-    for (Cell_handle c : move_simultaneously(
-             m_complex, vertices, targets, cells, m_for_each_index,
-             [&](const std::vector<Cell_handle>& bad) { return is_rigid(cells, bad); }))
+    for (Cell_handle c : move_simultaneously(motion, [&](const std::vector<Cell_handle>& bad) {
+           return is_rigid(motion.cells(), bad);
+         }))
       m_obstructing.push(c);
     m_obstructing.sort();
-    for (Cell_handle c : cells)
+    for (Cell_handle c : motion.cells())
       touch(c);
     update_destinations();
   }

@@ -8,8 +8,6 @@
 #ifndef CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DESTINATIONS_DESTINATIONS_H
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_DESTINATIONS_DESTINATIONS_H
 
-#include <CGAL/license/Deformable_simplicial_complexes.h>
-
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Mesh_support/coordinates.h>
 

@@ -9,18 +9,20 @@
 #define CGAL_DEFORMABLE_SIMPLICIAL_COMPLEXES_INTERNAL_MOTION_HARMONIC_EXTENSION_H
 
 #include <CGAL/Deformable_simplicial_complexes/domains.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Marks.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Vertex_numbers.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/sort_by_time_stamp.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Moving_region.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/traversal/Linear_element.h>
-#include <CGAL/Deformable_simplicial_complexes/internal/traversal/star_union.h>
 #include <CGAL/Mesh_support/For_each_index.h>
 #include <CGAL/Mesh_support/coordinates.h>
 #include <CGAL/Mesh_support/internal/numbers/Conjugate_gradients.h>
+#include <CGAL/Mesh_support/internal/threads/Borrowed_table.h>
 
 #include <Eigen/Eigenvalues>
 
 #include <boost/container/flat_map.hpp>
+
+#include <algorithm>
+#include <numeric>
 
 namespace CGAL::Deformable_simplicial_complexes::internal {
 
@@ -34,8 +36,7 @@ public:
   // The number of a phase, and the number of a vertex at the phase that is not free.
   using Around = std::pair<std::uint32_t, std::uint32_t>;
 
-  // The free vertices, followed by the vertices around them. `positions` and `are_constrained` have
-  // an entry for each vertex, `known` has the displacement of each vertex that is not free.
+  // The vertices by their numbers. `known` has the displacements of vertices that are not free.
   // `are_constrained` marks vertices that constrain their phase: free vertices that cannot move in
   // all directions, and other vertices that are not on the interface.
   struct Vertices
@@ -44,13 +45,15 @@ public:
     std::vector<char> are_constrained;
   };
 
-  // A vertex may occur several times at a phase; its weight is the number of occurrences.
-  Affine_phases(std::size_t number_of_phases, const std::vector<std::uint32_t>& phase_of_free,
-                const std::vector<Around>& around, const Vertices& vertices)
-      : m_vertices(vertices), m_number_of_free(phase_of_free.size()), m_phases(number_of_phases) {
-    for (std::size_t i = 0; i < phase_of_free.size(); ++i)
-      if (vertices.are_constrained[i])
-        m_phases[phase_of_free[i]].is_constrained = true;
+  // `phases` has the phase of each free vertex. A vertex may occur several times at a phase; its
+  // weight is the number of occurrences.
+  Affine_phases(std::size_t number_of_phases, const std::vector<std::uint32_t>& free,
+                const std::vector<std::uint32_t>& phases, const std::vector<Around>& around,
+                const Vertices& vertices)
+      : m_vertices(vertices), m_phases(number_of_phases) {
+    for (std::uint32_t v : free)
+      if (vertices.are_constrained[v])
+        m_phases[phases[v]].is_constrained = true;
     for (const auto& [i, v] : around) {
       m_phases[i].is_constrained = m_phases[i].is_constrained || vertices.are_constrained[v];
       m_phases[i].longest = (std::max)(m_phases[i].longest, known(v).squaredNorm());
@@ -86,7 +89,7 @@ private:
   };
 
   const Vector& position(std::uint32_t v) const { return m_vertices.positions[v]; }
-  const Vector& known(std::uint32_t v) const { return m_vertices.known[v - m_number_of_free]; }
+  const Vector& known(std::uint32_t v) const { return m_vertices.known[v]; }
 
   // Fits the affine motions by least squares.
   void find_motions(const std::vector<Around>& around) {
@@ -142,31 +145,8 @@ private:
   }
 
   const Vertices& m_vertices;
-  std::size_t m_number_of_free;
   std::vector<Phase> m_phases;
 };
-
-// Returns the other vertices of the stars of given vertices, by increasing time stamp. If there are
-// many vertices, returns all other vertices of the complex, which is faster.
-template <class Complex>
-std::vector<typename Complex::Vertex_handle>
-vertices_around(const Complex& complex,
-                const std::vector<typename Complex::Vertex_handle>& vertices) {
-  Marks seen = vertex_marks(complex);
-  for (auto v : vertices)
-    seen.add(v);
-  std::vector<typename Complex::Vertex_handle> result;
-  if (are_many(complex, vertices.size())) {
-    for (typename Complex::Vertex_handle v : complex.finite_vertices())
-      seen.add(v, result);
-  } else {
-    for (auto c : stars_of(complex, vertices))
-      for (int i = 0; i < Complex::corners; ++i)
-        seen.add(c->vertex(i), result);
-  }
-  sort_by_time_stamp(result);
-  return result;
-}
 
 /*
 The harmonic extension of displacements from the interface to the surrounding space. Each component
@@ -179,47 +159,50 @@ the affine motion that fits best.
 template <class Complex> class Harmonic_extension
 {
 public:
-  using Vertex_handle = typename Complex::Vertex_handle;
+  using Region = Moving_region<Complex>;
+  using Number = typename Region::Number;
   using Displacement = typename Complex::Vector;
   static constexpr int d = Complex::dimension;
 
-  // `free` are the vertices to which displacements are extended. `displacement(v)` returns the
-  // displacement of any other vertex.
+  // `free` are the vertices to which displacements are extended, movable vertices of a region.
+  // `displacement(v)` returns the displacement of any other vertex of the region by its number.
   template <class Known>
-  Harmonic_extension(const Complex& complex, const std::vector<Vertex_handle>& free,
+  Harmonic_extension(const Region& region, const std::vector<Number>& free,
                      const Known& displacement, const For_each_index& for_each_index)
-      : m_complex(complex), m_free(free), m_for_each_index(for_each_index),
-        m_others(vertices_around(complex, free)), m_numbers(complex, free), m_labels(free.size()),
-        m_neighbors(free.size(), neighbors(), for_each_index) {
-    number_phases();
-    find_vertices_around_phases();
-    const std::size_t size = free.size() + m_others.size();
-    m_vertices.positions.resize(size, Vector::Zero());
-    m_vertices.are_constrained.resize(size);
-    for_each_index(size, [&](std::size_t i) {
-      const Vertex_handle v = i < free.size() ? free[i] : m_others[i - free.size()];
+      : m_region(region), m_free(free), m_for_each_index(for_each_index),
+        m_are_free(region.size(), false), m_phases(region.size(), Region::none) {
+    const Complex& complex = region.complex();
+    for (Number v : free)
+      m_are_free[v] = true;
+    find_phases();
+    m_vertices.positions.resize(region.size(), Vector::Zero());
+    m_vertices.are_constrained.resize(region.size());
+    for_each_index(region.size(), [&](std::size_t v) {
       // On a torus, no linear map except zero is well defined, so phases follow the mean
       // displacement.
       if (Complex::Domain::has_outside)
-        m_vertices.positions[i] = coordinates(complex.position(v));
-      m_vertices.are_constrained[i] = i < free.size() ? complex.is_boundary(v) : !v->is_interface();
+        m_vertices.positions[v] = coordinates(region.positions()[v]);
+      m_vertices.are_constrained[v] = m_are_free[v] ? complex.is_boundary(region.vertices()[v])
+                                                    : !region.vertices()[v]->is_interface();
     });
-    m_vertices.known.reserve(m_others.size());
-    for (Vertex_handle v : m_others) // in this thread, because users define flows
-      m_vertices.known.push_back(coordinates(displacement(v)));
+    m_vertices.known.resize(region.size(), Vector::Zero());
+    for (Number v = 0; v < region.size(); ++v) // in this thread, because users define flows
+      if (!m_are_free[v] && m_phases[v] != Region::none)
+        m_vertices.known[v] = coordinates(displacement(v));
   }
 
   // Returns the displacements of the free vertices. Vertices on the boundary of the domain move
   // within their sides.
   std::vector<Displacement> solve() const {
-    const Phases phases(m_number_of_phases, m_phases, m_around, m_vertices);
-    const Unknowns unknowns(phases, m_phases);
+    const Phases phases(m_number_of_phases, m_free, m_phases, m_around, m_vertices);
+    const Unknowns unknowns(phases, m_free, m_phases);
     const std::vector<Vector> deviations = deviations_of(phases, unknowns);
     std::vector<Displacement> result(m_free.size());
     m_for_each_index(m_free.size(), [&](std::size_t i) {
-      Vector motion = phases.motion(m_phases[i], std::uint32_t(i));
-      if (unknowns.row[i] != Unknowns::none)
-        motion += deviations[unknowns.row[i]];
+      const Number v = m_free[i];
+      Vector motion = phases.motion(m_phases[v], v);
+      if (unknowns.rows[v] != Region::none)
+        motion += deviations[unknowns.rows[v]];
       std::array<double, d> coordinates;
       std::copy(motion.data(), motion.data() + d, coordinates.begin());
       result[i] = vector_of<Complex>(coordinates);
@@ -231,117 +214,128 @@ private:
   using Phases = Affine_phases<d>;
   using Vector = typename Phases::Vector;
   using Solver = Conjugate_gradients<d>;
-
-  struct Neighbor
-  {
-    std::uint32_t vertex; // number
-    double weight;
-  };
+  using Element = Linear_element<Complex>;
+  using Entry = typename Solver::Entry;
 
   // The free vertices in phases that deviate from their affine motion.
   struct Unknowns
   {
-    static constexpr std::uint32_t none = std::uint32_t(-1);
-
-    Unknowns(const Phases& phases, const std::vector<std::uint32_t>& phase_of_free)
-        : row(phase_of_free.size(), none) {
-      for (std::uint32_t i = 0; i < phase_of_free.size(); ++i)
-        if (phases.deviates(phase_of_free[i])) {
-          row[i] = std::uint32_t(vertices.size());
-          vertices.push_back(i);
+    Unknowns(const Phases& phases, const std::vector<Number>& free,
+             const std::vector<Number>& phase_of)
+        : rows(phase_of.size(), Region::none) {
+      for (Number v : free)
+        if (phases.deviates(phase_of[v])) {
+          rows[v] = Number(vertices.size());
+          vertices.push_back(v);
         }
     }
 
-    std::vector<std::uint32_t> row; // row of each free vertex
-    std::vector<std::uint32_t> vertices;
+    std::vector<Number> rows; // the row of each vertex, or none
+    std::vector<Number> vertices;
+  };
+
+  // The cells around each unknown vertex, in their order.
+  class Incidences
+  {
+  public:
+    Incidences(const Region& region, const Unknowns& unknowns)
+        : m_ends(unknowns.vertices.size() + 1, 0) {
+      const auto for_each = [&](const auto& f) {
+        for (std::size_t c = 0; c < region.cells().size(); ++c)
+          for (int i = 0; i < Complex::corners; ++i)
+            if (const Number row = unknowns.rows[region.corners(c)[i]]; row != Region::none)
+              f(row, Number(c * Complex::corners + i));
+      };
+      for_each([&](Number row, Number) { ++m_ends[row + 1]; });
+      std::partial_sum(m_ends.begin(), m_ends.end(), m_ends.begin());
+      m_list.resize(m_ends.back());
+      std::vector<std::size_t> next(m_ends.begin(), m_ends.end() - 1);
+      for_each([&](Number row, Number corner) { m_list[next[row]++] = corner; });
+    }
+
+    // Calls f(c, i) for each cell around a vertex, where i is the corner at the vertex.
+    template <class Function> void for_each(std::size_t row, const Function& f) const {
+      for (std::size_t k = m_ends[row]; k < m_ends[row + 1]; ++k)
+        f(m_list[k] / Complex::corners, int(m_list[k] % Complex::corners));
+    }
+
+  private:
+    std::vector<std::size_t> m_ends;
+    std::vector<Number> m_list;
   };
 
   template <class Point> static Vector coordinates(const Point& p) {
     return Vector(coordinates_of<d>(p).data());
   }
 
-  // Returns a function that computes the neighbors of a free vertex from its star, and stores the
-  // label around the vertex.
-  auto neighbors() {
-    using Cell_handle = typename Complex::Cell_handle;
-    for (std::size_t i = 0; i < m_others.size(); ++i)
-      m_numbers.set(m_others[i], std::uint32_t(m_free.size() + i));
-    return [this, star = std::vector<Cell_handle>(), found = std::vector<Vertex_handle>(),
-            positions = std::vector<typename Complex::Point>(),
-            weights = std::vector<double>()](std::size_t i, std::vector<Neighbor>& result) mutable {
-      const Vertex_handle v = m_free[i];
-      m_complex.star(v, star);
-      Vertex_numbers numbers(m_complex);
-      found.assign(1, v);
-      positions.assign(1, m_complex.position(v));
-      weights.assign(1, 0.);
-      for (Cell_handle c : star) {
-        if (m_complex.is_infinite(c))
-          continue;
-        m_labels[i] = c->subdomain_index();
-        std::array<std::uint32_t, Complex::corners> number;
-        typename Linear_element<Complex>::Corners corners;
-        int own = 0;
-        for (int j = 0; j < Complex::corners; ++j) {
-          const Vertex_handle w = c->vertex(j);
-          number[j] = w == v ? 0 : numbers.add(w, found);
-          if (w == v)
-            own = j;
-          if (number[j] == positions.size()) {
-            positions.push_back(m_complex.position_near(positions.front(), w));
-            weights.push_back(0);
-          }
-          // On a torus, the position of a cell must not depend on the row, so that all rows compute
-          // the same values.
-          corners[j] = Complex::Domain::has_outside ? positions[number[j]] : m_complex.corner(c, j);
-        }
-        const auto stiffness = Linear_element<Complex>(corners).evened_stiffness(own);
-        for (int j = 0; j < Complex::corners; ++j)
-          weights[number[j]] -= stiffness[j];
-      }
-      for (std::size_t k = 1; k < found.size(); ++k)
-        result.push_back({m_numbers(found[k]), weights[k]});
-    };
-  }
-
-  // A free vertex is not on the interface, so all cells around it have the same label.
-  void number_phases() {
-    boost::container::flat_map<typename Complex::Label, std::uint32_t> numbers;
-    for (const auto& label : m_labels)
-      m_phases.push_back(numbers.emplace(label, std::uint32_t(numbers.size())).first->second);
+  // Numbers the labels around free vertices, and finds the phase of each free vertex and which
+  // other vertices are at which phases. A free vertex is not on the interface, so all cells around
+  // it have the same label.
+  void find_phases() {
+    boost::container::flat_map<typename Complex::Label, Number> numbers;
+    for (std::size_t c = 0; c < m_region.cells().size(); ++c) {
+      const auto& corners = m_region.corners(c);
+      if (std::none_of(corners.begin(), corners.end(), [&](Number v) { return m_are_free[v]; }))
+        continue;
+      const Number phase = numbers.emplace(m_region.label(c), Number(numbers.size())).first->second;
+      for (Number v : corners)
+        if (std::exchange(m_phases[v], phase) != phase && !m_are_free[v])
+          m_around.emplace_back(phase, v);
+    }
     m_number_of_phases = numbers.size();
   }
 
-  // Finds which of the other vertices are at which phases.
-  void find_vertices_around_phases() {
-    std::vector<std::uint32_t> last_phase(m_others.size(), Unknowns::none);
-    for (std::uint32_t i = 0; i < m_free.size(); ++i)
-      for (const Neighbor& n : m_neighbors.row(i))
-        if (!is_free(n.vertex) &&
-            std::exchange(last_phase[n.vertex - m_free.size()], m_phases[i]) != m_phases[i])
-          m_around.emplace_back(m_phases[i], n.vertex);
+  // Returns the stiffness of the edges of each cell at an unknown vertex.
+  auto stiffness_of_cells(const Unknowns& unknowns) const {
+    std::vector<std::array<double, Element::edges>> result(m_region.cells().size());
+    m_for_each_index(result.size(), [&](std::size_t c) {
+      const auto& corners = m_region.corners(c);
+      if (std::all_of(corners.begin(), corners.end(),
+                      [&](Number v) { return unknowns.rows[v] == Region::none; }))
+        return;
+      typename Element::Corners points;
+      for (int i = 0; i < Complex::corners; ++i)
+        points[i] = m_region.complex().domain().nearest_image(m_region.positions()[corners[0]],
+                                                              m_region.positions()[corners[i]]);
+      result[c] = Element(points).evened_stiffness();
+    });
+    return result;
   }
-
-  bool is_free(std::uint32_t vertex) const { return vertex < m_free.size(); }
 
   // Computes the deviations. A low accuracy is sufficient, because each proposed motion is checked
   // later.
   std::vector<Vector> deviations_of(const Phases& phases, const Unknowns& unknowns) const {
     static constexpr double part = 5e-3; // relative reduction of the residuals
     static constexpr int maximum_number_of_iterations = 200;
-    using Entry = typename Solver::Entry;
     std::vector<Vector> right(unknowns.vertices.size(), Vector::Zero());
+    if (right.empty())
+      return right;
     std::vector<double> diagonal(right.size(), 0);
+    const auto stiffness = stiffness_of_cells(unknowns);
+    const Incidences incidences(m_region, unknowns);
     const Row_blocks<Entry> matrix(
         right.size(),
-        [&](std::size_t row, std::vector<Entry>& entries) {
-          const std::uint32_t i = unknowns.vertices[row];
-          for (const Neighbor& n : m_neighbors.row(i)) {
-            diagonal[row] += n.weight;
-            if (is_free(n.vertex))
-              entries.push_back({unknowns.row[n.vertex], -n.weight});
+        [&, found = std::vector<Entry>()](std::size_t row, std::vector<Entry>& entries) mutable {
+          found.clear(); // columns are numbers of vertices
+          Borrowed_table<Numbered> places(m_region.size());
+          incidences.for_each(row, [&](std::size_t c, int own) {
+            for (int i = 0; i < Complex::corners; ++i) {
+              if (i == own)
+                continue;
+              const Number v = m_region.corners(c)[i];
+              if (places[v].epoch != places.epoch()) {
+                places[v] = {places.epoch(), Number(found.size())};
+                found.push_back({v, 0});
+              }
+              found[places[v].number].value += stiffness[c][Element::edge(own, i)];
+            }
+          });
+          for (const Entry& e : found) {
+            diagonal[row] -= e.value;
+            if (!m_are_free[e.column])
+              right[row] -= e.value * phases.deviation(m_phases[unknowns.vertices[row]], e.column);
             else
-              right[row] += n.weight * phases.deviation(m_phases[i], n.vertex);
+              entries.push_back({unknowns.rows[e.column], e.value});
           }
         },
         m_for_each_index);
@@ -349,20 +343,17 @@ private:
         .solve(
             std::move(right),
             [&](std::size_t row, int axis) {
-              return Boundary_class::fixes(m_free[unknowns.vertices[row]]->boundary_class(), axis);
+              const auto v = m_region.vertices()[unknowns.vertices[row]];
+              return Boundary_class::fixes(v->boundary_class(), axis);
             },
             part, maximum_number_of_iterations);
   }
 
-  // The order of the members is the order of their construction.
-  const Complex& m_complex;
-  const std::vector<Vertex_handle>& m_free;
+  const Region& m_region;
+  const std::vector<Number>& m_free;
   const For_each_index& m_for_each_index;
-  std::vector<Vertex_handle> m_others;           // vertices with known displacements
-  Vertex_numbers m_numbers;                      // free vertices first
-  std::vector<typename Complex::Label> m_labels; // labels around free vertices
-  Row_blocks<Neighbor> m_neighbors;
-  std::vector<std::uint32_t> m_phases; // phases of free vertices
+  std::vector<char> m_are_free; // by number
+  std::vector<Number> m_phases; // the phase of each free vertex, and one of those at other vertices
   std::size_t m_number_of_phases = 0;
   std::vector<typename Phases::Around> m_around;
   typename Phases::Vertices m_vertices;

@@ -13,6 +13,7 @@
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/Vertex_numbers.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/bookkeeping/sort_by_time_stamp.h>
 #include <CGAL/Deformable_simplicial_complexes/internal/motion/Harmonic_extension.h>
+#include <CGAL/Deformable_simplicial_complexes/internal/motion/Moving_region.h>
 #include <CGAL/Mesh_support/Error.h>
 #include <CGAL/Mesh_support/For_each_index.h>
 #include <CGAL/Mesh_support/internal/numbers/Extent.h>
@@ -213,60 +214,51 @@ Free vertices at which the flow is known follow the flow; their deviation from i
 extension of the deviation of the interface and the boundary. The other free vertices get the
 harmonic extension of the displacements around them.
 
-`displacement(v)` is the remaining displacement of an interface vertex, and zero for boundary
-vertices. `flow` gives the displacements of vertices by the flow, where it is known. `longest` is
-the length of the longest displacement.
+`free` are the first vertices of the region. `displacement(v)` is the remaining displacement of an
+interface vertex, and zero for boundary vertices. `flow` gives the displacements of vertices by the
+flow, where it is known. `longest` is the length of the longest displacement.
 */
 template <class Complex, class Displacement>
 std::vector<typename Complex::Vector>
-displacement_extension(const Complex& complex,
+displacement_extension(const Moving_region<Complex>& region,
                        const std::vector<typename Complex::Vertex_handle>& free,
                        const Displacement& displacement, Flow_displacements<Complex>& flow,
                        double longest, const For_each_index& for_each_index) {
   using Vertex_handle = typename Complex::Vertex_handle;
   using Vector = typename Complex::Vector;
+  using Number = typename Moving_region<Complex>::Number;
   static constexpr double part = 1e-6; // relative to the longest displacement
   const double negligible = part * longest;
-  if (auto followed = motion_by_flow(complex, free, displacement, flow, longest, negligible))
+  if (auto followed =
+          motion_by_flow(region.complex(), free, displacement, flow, longest, negligible))
     return *std::move(followed);
-  std::vector<Vertex_handle> guided, others;
-  flow.find(free);
-  std::vector<Vector> flows; // displacements of guided vertices by the flow
-  for (Vertex_handle v : free)
-    if (const std::optional<Vector> known = flow(v)) {
-      guided.push_back(v);
-      flows.push_back(*known);
+  std::vector<Number> guided, others;
+  flow.find(region.vertices());
+  std::vector<Vector> result(free.size(), CGAL::NULL_VECTOR);
+  for (Number i = 0; i < free.size(); ++i)
+    if (const std::optional<Vector> known = flow(free[i])) {
+      guided.push_back(i);
+      result[i] = *known;
     } else {
-      others.push_back(v);
+      others.push_back(i);
     }
-  flow.find(vertices_around(complex, guided));
-  const auto is_free = [](Vertex_handle v, const std::vector<Vertex_handle>& list) {
-    return std::binary_search(list.begin(), list.end(), v, Less_time_stamp());
+  const auto add_extension = [&](const std::vector<Number>& list, const auto& known) {
+    if (list.empty())
+      return;
+    const Harmonic_extension<Complex> extension(region, list, known, for_each_index);
+    const std::vector<Vector> motions = extension.solve();
+    for (std::size_t k = 0; k < list.size(); ++k)
+      result[list[k]] = result[list[k]] + motions[k];
   };
-  const Harmonic_extension<Complex> to_others(
-      complex, others,
-      [&](Vertex_handle v) { return is_free(v, guided) ? *flow(v) : displacement(v); },
-      for_each_index);
-  const Harmonic_extension<Complex> to_guided(
-      complex, guided,
-      [&](Vertex_handle v) {
-        const std::optional<Vector> known = flow(v);
-        if (!known || is_free(v, others))
-          return Vector(CGAL::NULL_VECTOR);
-        const Vector d = displacement(v) - *known;
-        return d.squared_length() < negligible * negligible ? Vector(CGAL::NULL_VECTOR) : d;
-      },
-      for_each_index);
-  const std::vector<Vector> of_others = to_others.solve(), deviations = to_guided.solve();
-  std::vector<Vector> result;
-  std::size_t g = 0, o = 0;
-  for (Vertex_handle v : free)
-    if (g < guided.size() && guided[g] == v) {
-      result.push_back(flows[g] + deviations[g]);
-      ++g;
-    } else {
-      result.push_back(of_others[o++]);
-    }
+  add_extension(others, [&](Number i) {
+    return i < free.size() ? *flow(free[i]) : displacement(region.vertices()[i]);
+  });
+  add_extension(guided, [&](Number i) {
+    const Vertex_handle v = region.vertices()[i];
+    const std::optional<Vector> known = flow(v);
+    const Vector d = known ? displacement(v) - *known : Vector(CGAL::NULL_VECTOR);
+    return d.squared_length() < negligible * negligible ? Vector(CGAL::NULL_VECTOR) : d;
+  });
   return result;
 }
 

@@ -104,11 +104,7 @@ public:
   using Point = typename Complex::Point;
 
   explicit Displacement_reduction(Motion& motion)
-      : m_motion(motion), m_fractions(motion.size(), 1.) {
-    m_targets.reserve(motion.size());
-    for (Number i = 0; i < motion.size(); ++i)
-      m_targets.push_back(motion.point(i));
-  }
+      : m_motion(motion), m_targets(motion.points()), m_fractions(m_targets.size(), 1.) {}
 
   // Runs until no cell is inverted or degraded, starting with the given bad cells. This terminates:
   // each round reduces a displacement further, and cells whose vertices all stay are positively
@@ -191,42 +187,36 @@ template <class Complex> bool shorten(Proposed_motion<Complex>& motion, bool may
   static constexpr double smallest_fraction = 1. / 32;
   using Number = typename Proposed_motion<Complex>::Number;
   const Complex& complex = motion.complex();
-  std::vector<typename Complex::Point> targets;
-  for (Number i = 0; i < motion.size(); ++i)
-    targets.push_back(motion.point(i));
+  const std::vector<typename Complex::Point> targets = motion.points();
   for (double fraction = 1; fraction >= smallest_fraction; fraction /= 2) {
-    for (Number i = 0; i < motion.size() && fraction < 1; ++i) {
-      const auto v = motion.vertex(i);
-      const auto displacement = complex.displacement(v, targets[i]);
-      motion.set_point(
-          i, complex.admissible_destination(v, complex.position(v) + fraction * displacement));
-    }
+    if (fraction < 1)
+      for (Number i : motion.moving()) {
+        const auto v = motion.vertex(i);
+        const auto displacement = complex.displacement(v, targets[i]);
+        motion.set_point(
+            i, complex.admissible_destination(v, complex.position(v) + fraction * displacement));
+      }
     if (untangle(motion).empty() || (may_degrade && motion.inverted_cells().empty()))
       return true;
   }
-  for (Number i = 0; i < motion.size(); ++i)
+  for (Number i : motion.moving())
     motion.set_point(i, targets[i]);
   return false;
 }
 
 /*
-Moves vertices simultaneously towards their targets, as far as no cell is inverted or falls below
+Moves vertices simultaneously to their proposed points, as far as no cell is inverted or falls below
 the quality floor. Where a cell would be inverted, its free vertices are relocated. If this does not
 help, the displacements of its moving vertices are reduced. If `is_rigid(bad_cells)` returns true,
 the displacements of all vertices are reduced alike. Cells may then fall below the quality floor if
-no fraction avoids it. `cells` are the finite cells around the vertices, each once. Returns the
-cells that made it necessary to treat all displacements alike.
+no fraction avoids it. Returns the cells that made it necessary to treat all displacements alike.
 
 All cells stay positively oriented and the boundary of the domain stays in place. Thus the map from
 the old to the new complex is a homeomorphism.
 */
 template <class Complex, class Is_rigid>
-std::vector<typename Complex::Cell_handle>
-move_simultaneously(Complex& complex, const std::vector<typename Complex::Vertex_handle>& vertices,
-                    const std::vector<typename Complex::Point>& targets,
-                    const std::vector<typename Complex::Cell_handle>& cells,
-                    const For_each_index& for_each_index, const Is_rigid& is_rigid) {
-  Proposed_motion<Complex> motion(complex, vertices, targets, cells, for_each_index);
+std::vector<typename Complex::Cell_handle> move_simultaneously(Proposed_motion<Complex>& motion,
+                                                               const Is_rigid& is_rigid) {
   auto bad = untangle(motion);
   std::vector<typename Complex::Cell_handle> obstructing;
   if (!bad.empty() && is_rigid(bad) && (shorten(motion, false) || shorten(motion, true)))

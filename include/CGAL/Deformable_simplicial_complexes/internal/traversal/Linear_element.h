@@ -59,22 +59,30 @@ public:
     return m_frame.normals[i] * m_frame.normals[j] / (factorial * m_frame.parallelotope);
   }
 
-  // Returns the row of the stiffness matrix for a corner, with a conductivity that is the inverse
-  // of the measure. Cells of all sizes then have the same weight in an extension of a
+  static constexpr int edges = d * (d + 1) / 2; // number of edges of a cell
+
+  // Returns the place of the edge between two different corners in `evened_stiffness()`.
+  static constexpr int edge(int i, int j) {
+    return i < j ? j * (j - 1) / 2 + i : i * (i - 1) / 2 + j;
+  }
+
+  // Returns the entry of the stiffness matrix for each edge, with a conductivity that is the
+  // inverse of the measure. Cells of all sizes then have the same weight in an extension of a
   // displacement: small cells, most of them at the interface, are deformed less, and large cells
   // more. For nearly flat cells, the measure is replaced by a small fraction of the measure of a
   // round cell, so the entries are bounded. All entries are 0 if the cell is inverted, or flat up
   // to rounding.
-  std::array<double, d + 1> evened_stiffness(int corner) const {
+  std::array<double, edges> evened_stiffness() const {
     static constexpr double flattest = 5e-4, rounding = 1e-15; // of a round cell
-    std::array<double, d + 1> result = {};
+    std::array<double, edges> result = {};
     const double round = extent();
     if (!(measure() > rounding * round))
       return result;
     const double limited = factorial * (std::max)(measure(), flattest * round);
     const double factor = 1 / (limited * limited);
-    for (int j = 0; j <= d; ++j)
-      result[j] = factor * (m_frame.normals[corner] * m_frame.normals[j]);
+    for (int j = 1; j <= d; ++j)
+      for (int i = 0; i < j; ++i)
+        result[edge(i, j)] = factor * (m_frame.normals[i] * m_frame.normals[j]);
     return result;
   }
 

@@ -102,10 +102,10 @@ private:
         if (vertices[i] == v)
           own = i;
       }
-      const auto stiffness = Element(corners).evened_stiffness(own);
+      const auto stiffness = Element(corners).evened_stiffness();
       for (int i = 0; i <= d; ++i)
         if (i != own)
-          m_entries_of_row.push_back({vertices[i], stiffness[i]});
+          m_entries_of_row.push_back({vertices[i], stiffness[Element::edge(own, i)]});
     }
     // Entries of equal columns are added in the order of the star.
     std::stable_sort(m_entries_of_row.begin(), m_entries_of_row.end(),

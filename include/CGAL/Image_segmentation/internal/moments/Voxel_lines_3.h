@@ -8,8 +8,6 @@
 #ifndef CGAL_IMAGE_SEGMENTATION_INTERNAL_MOMENTS_VOXEL_LINES_3_H
 #define CGAL_IMAGE_SEGMENTATION_INTERNAL_MOMENTS_VOXEL_LINES_3_H
 
-#include <CGAL/license/Image_segmentation.h>
-
 #include <CGAL/Image_segmentation/Gray_image.h>
 
 #include <boost/container/small_vector.hpp>

@@ -8,8 +8,6 @@
 #ifndef CGAL_IMAGE_SEGMENTATION_INTERNAL_SEGMENTATION_CELL_COSTS_H
 #define CGAL_IMAGE_SEGMENTATION_INTERNAL_SEGMENTATION_CELL_COSTS_H
 
-#include <CGAL/license/Image_segmentation.h>
-
 #include <CGAL/Image_segmentation/Image_moments.h>
 #include <CGAL/Image_segmentation/estimate_phases.h>
 #include <CGAL/Mesh_support/For_each_index.h>

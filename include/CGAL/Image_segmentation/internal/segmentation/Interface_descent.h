@@ -8,8 +8,6 @@
 #ifndef CGAL_IMAGE_SEGMENTATION_INTERNAL_SEGMENTATION_INTERFACE_DESCENT_H
 #define CGAL_IMAGE_SEGMENTATION_INTERNAL_SEGMENTATION_INTERFACE_DESCENT_H
 
-#include <CGAL/license/Image_segmentation.h>
-
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_snapshot.h>
 #include <CGAL/Deformable_simplicial_complexes/deform_interface.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_IMAGE_SEGMENTATION_INTERNAL_SEGMENTATION_SEGMENTER_H
 #define CGAL_IMAGE_SEGMENTATION_INTERNAL_SEGMENTATION_SEGMENTER_H
 
-#include <CGAL/license/Image_segmentation.h>
-
 #include <CGAL/Image_segmentation/Segmentation_options.h>
 #include <CGAL/Image_segmentation/Segmentation_report.h>
 #include <CGAL/Image_segmentation/internal/segmentation/Cell_costs.h>

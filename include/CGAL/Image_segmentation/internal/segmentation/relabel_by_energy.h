@@ -8,8 +8,6 @@
 #ifndef CGAL_IMAGE_SEGMENTATION_INTERNAL_SEGMENTATION_RELABEL_BY_ENERGY_H
 #define CGAL_IMAGE_SEGMENTATION_INTERNAL_SEGMENTATION_RELABEL_BY_ENERGY_H
 
-#include <CGAL/license/Image_segmentation.h>
-
 #include <CGAL/Deformable_simplicial_complexes/Deformation_options.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>
 #include <CGAL/Deformable_simplicial_complexes/Interface_energy.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_INTERFACE_FLOWS_INTERNAL_CORNERS_OPENED_CORNERS_3_H
 #define CGAL_INTERFACE_FLOWS_INTERNAL_CORNERS_OPENED_CORNERS_3_H
 
-#include <CGAL/license/Interface_flows.h>
-
 #include <CGAL/Deformable_simplicial_complexes/Cavity.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_report.h>
 #include <CGAL/Deformable_simplicial_complexes/Deformation_visitor.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_MESH_SUPPORT_INTERNAL_CGAL_CGAL_COMPAT_H
 #define CGAL_MESH_SUPPORT_INTERNAL_CGAL_CGAL_COMPAT_H
 
-#include <CGAL/license/Mesh_support.h>
-
 // Names that differ between CGAL 5.5 and CGAL 6. The documentation is in the branch for CGAL 5.5,
 // because Doxygen reads this branch.
 

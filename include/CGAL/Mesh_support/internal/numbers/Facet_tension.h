@@ -8,8 +8,6 @@
 #ifndef CGAL_MESH_SUPPORT_INTERNAL_NUMBERS_FACET_TENSION_H
 #define CGAL_MESH_SUPPORT_INTERNAL_NUMBERS_FACET_TENSION_H
 
-#include <CGAL/license/Mesh_support.h>
-
 #include <array>
 #include <cmath>
 

@@ -8,8 +8,6 @@
 #ifndef CGAL_MESH_SUPPORT_INTERNAL_SETS_DISJOINT_SETS_H
 #define CGAL_MESH_SUPPORT_INTERNAL_SETS_DISJOINT_SETS_H
 
-#include <CGAL/license/Mesh_support.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <numeric>

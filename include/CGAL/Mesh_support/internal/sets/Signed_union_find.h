@@ -8,8 +8,6 @@
 #ifndef CGAL_MESH_SUPPORT_INTERNAL_SETS_SIGNED_UNION_FIND_H
 #define CGAL_MESH_SUPPORT_INTERNAL_SETS_SIGNED_UNION_FIND_H
 
-#include <CGAL/license/Mesh_support.h>
-
 #include <cstddef>
 #include <numeric>
 #include <utility>

@@ -8,8 +8,6 @@
 #ifndef CGAL_MESH_SUPPORT_INTERNAL_THREADS_STOPPABLE_SORT_H
 #define CGAL_MESH_SUPPORT_INTERNAL_THREADS_STOPPABLE_SORT_H
 
-#include <CGAL/license/Mesh_support.h>
-
 #include <CGAL/Mesh_support/Progress_scope.h>
 
 #include <algorithm>

@@ -8,8 +8,6 @@
 #ifndef CGAL_TRIANGLE_SOUP_REPAIR_INTERNAL_ARRANGEMENT_TRIANGLE_DIVISION_3_H
 #define CGAL_TRIANGLE_SOUP_REPAIR_INTERNAL_ARRANGEMENT_TRIANGLE_DIVISION_3_H
 
-#include <CGAL/license/Triangle_soup_repair.h>
-
 #include <CGAL/Triangle_soup_repair/internal/soups/Triangle_soup_3.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>

@@ -8,8 +8,6 @@
 #ifndef CGAL_TRIANGLE_SOUP_REPAIR_INTERNAL_ARRANGEMENT_WELD_SOUP_3_H
 #define CGAL_TRIANGLE_SOUP_REPAIR_INTERNAL_ARRANGEMENT_WELD_SOUP_3_H
 
-#include <CGAL/license/Triangle_soup_repair.h>
-
 #include <CGAL/Mesh_support/Progress_scope.h>
 #include <CGAL/Triangle_soup_repair/internal/arrangement/Soup_contacts_3.h>
 #include <CGAL/Triangle_soup_repair/internal/arrangement/Triangle_division_3.h>

@@ -19,7 +19,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <numeric>
 #include <unordered_map>
 #include <vector>
